@@ -1,0 +1,10 @@
+# Writes OUTPUT, a C++ source that holds every file below ROOT as { relative path, text }.
+file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/*.glsl ${ROOT}/*.h)
+list(SORT files)
+set(text "#include \"shading/embedded_shaders.hpp\"\n\nnamespace facet::shading {\n\nstd::span<const EmbeddedShader> embeddedShaders() {\n  static const EmbeddedShader files[] = {\n")
+foreach(file IN LISTS files)
+  file(READ ${ROOT}/${file} content)
+  string(APPEND text "      {\"${file}\", R\"~glsl~(${content})~glsl~\"},\n")
+endforeach()
+string(APPEND text "  };\n  return files;\n}\n\n}  // namespace facet::shading\n")
+file(WRITE ${OUTPUT} "${text}")

@@ -1,0 +1,179 @@
+#pragma once
+
+// A loaded glTF asset as plain structs: what every later step reads. No OpenGL, no tinygltf.
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace facet::scene {
+
+// Axis-aligned box, metres. Empty while min > max.
+struct Bounds {
+  glm::dvec3 min = glm::dvec3(std::numeric_limits<double>::infinity());
+  glm::dvec3 max = glm::dvec3(-std::numeric_limits<double>::infinity());
+
+  bool empty() const { return !(min.x <= max.x && min.y <= max.y && min.z <= max.z); }
+  glm::dvec3 center() const { return min * 0.5 + max * 0.5; }
+  double radius() const { return empty() ? 0.0 : glm::length(max * 0.5 - min * 0.5); }
+  void add(const glm::dvec3& p) { min = glm::min(min, p), max = glm::max(max, p); }
+};
+
+// ---- Textures -------------------------------------------------------------------------------------------------------
+
+enum class Wrap : uint8_t { repeat, mirroredRepeat, clampToEdge };
+enum class Filter : uint8_t { nearest, linear };
+enum class MipFilter : uint8_t { none, nearest, linear };
+
+struct Sampler {
+  Wrap wrapS = Wrap::repeat, wrapT = Wrap::repeat;
+  Filter magFilter = Filter::linear, minFilter = Filter::linear;
+  MipFilter mipFilter = MipFilter::linear;
+  bool operator==(const Sampler&) const = default;
+};
+
+// An image as the file holds it; decoding waits until it is known who needs it (io/image.hpp).
+struct Image {
+  std::string name;               // for messages: name or file name, else "images/3"
+  std::filesystem::path file;     // an external file below the model's folder, or
+  std::vector<uint8_t> encoded;   // the encoded bytes (buffer view or data URI), or
+  std::string problem;            // neither: why there is none
+};
+
+struct Texture {
+  std::string name;
+  int image = -1;  // index in Model::images; -1: none that can be shown (a placeholder takes its place)
+  Sampler sampler;
+};
+
+// KHR_texture_transform: uv' = T R S uv.
+struct TextureTransform {
+  glm::vec2 offset = glm::vec2(0);
+  float rotation = 0;  // radians, counter-clockwise in uv
+  glm::vec2 scale = glm::vec2(1);
+  bool operator==(const TextureTransform&) const = default;
+};
+
+struct TextureRef {
+  int texture = -1;   // index in Model::textures; -1: the material has no such texture
+  int texCoord = 0;   // TEXCOORD_n
+  TextureTransform transform;
+
+  explicit operator bool() const { return texture >= 0; }
+};
+
+// ---- Materials ------------------------------------------------------------------------------------------------------
+
+enum class AlphaMode : uint8_t { opaque, mask, blend };
+
+struct Material {
+  std::string name;
+
+  glm::vec4 baseColorFactor = glm::vec4(1);  // linear Rec. 709 and coverage, [0, 1]
+  float metallicFactor = 1;                  // [0, 1]
+  float perceptualRoughnessFactor = 1;       // [0, 1]; alpha = its square
+  glm::vec3 emissiveFactor = glm::vec3(0);   // linear, [0, 1]
+  float emissiveStrength = 1;                // KHR_materials_emissive_strength, [0, inf)
+  float normalScale = 1;                     // scales x and y of the tangent-space normal
+  float occlusionStrength = 1;               // [0, 1]
+  AlphaMode alphaMode = AlphaMode::opaque;
+  float alphaCutoff = 0.5f;                  // mask only
+  bool doubleSided = false;
+  bool unlit = false;                        // KHR_materials_unlit: base colour only
+
+  TextureRef baseColor;          // sRGB rgb, linear a
+  TextureRef metallicRoughness;  // linear; g perceptual roughness, b metallic
+  TextureRef normal;             // linear; rgb -> [-1, 1]
+  TextureRef occlusion;          // linear; r
+  TextureRef emissive;           // sRGB
+};
+
+// ---- Geometry -------------------------------------------------------------------------------------------------------
+
+enum class Topology : uint8_t { points, lines, lineLoop, lineStrip, triangles, triangleStrip, triangleFan };
+
+inline constexpr int maxTexCoordSets = 2;
+
+// One draw's geometry. Each attribute array is either empty (absent) or as long as positions.
+struct Primitive {
+  Topology topology = Topology::triangles;
+  std::vector<glm::vec3> positions;  // metres, in the mesh's space, finite
+  std::vector<glm::vec3> normals;    // unit
+  std::vector<glm::vec4> tangents;   // xyz unit; bitangent = w cross(normal, tangent), w = +-1
+  std::array<std::vector<glm::vec2>, maxTexCoordSets> texCoords;
+  std::vector<glm::vec4> colors;     // linear, multiplies the base colour
+  std::vector<uint32_t> indices;     // empty: vertices in order; all < positions.size()
+  int material = -1;                 // -1: the default material
+  Bounds bounds;
+};
+
+struct Mesh {
+  std::string name;
+  std::vector<Primitive> primitives;
+};
+
+// ---- Lights, cameras, nodes -----------------------------------------------------------------------------------------
+
+enum class LightType : uint8_t { directional, point, spot };
+
+// KHR_lights_punctual; shines along the node's -Z.
+struct Light {
+  std::string name;
+  LightType type = LightType::point;
+  glm::vec3 color = glm::vec3(1);  // linear
+  float intensity = 1;             // point and spot: candela (lm/sr); directional: lux (lm/m^2)
+  float range = std::numeric_limits<float>::infinity();  // metres, > 0
+  float innerConeAngle = 0;                              // radians, [0, outer)
+  float outerConeAngle = 0.78539816f;                    // radians, (inner, pi/2]
+};
+
+struct Camera {
+  std::string name;
+  bool perspective = true;
+  double fovY = 0.8;          // radians
+  double aspectRatio = 0;     // 0: the picture's
+  double xMag = 1, yMag = 1;  // orthographic half sizes, metres
+  double zNear = 0.01;
+  double zFar = std::numeric_limits<double>::infinity();
+};
+
+struct Node {
+  std::string name;
+  int parent = -1;
+  std::vector<int> children;
+  // local = matrix if given, else translation * rotation * scale
+  std::optional<glm::dmat4> matrix;
+  glm::dvec3 translation = glm::dvec3(0);
+  glm::dquat rotation = glm::dquat(1, 0, 0, 0);  // w, x, y, z; unit
+  glm::dvec3 scale = glm::dvec3(1);
+  int mesh = -1, camera = -1, light = -1;
+};
+
+struct Scene {
+  std::string name;
+  std::vector<int> nodes;  // roots
+};
+
+struct Model {
+  std::string name;  // file name
+  std::vector<Scene> scenes;
+  int defaultScene = 0;
+  std::vector<Node> nodes;
+  std::vector<Mesh> meshes;
+  std::vector<Material> materials;
+  std::vector<Texture> textures;
+  std::vector<Image> images;
+  std::vector<Light> lights;
+  std::vector<Camera> cameras;
+  // For inspect.
+  std::string generator, copyright;
+  std::vector<std::string> extensionsUsed, extensionsRequired;
+};
+
+}  // namespace facet::scene
