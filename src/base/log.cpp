@@ -10,10 +10,14 @@ namespace {
 std::atomic<Level> threshold = Level::info;
 const char* prefix(Level level) {
   switch (level) {
-    case Level::error: return "error: ";
-    case Level::warning: return "warning: ";
-    case Level::debug: return "debug: ";
-    default: return "";
+    case Level::error:
+      return "error: ";
+    case Level::warning:
+      return "warning: ";
+    case Level::debug:
+      return "debug: ";
+    default:
+      return "";
   }
 }
 }  // namespace

@@ -18,7 +18,8 @@ struct Environment {
   uint64_t nanTexels = 0, infiniteTexels = 0, negativeTexels = 0;
 };
 
-// Replaces NaN by the mean of the valid neighbours (0 if none), Inf by the largest finite value, negatives by 0; counts them.
+// Replaces NaN by the mean of the valid neighbours (0 if none), Inf by the largest finite value, negatives by 0; counts
+// them.
 void mend(Environment& environment);
 
 }  // namespace facet::scene

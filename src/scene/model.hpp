@@ -40,10 +40,10 @@ struct Sampler {
 
 // An image as the file holds it; decoding waits until it is known who needs it (io/image.hpp).
 struct Image {
-  std::string name;               // for messages: name or file name, else "images/3"
-  std::filesystem::path file;     // an external file below the model's folder, or
-  std::vector<uint8_t> encoded;   // the encoded bytes (buffer view or data URI), or
-  std::string problem;            // neither: why there is none
+  std::string name;              // for messages: name or file name, else "images/3"
+  std::filesystem::path file;    // an external file below the model's folder, or
+  std::vector<uint8_t> encoded;  // the encoded bytes (buffer view or data URI), or
+  std::string problem;           // neither: why there is none
 };
 
 struct Texture {
@@ -61,8 +61,8 @@ struct TextureTransform {
 };
 
 struct TextureRef {
-  int texture = -1;   // index in Model::textures; -1: the material has no such texture
-  int texCoord = 0;   // TEXCOORD_n
+  int texture = -1;  // index in Model::textures; -1: the material has no such texture
+  int texCoord = 0;  // TEXCOORD_n
   TextureTransform transform;
 
   explicit operator bool() const { return texture >= 0; }
@@ -83,9 +83,9 @@ struct Material {
   float normalScale = 1;                     // scales x and y of the tangent-space normal
   float occlusionStrength = 1;               // [0, 1]
   AlphaMode alphaMode = AlphaMode::opaque;
-  float alphaCutoff = 0.5f;                  // mask only
+  float alphaCutoff = 0.5f;  // mask only
   bool doubleSided = false;
-  bool unlit = false;                        // KHR_materials_unlit: base colour only
+  bool unlit = false;  // KHR_materials_unlit: base colour only
 
   TextureRef baseColor;          // sRGB rgb, linear a
   TextureRef metallicRoughness;  // linear; g perceptual roughness, b metallic
@@ -107,9 +107,9 @@ struct Primitive {
   std::vector<glm::vec3> normals;    // unit
   std::vector<glm::vec4> tangents;   // xyz unit; bitangent = w cross(normal, tangent), w = +-1
   std::array<std::vector<glm::vec2>, maxTexCoordSets> texCoords;
-  std::vector<glm::vec4> colors;     // linear, multiplies the base colour
-  std::vector<uint32_t> indices;     // empty: vertices in order; all < positions.size()
-  int material = -1;                 // -1: the default material
+  std::vector<glm::vec4> colors;  // linear, multiplies the base colour
+  std::vector<uint32_t> indices;  // empty: vertices in order; all < positions.size()
+  int material = -1;              // -1: the default material
   Bounds bounds;
 };
 
@@ -126,8 +126,8 @@ enum class LightType : uint8_t { directional, point, spot };
 struct Light {
   std::string name;
   LightType type = LightType::point;
-  glm::vec3 color = glm::vec3(1);  // linear
-  float intensity = 1;             // point and spot: candela (lm/sr); directional: lux (lm/m^2)
+  glm::vec3 color = glm::vec3(1);                        // linear
+  float intensity = 1;                                   // point and spot: candela (lm/sr); directional: lux (lm/m^2)
   float range = std::numeric_limits<float>::infinity();  // metres, > 0
   float innerConeAngle = 0;                              // radians, [0, outer)
   float outerConeAngle = 0.78539816f;                    // radians, (inner, pi/2]

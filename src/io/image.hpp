@@ -1,0 +1,41 @@
+#pragma once
+
+// Colour images: PNG and JPEG in (header checked against the pixel budget before anything is decoded), PNG out.
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "io/gltf.hpp"
+#include "scene/model.hpp"
+
+namespace facet::io {
+
+// Row 0 is the top. Samples are interleaved, 8 bit or 16 bit (native byte order) each.
+struct Pixels {
+  int width = 0, height = 0;
+  int channels = 0;        // 1 grey, 2 grey + alpha, 3 RGB, 4 RGBA
+  int bytesPerSample = 1;  // 1 or 2
+  std::vector<uint8_t> data;
+  bool placeholder = false;  // the image was missing or corrupt
+};
+
+Result<Pixels> decodeImage(std::span<const uint8_t> encoded, const std::string& name, const Limits& limits = {});
+
+// Decodes images[i] of the model in parallel where wanted[i]; the rest stay empty (width 0). A missing or corrupt image
+// becomes a conspicuous placeholder and a warning that names it.
+std::vector<Pixels> decodeImages(const scene::Model& model, const std::vector<bool>& wanted, Notes& notes,
+                                 const Limits& limits = {});
+
+Pixels placeholderImage();  // magenta and black checks
+
+// 8-bit RGB or RGBA. Errors: the file cannot be written.
+Result<void> writePng(const std::filesystem::path& path, const Pixels& pixels);
+
+// 8-bit PNG read back as RGBA (for compare). Errors as decodeImage.
+Result<Pixels> readImage(const std::filesystem::path& path, const Limits& limits = {});
+
+}  // namespace facet::io
