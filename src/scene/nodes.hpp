@@ -1,0 +1,68 @@
+#pragma once
+
+// The node tree: who is drawn where. Double precision throughout, because a chain of transforms far from the origin
+// loses metres in single precision.
+
+#include <vector>
+
+#include "scene/model.hpp"
+
+namespace facet::scene {
+
+// translation * rotation * scale, or the node's own matrix.
+glm::dmat4 localTransform(const Node& node);
+
+// Both vectors have one entry per node of the model.
+struct NodeTransforms {
+  std::vector<glm::dmat4> worldFromNode;  // identity where not reached
+  std::vector<bool> reached;              // the scene's roots and all below them
+};
+
+// Iterative, so a chain of any depth is fine. A scene index outside the model reaches nothing.
+NodeTransforms worldTransforms(const Model& model, int scene);
+
+// A mesh placed in the world.
+struct Instance {
+  int node = -1, mesh = -1;
+  glm::dmat4 worldFromNode = glm::dmat4(1);
+  bool mirrored = false;  // left-handed matrix: front faces wind clockwise
+};
+
+struct PlacedLight {
+  int node = -1, light = -1;
+  glm::dvec3 position = glm::dvec3(0);          // world, metres
+  glm::dvec3 direction = glm::dvec3(0, 0, -1);  // world, unit; the way that it shines
+};
+
+struct PlacedCamera {
+  int node = -1, camera = -1;
+  glm::dmat4 worldFromNode = glm::dmat4(1);
+};
+
+// What one scene draws, in depth-first order of its nodes. Meshes without primitives are left out.
+struct FlatScene {
+  std::vector<Instance> instances;
+  std::vector<PlacedLight> lights;
+  std::vector<PlacedCamera> cameras;
+  int overflowed = 0;  // nodes left out because their transform is not finite
+};
+
+FlatScene flatten(const Model& model, int scene);
+
+// Box around all instances' primitives (Primitive::bounds), as the union of their transformed boxes: never too small,
+// up to sqrt(3) too large where a node turns its mesh by odd angles. Empty where nothing is drawn.
+Bounds sceneBounds(const Model& model, const std::vector<Instance>& instances);
+Bounds sceneBounds(const Model& model, int scene);
+
+// The box around the transformed box (Arvo 1990, "Transforming axis-aligned bounding boxes").
+Bounds transformed(const Bounds& bounds, const glm::dmat4& matrix);
+
+// Left-handed? Independent of scale (1e-6 or 1e6 per axis); a singular matrix is not.
+bool isMirrored(const glm::dmat4& matrix);
+
+// Takes normals along: sign(det M) cofactor(M), a multiple of the inverse transpose that also exists for singular M,
+// scaled so that its longest column is 1. Where M flattens to a plane, every normal becomes the plane's; where it
+// flattens to a line or a point, nothing is left to be shaded and the result is the identity. Results need normalising.
+glm::dmat3 normalTransform(const glm::dmat4& matrix);
+
+}  // namespace facet::scene
