@@ -1,0 +1,176 @@
+#include "scene/camera.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace facet::scene {
+
+namespace {
+
+constexpr double degree = 0.017453292519943295;
+
+// Sine and cosine that are exact at multiples of 90 degrees, so that a level camera is level to the last bit.
+struct SinCos {
+  double sin, cos;
+};
+SinCos sinCosDegrees(double degrees) {
+  const double turns = std::remainder(degrees, 360.0);
+  const double quarter = std::nearbyint(turns / 90);
+  const double rest = (turns - quarter * 90) * degree;
+  const double s = std::sin(rest), c = std::cos(rest);
+  switch (((int(quarter) % 4) + 4) % 4) {
+    case 0:
+      return {s, c};
+    case 1:
+      return {c, -s};
+    case 2:
+      return {-s, -c};
+    default:
+      return {-c, s};
+  }
+}
+
+double distanceToBox(const Bounds& box, const glm::dvec3& p) {
+  return glm::length(glm::max(glm::max(box.min - p, p - box.max), glm::dvec3(0)));
+}
+
+double farthestOfBox(const Bounds& box, const glm::dvec3& p) {
+  return glm::length(glm::max(glm::abs(box.min - p), glm::abs(box.max - p)));
+}
+
+// Smallest near plane that is worth having: see orbitView. lookedAt: metres, > 0.
+double nearPlane(const Bounds& scene, const glm::dvec3& eye, double lookedAt) {
+  constexpr double share = 1e-6;
+  // The reciprocal of near has to be a float, as has near squared times a bit.
+  constexpr double smallest = 1e-18;
+  if (scene.empty()) return std::max(share * lookedAt, smallest);
+  const double radius = scene.radius() > 0 ? std::min(scene.radius(), lookedAt) : lookedAt;
+  return std::max({0.5 * distanceToBox(scene, eye), share * radius, smallest});
+}
+
+void place(View& view, const glm::dvec3& eye, const glm::dvec3& right, const glm::dvec3& up,
+           const glm::dvec3& forward) {
+  view.eye = eye, view.right = right, view.up = up, view.forward = forward;
+  const glm::dmat3 rotation = glm::transpose(glm::dmat3(right, up, -forward));
+  view.viewFromWorld = glm::dmat4(rotation);
+  view.viewFromWorld[3] = glm::dvec4(-(rotation * eye), 1);
+}
+
+double validAspect(double aspect) { return std::isfinite(aspect) && aspect > 0 ? aspect : 1.0; }
+
+double validRadius(double radius) { return std::isfinite(radius) && radius > 0 ? radius : 1.0; }
+
+// Field of view that a projection can have, radians.
+double validFovY(double fovY) { return std::isfinite(fovY) ? std::clamp(fovY, 1e-4 * degree, 179.0 * degree) : 0.8; }
+
+}  // namespace
+
+glm::dmat4 perspective(double fovY, double aspect, double zNear, double zFar) {
+  const double cot = 1 / std::tan(fovY / 2);
+  glm::dmat4 m(0);
+  m[0][0] = cot / aspect;
+  m[1][1] = cot;
+  // depth = (a z + b) / -z with depth(-near) = 1 and depth(-far) = 0.
+  const double a = std::isinf(zFar) ? 0.0 : zNear / (zFar - zNear);
+  m[2][2] = a;
+  m[3][2] = zNear * (1 + a);
+  m[2][3] = -1;
+  return m;
+}
+
+glm::dmat4 orthographic(double halfWidth, double halfHeight, double zNear, double zFar) {
+  glm::dmat4 m(0);
+  m[0][0] = 1 / halfWidth;
+  m[1][1] = 1 / halfHeight;
+  m[2][2] = 1 / (zFar - zNear);
+  m[3][2] = zFar / (zFar - zNear);
+  m[3][3] = 1;
+  return m;
+}
+
+View orbitView(const OrbitCamera& orbit, double aspect, const Bounds& scene) {
+  const SinCos theta = sinCosDegrees(orbit.theta), phi = sinCosDegrees(orbit.phi);
+  const double radius = validRadius(orbit.radius);
+  const glm::dvec3 back(phi.sin * theta.sin, phi.cos, phi.sin * theta.cos);
+  const glm::dvec3 up(-phi.cos * theta.sin, phi.sin, -phi.cos * theta.cos);  // -d back / d phi
+  const glm::dvec3 right(theta.cos, 0, -theta.sin);
+  View view;
+  place(view, orbit.target + back * radius, right, up, -back);
+  view.zNear = nearPlane(scene, view.eye, radius);
+  view.clipFromView = perspective(validFovY(orbit.fovY * degree), validAspect(aspect), view.zNear, view.zFar);
+  view.clipFromWorld = view.clipFromView * view.viewFromWorld;
+  return view;
+}
+
+View cameraView(const Camera& camera, const glm::dmat4& worldFromNode, double aspect, const Bounds& scene) {
+  View view;
+  const auto unit = [](const glm::dvec3& v, const glm::dvec3& otherwise) {
+    const double length = glm::length(v);
+    return length > 0 && std::isfinite(length) ? v / length : otherwise;
+  };
+  const glm::dvec3 forward = unit(-glm::dvec3(worldFromNode[2]), {0, 0, -1});
+  const glm::dvec3 nodeUp = unit(glm::dvec3(worldFromNode[1]), {0, 1, 0});
+  const glm::dvec3 anyRight = std::abs(forward.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, -1);
+  const glm::dvec3 right =
+      unit(glm::cross(forward, nodeUp), unit(anyRight - forward * glm::dot(forward, anyRight), anyRight));
+  place(view, glm::dvec3(worldFromNode[3]), right, glm::cross(right, forward), forward);
+
+  const double pictureAspect = validAspect(aspect);
+  if (camera.perspective) {
+    double halfHeight = std::tan(validFovY(camera.fovY) / 2);
+    if (camera.aspectRatio > pictureAspect) halfHeight *= camera.aspectRatio / pictureAspect;
+    view.zNear = camera.zNear > 0 ? camera.zNear : nearPlane(scene, view.eye, validRadius(scene.radius()));
+    view.zFar = camera.zFar > view.zNear ? camera.zFar : std::numeric_limits<double>::infinity();
+    view.clipFromView = perspective(2 * std::atan(halfHeight), pictureAspect, view.zNear, view.zFar);
+  } else {
+    view.orthographic = true;
+    double halfHeight = validRadius(std::abs(camera.yMag));
+    halfHeight = std::max(halfHeight, validRadius(std::abs(camera.xMag)) / pictureAspect);
+    view.zNear = std::max(camera.zNear, 0.0);
+    view.zFar = camera.zFar;
+    if (!std::isfinite(view.zFar)) view.zFar = scene.empty() ? 1.0 : farthestOfBox(scene, view.eye) * 1.001;
+    if (!(view.zFar > view.zNear)) view.zFar = view.zNear + 1;
+    view.clipFromView = orthographic(halfHeight * pictureAspect, halfHeight, view.zNear, view.zFar);
+  }
+  view.clipFromWorld = view.clipFromView * view.viewFromWorld;
+  return view;
+}
+
+OrbitCamera frameBounds(const Bounds& bounds, double fovY, double aspect) {
+  OrbitCamera orbit;
+  orbit.fovY = validFovY(fovY * degree) / degree;
+  orbit.theta = 30;
+  orbit.phi = 75;
+  double sphere = 1;
+  if (!bounds.empty()) {
+    orbit.target = bounds.center();
+    sphere = bounds.radius();
+    if (!(sphere > 0)) sphere = std::max(0.5, 5e-4 * glm::length(orbit.target));
+    const glm::dvec3 size = bounds.max - bounds.min;
+    const double thin = 0.1 * std::max({size.x, size.y, size.z});
+    if (size.z < thin)
+      orbit.theta = 0, orbit.phi = 90;
+    else if (size.y < thin)
+      orbit.phi = 55;
+  }
+  const double halfY = orbit.fovY * degree / 2;
+  const double halfX = std::atan(std::tan(halfY) * validAspect(aspect));
+  orbit.radius = sphere / std::sin(std::min(halfX, halfY));
+  return orbit;
+}
+
+OrbitCamera orbitFromView(const View& view, double fovY, const Bounds& scene) {
+  OrbitCamera orbit;
+  orbit.fovY = fovY;
+  const double along = scene.empty() ? 1.0 : glm::dot(scene.center() - view.eye, view.forward);
+  orbit.radius = along > 0 ? along : validRadius(scene.radius());
+  orbit.target = view.eye + view.forward * orbit.radius;
+  const glm::dvec3 back = -view.forward;
+  orbit.phi = std::acos(std::clamp(back.y, -1.0, 1.0)) / degree;
+  // At the poles the azimuth is in the right vector alone, which is level for every orbit.
+  const bool pole = std::hypot(back.x, back.z) < 1e-9;
+  orbit.theta = (pole ? std::atan2(-view.right.z, view.right.x) : std::atan2(back.x, back.z)) / degree;
+  return orbit;
+}
+
+}  // namespace facet::scene
