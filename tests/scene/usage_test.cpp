@@ -1,0 +1,127 @@
+#include "scene/usage.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace facet::scene;
+
+namespace {
+
+// Every slot textured with texture = slot number, and nothing that makes one irrelevant.
+Material fullMaterial() {
+  Material m;
+  m.emissiveFactor = glm::vec3(1);
+  m.baseColor.texture = 0;
+  m.metallicRoughness.texture = 1;
+  m.normal.texture = 2;
+  m.occlusion.texture = 3;
+  m.emissive.texture = 4;
+  return m;
+}
+
+std::vector<int> used(const Material& material) {
+  std::vector<int> textures;
+  forEachTexture(material, [&](TextureSlot slot, const TextureRef& ref) {
+    CHECK(&ref == &textureRef(material, slot));
+    textures.push_back(ref.texture);
+  });
+  return textures;
+}
+
+Primitive triangleWithUv() {
+  Primitive p;
+  p.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  p.texCoords[0] = {{0, 0}, {1, 0}, {0, 1}};
+  p.material = 0;
+  return p;
+}
+
+Model modelWith(const Material& material) {
+  Model model;
+  model.materials = {material};
+  model.meshes = {{"", {triangleWithUv()}}};
+  model.nodes.resize(1);
+  model.nodes[0].mesh = 0;
+  model.scenes = {{"", {0}}};
+  model.images.resize(5);
+  model.textures.resize(5);
+  for (int i = 0; i < 5; ++i) model.textures[size_t(i)].image = 4 - i;
+  return model;
+}
+
+}  // namespace
+
+TEST_CASE("A texture that can't change the picture is not used") {
+  Material m = fullMaterial();
+  CHECK(used(m) == std::vector<int>{0, 1, 2, 3, 4});
+  CHECK(used(Material{}).empty());
+
+  SECTION("unlit") {
+    m.unlit = true;
+    CHECK(used(m) == std::vector<int>{0});
+  }
+  SECTION("black base colour, opaque") {
+    m.baseColorFactor = {0, 0, 0, 1};
+    CHECK(used(m) == std::vector<int>{1, 2, 3, 4});
+    m.alphaMode = AlphaMode::mask;
+    CHECK(used(m) == std::vector<int>{0, 1, 2, 3, 4});
+    m.baseColorFactor.a = 0;
+    CHECK(used(m) == std::vector<int>{1, 2, 3, 4});
+  }
+  SECTION("metallic-roughness needs both factors 0") {
+    m.metallicFactor = 0;
+    CHECK(used(m) == std::vector<int>{0, 1, 2, 3, 4});
+    m.perceptualRoughnessFactor = 0;
+    CHECK(used(m) == std::vector<int>{0, 2, 3, 4});
+  }
+  SECTION("normal") {
+    m.normalScale = 0;
+    CHECK(used(m) == std::vector<int>{0, 1, 3, 4});
+  }
+  SECTION("occlusion") {
+    m.occlusionStrength = 0;
+    CHECK(used(m) == std::vector<int>{0, 1, 2, 4});
+  }
+  SECTION("emissive factor") {
+    m.emissiveFactor = glm::vec3(0);
+    CHECK(used(m) == std::vector<int>{0, 1, 2, 3});
+  }
+  SECTION("emissive strength") {
+    m.emissiveStrength = 0;
+    CHECK(used(m) == std::vector<int>{0, 1, 2, 3});
+  }
+}
+
+TEST_CASE("A texture without its coordinates is not used") {
+  Material m = fullMaterial();
+  m.normal.texCoord = 1;
+  m.occlusion.texCoord = 7;
+  const Primitive p = triangleWithUv();
+  std::vector<TextureSlot> slots;
+  forEachTexture(m, p, [&](TextureSlot slot, const TextureRef&) { slots.push_back(slot); });
+  CHECK(slots ==
+        std::vector<TextureSlot>{TextureSlot::baseColor, TextureSlot::metallicRoughness, TextureSlot::emissive});
+}
+
+TEST_CASE("Only images of what the scene draws are wanted") {
+  Material m = fullMaterial();
+  m.occlusionStrength = 0;
+  Model model = modelWith(m);
+  CHECK(wantedImages(model, 0) == std::vector<bool>{true, false, true, true, true});
+  CHECK(wantedImages(model, 1) == std::vector<bool>(5, false));
+  CHECK(drawnMeshes(model, 0) == std::vector<bool>{true});
+
+  SECTION("unlit wants one") {
+    model.materials[0].unlit = true;
+    CHECK(wantedImages(model, 0) == std::vector<bool>{false, false, false, false, true});
+  }
+  SECTION("a mesh that no node of the scene shows wants nothing") {
+    model.scenes[0].nodes.clear();
+    CHECK(wantedImages(model, 0) == std::vector<bool>(5, false));
+  }
+  SECTION("the default material and a texture without image want nothing") {
+    model.textures[0].image = -1;
+    CHECK(wantedImages(model, 0) == std::vector<bool>{true, false, true, true, false});
+    model.meshes[0].primitives[0].material = -1;
+    CHECK(wantedImages(model, 0) == std::vector<bool>(5, false));
+  }
+}
