@@ -1,0 +1,290 @@
+#include "scene/tangents.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cfloat>
+#include <cmath>
+
+#include "scene/geometry.hpp"
+
+namespace facet::scene {
+
+namespace {
+
+constexpr uint32_t none = 0xffffffffu;
+
+// -0 and 0 are the same place.
+uint32_t bits(float x) { return std::bit_cast<uint32_t>(x + 0.0f); }
+
+// For each item the first one with an equal key. keyOf(i): std::array<uint32_t, N>.
+template <class KeyOf>
+std::vector<uint32_t> weld(size_t count, const KeyOf& keyOf) {
+  std::vector<uint32_t> first(count);
+  std::vector<uint32_t> table(std::bit_ceil(std::max<size_t>(2 * count, 2)), none);
+  const size_t mask = table.size() - 1;
+  for (size_t i = 0; i < count; ++i) {
+    const auto key = keyOf(i);
+    uint64_t hash = 0;
+    for (const uint32_t word : key) {
+      hash = (hash ^ word) * 0x9E3779B97F4A7C15u;
+      hash ^= hash >> 32;
+    }
+    size_t slot = size_t(hash) & mask;
+    while (table[slot] != none && keyOf(table[slot]) != key) slot = (slot + 1) & mask;
+    if (table[slot] == none) table[slot] = uint32_t(i);
+    first[i] = table[slot];
+  }
+  return first;
+}
+
+struct Face {
+  glm::dvec3 s = glm::dvec3(0), t = glm::dvec3(0);  // unit directions of growing u and v on the face (or 0)
+  bool preserves = false;                           // texture not mirrored
+  bool anyGroup = true;                             // no area in texture space: has no say, joins its neighbours
+  bool degenerate = false;                          // no area: two corners in one place
+};
+
+// Corners of one welded vertex that share a tangent: faces connected over edges, of one orientation.
+struct Group {
+  uint32_t vertex = 0;
+  bool preserves = false;
+  size_t begin = 0, end = 0;  // in Builder::members
+};
+
+struct Builder {
+  const Primitive& p;
+  const std::vector<glm::vec2>& uv;
+  size_t faceCount;
+  std::vector<uint32_t> vertex = {};  // per corner: welded by position, normal, uv
+  std::vector<Face> faces = {};
+  std::vector<uint32_t> neighbour = {};  // per corner: the face behind the edge to the next corner
+  std::vector<uint32_t> groupOf = {};    // per corner
+  std::vector<Group> groups = {};
+  std::vector<uint32_t> members = {};  // corners, group after group
+
+  uint32_t source(size_t corner) const { return p.indices.empty() ? uint32_t(corner) : p.indices[corner]; }
+  glm::dvec3 position(size_t corner) const { return p.positions[source(corner)]; }
+};
+
+uint32_t next(uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
+uint32_t previous(uint32_t corner) { return corner % 3 == 0 ? corner + 2 : corner - 1; }
+
+void weldCorners(Builder& b) {
+  const auto keyOf = [&](size_t i) {
+    const glm::vec3 &x = b.p.positions[i], &n = b.p.normals[i];
+    return std::array{bits(x.x), bits(x.y), bits(x.z),       bits(n.x),
+                      bits(n.y), bits(n.z), bits(b.uv[i].x), bits(b.uv[i].y)};
+  };
+  const std::vector<uint32_t> first = weld(b.p.positions.size(), keyOf);
+  b.vertex.resize(3 * b.faceCount);
+  for (size_t c = 0; c < b.vertex.size(); ++c) b.vertex[c] = first[b.source(c)];
+}
+
+glm::dvec3 unitOrZero(const glm::dvec3& v) {
+  const double length = glm::length(v);
+  return length > 0 ? v / length : glm::dvec3(0);
+}
+
+// First-order derivatives of the position over the texture (thesis, section 2.1): with edges d1, d2 and their texture
+// edges a, b:  area ds = b.v d1 - a.v d2,  area dt = -b.u d1 + a.u d2,  area = a.u b.v - a.v b.u.
+// The sign of the area is taken in single precision, as bakers do: for slivers in texture space it decides about
+// groups.
+Face makeFace(const Builder& b, size_t f) {
+  Face face;
+  const size_t c = 3 * f;
+  const glm::vec3 &x0 = b.p.positions[b.source(c)], &x1 = b.p.positions[b.source(c + 1)],
+                  &x2 = b.p.positions[b.source(c + 2)];
+  if (x0 == x1 || x1 == x2 || x2 == x0) {
+    face.degenerate = true;
+    return face;
+  }
+  const glm::vec2 a = b.uv[b.source(c + 1)] - b.uv[b.source(c)], e = b.uv[b.source(c + 2)] - b.uv[b.source(c)];
+  const glm::dvec3 d1 = glm::dvec3(x1) - glm::dvec3(x0), d2 = glm::dvec3(x2) - glm::dvec3(x0);
+  const float left = a.x * e.y, right = a.y * e.x;
+  const float area = left - right;
+  face.preserves = area > 0;
+  if (!(std::abs(area) > FLT_MIN)) return face;
+  const double sign = face.preserves ? 1 : -1;
+  face.s = unitOrZero(d1 * double(e.y) - d2 * double(a.y)) * sign;
+  face.t = unitOrZero(d2 * double(a.x) - d1 * double(e.x)) * sign;
+  face.anyGroup = face.s == glm::dvec3(0) || face.t == glm::dvec3(0);
+  return face;
+}
+
+// Pairs each edge with the next one, in the order of faces, that runs the other way between the same welded vertices.
+void connectFaces(Builder& b) {
+  struct Edge {
+    uint32_t high, corner;
+  };
+  const auto forEachEdge = [&](const auto& use) {
+    for (uint32_t c = 0; c < b.vertex.size(); ++c)
+      if (!b.faces[c / 3].degenerate)
+        use(c, std::min(b.vertex[c], b.vertex[next(c)]), std::max(b.vertex[c], b.vertex[next(c)]));
+  };
+  std::vector<uint32_t> end(b.p.positions.size() + 1, 0);  // counting sort by the lower vertex
+  forEachEdge([&](uint32_t, uint32_t low, uint32_t) { ++end[low + 1]; });
+  for (size_t i = 1; i < end.size(); ++i) end[i] += end[i - 1];
+  std::vector<Edge> edges(end.back());
+  forEachEdge([&](uint32_t c, uint32_t low, uint32_t high) { edges[end[low]++] = {high, c}; });
+
+  b.neighbour.assign(b.vertex.size(), none);
+  size_t begin = 0;
+  for (size_t low = 0; low + 1 < end.size(); begin = end[low++]) {
+    std::sort(edges.begin() + long(begin), edges.begin() + long(end[low]),
+              [](const Edge& x, const Edge& y) { return x.high != y.high ? x.high < y.high : x.corner < y.corner; });
+    size_t waiting = begin;  // oldest edge without partner; all between it and e that have none run the same way
+    for (size_t e = begin; e < end[low]; ++e) {
+      while (waiting < e && (edges[waiting].high != edges[e].high || b.neighbour[edges[waiting].corner] != none))
+        ++waiting;
+      const uint32_t x = edges[waiting].corner, y = edges[e].corner;
+      if (waiting == e || b.vertex[x] == b.vertex[y]) continue;  // same start: same way
+      b.neighbour[x] = y / 3;
+      b.neighbour[y] = x / 3;
+    }
+  }
+}
+
+// Spreads the group from a face over its two edges at the group's vertex, depth first. A face without say takes the
+// orientation of the first group that reaches it.
+void growGroup(Builder& b, uint32_t start, std::vector<uint32_t>& open) {
+  const auto id = uint32_t(b.groups.size());
+  Group group{b.vertex[start], b.faces[start / 3].preserves, b.members.size(), 0};
+  open.assign(1, start / 3);
+  while (!open.empty()) {
+    const uint32_t f = open.back();
+    open.pop_back();
+    uint32_t c = 3 * f;
+    while (b.vertex[c] != group.vertex) ++c;  // two faces share an edge, so the vertex is among the three
+    if (b.groupOf[c] != none) continue;
+    Face& face = b.faces[f];
+    const bool untouched = b.groupOf[3 * f] == none && b.groupOf[3 * f + 1] == none && b.groupOf[3 * f + 2] == none;
+    if (face.anyGroup && untouched) face.preserves = group.preserves;
+    if (face.preserves != group.preserves) continue;
+    b.groupOf[c] = id;
+    b.members.push_back(c);
+    for (const uint32_t over : {b.neighbour[previous(c)], b.neighbour[c]})
+      if (over != none) open.push_back(over);
+  }
+  group.end = b.members.size();
+  b.groups.push_back(group);
+}
+
+void buildGroups(Builder& b) {
+  b.groupOf.assign(b.vertex.size(), none);
+  b.members.reserve(b.vertex.size());
+  std::vector<uint32_t> open;
+  for (uint32_t c = 0; c < b.vertex.size(); ++c)
+    if (!b.faces[c / 3].degenerate && !b.faces[c / 3].anyGroup && b.groupOf[c] == none) growGroup(b, c, open);
+}
+
+glm::dvec3 inPlane(const glm::dvec3& v, const glm::dvec3& n) { return unitOrZero(v - n * glm::dot(n, v)); }
+
+// Unit, perpendicular to n; +X where that is possible.
+glm::vec3 anyTangent(const glm::dvec3& n) {
+  const glm::dvec3 t = inPlane(std::abs(n.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0), n);
+  return t == glm::dvec3(0) ? glm::vec3(1, 0, 0) : glm::vec3(t);
+}
+
+// Mean of the faces' directions in the vertex' tangent plane, weighted by the corner's angle in that plane.
+glm::vec4 groupTangent(const Builder& b, const Group& group) {
+  const glm::dvec3 n = b.p.normals[group.vertex];
+  glm::dvec3 sum(0);
+  for (size_t m = group.begin; m < group.end; ++m) {
+    const uint32_t c = b.members[m];
+    const Face& face = b.faces[c / 3];
+    if (face.anyGroup) continue;
+    const glm::dvec3 here = b.position(c);
+    const glm::dvec3 e1 = inPlane(b.position(previous(c)) - here, n), e2 = inPlane(b.position(next(c)) - here, n);
+    sum += inPlane(face.s, n) * std::acos(std::clamp(glm::dot(e1, e2), -1.0, 1.0));
+  }
+  const glm::dvec3 tangent = unitOrZero(sum);
+  return glm::vec4(tangent == glm::dvec3(0) ? anyTangent(n) : glm::vec3(tangent), group.preserves ? -1.0f : 1.0f);
+}
+
+std::vector<glm::vec4> cornerTangents(const Builder& b) {
+  std::vector<glm::vec4> ofGroup(b.groups.size());
+  for (size_t g = 0; g < ofGroup.size(); ++g) ofGroup[g] = groupTangent(b, b.groups[g]);
+
+  // What triangles without area inherit: the first good corner of the same vertex.
+  std::vector<uint32_t> firstGood(b.p.positions.size(), none);
+  for (uint32_t c = 0; c < b.vertex.size(); ++c)
+    if (!b.faces[c / 3].degenerate && firstGood[b.vertex[c]] == none) firstGood[b.vertex[c]] = c;
+
+  std::vector<glm::vec4> tangents(b.vertex.size());
+  for (uint32_t c = 0; c < tangents.size(); ++c) {
+    const uint32_t from = b.faces[c / 3].degenerate ? firstGood[b.vertex[c]] : c;
+    const uint32_t g = from == none ? none : b.groupOf[from];
+    tangents[c] = g == none ? glm::vec4(anyTangent(b.p.normals[b.vertex[c]]), 1) : ofGroup[g];
+  }
+  return tangents;
+}
+
+// Source vertices that agree in everything.
+std::vector<uint32_t> weldAll(const Primitive& p) {
+  return weld(p.positions.size(), [&](size_t i) {
+    std::array<uint32_t, 14> key{};
+    size_t k = 0;
+    const auto add = [&](const auto& values) {
+      if (!values.empty())
+        for (int axis = 0; axis < values[i].length(); ++axis) key[k++] = bits(values[i][axis]);
+    };
+    add(p.positions);
+    add(p.normals);
+    for (const std::vector<glm::vec2>& set : p.texCoords) add(set);
+    add(p.colors);
+    return key;
+  });
+}
+
+Primitive reindexed(const Builder& b, const std::vector<glm::vec4>& tangents) {
+  const std::vector<uint32_t> canonical = weldAll(b.p);
+  const std::vector<uint32_t> first = weld(tangents.size(), [&](size_t c) {
+    const glm::vec4& t = tangents[c];
+    return std::array{canonical[b.source(c)], bits(t.x), bits(t.y), bits(t.z), bits(t.w)};
+  });
+  Primitive out;
+  out.material = b.p.material;
+  out.bounds = b.p.bounds;
+  out.indices.resize(tangents.size());
+  std::vector<uint32_t> from;  // per vertex: its first corner
+  for (uint32_t c = 0; c < tangents.size(); ++c) {
+    if (first[c] == c) {
+      out.indices[c] = uint32_t(from.size());
+      from.push_back(c);
+    } else {
+      out.indices[c] = out.indices[first[c]];
+    }
+  }
+  const auto copy = [&](auto& to, const auto& values) {
+    if (values.empty()) return;
+    to.reserve(from.size());
+    for (const uint32_t c : from) to.push_back(values[b.source(c)]);
+  };
+  copy(out.positions, b.p.positions);
+  copy(out.normals, b.p.normals);
+  for (size_t set = 0; set < out.texCoords.size(); ++set) copy(out.texCoords[set], b.p.texCoords[set]);
+  copy(out.colors, b.p.colors);
+  out.tangents.reserve(from.size());
+  for (const uint32_t c : from) out.tangents.push_back(tangents[c]);
+  return out;
+}
+
+}  // namespace
+
+Primitive withTangents(const Primitive& primitive, int texCoordSet) {
+  if (!hasTriangles(primitive.topology) || primitive.normals.empty() || texCoordSet < 0 ||
+      texCoordSet >= maxTexCoordSets || primitive.texCoords[size_t(texCoordSet)].empty())
+    return primitive;
+  const Primitive list = asList(primitive);
+  if (list.positions.empty()) return list;
+  const size_t cornerCount = list.indices.empty() ? list.positions.size() : list.indices.size();
+  Builder b{list, list.texCoords[size_t(texCoordSet)], cornerCount / 3};
+  weldCorners(b);
+  b.faces.resize(b.faceCount);
+  for (size_t f = 0; f < b.faceCount; ++f) b.faces[f] = makeFace(b, f);
+  connectFaces(b);
+  buildGroups(b);
+  return reindexed(b, cornerTangents(b));
+}
+
+}  // namespace facet::scene

@@ -1,0 +1,24 @@
+#pragma once
+
+// Tangents as normal-map bakers expect them: Mikkelsen 2008, "Simulation of Wrinkled Surfaces Revisited", with the
+// rules on mikktspace.org (weld, groups over shared edges, weighting by corner angles).
+
+#include "scene/model.hpp"
+
+namespace facet::scene {
+
+// The primitive with tangents for TEXCOORD_texCoordSet, its triangles re-indexed: corners share a vertex where all
+// attributes agree, the tangent among them, so vertices are split where the texture is mirrored. Strips and fans become
+// lists. The order of triangles is kept.
+//
+// w follows glTF, whose bitangent points to smaller v (v runs down the image, a normal map's +y up): the negative of
+// the sign that MikkTSpace gives for the same numbers.
+//
+// Ends: triangles without area take the tangents that good triangles gave to the same vertices; triangles without area
+// in texture space take those of a neighbour over a shared edge. Where neither exists, the tangent is any unit vector
+// perpendicular to the normal (MikkTSpace: +X, whatever the normal), w = 1. Every result is finite and of unit length.
+//
+// Unchanged (without tangents) if the primitive has no triangles, no normals or not that set of coordinates.
+Primitive withTangents(const Primitive& primitive, int texCoordSet);
+
+}  // namespace facet::scene
