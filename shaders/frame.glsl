@@ -1,0 +1,8 @@
+#include "layout.h"
+
+layout(std140, binding = frameBinding) uniform FrameBlock { FrameUniforms frame; };
+
+vec3 environmentFromWorld(vec3 d) {
+  float c = frame.environmentRotation.x, s = frame.environmentRotation.y;
+  return vec3(c * d.x - s * d.z, d.y, s * d.x + c * d.z);
+}

@@ -1,0 +1,103 @@
+// Textures and factors of one material at one point: the only chunk that knows glTF's slots.
+// Defines come from src/shading/features.cpp.
+#include "layout.h"
+#include "frame.glsl"
+
+layout(std140, binding = materialBinding) uniform MaterialBlock { MaterialUniforms material; };
+
+#ifdef HAS_BASE_COLOR_TEXTURE
+layout(binding = baseColorUnit) uniform sampler2D baseColorTexture;
+#endif
+#ifdef HAS_METALLIC_ROUGHNESS_TEXTURE
+layout(binding = metallicRoughnessUnit) uniform sampler2D metallicRoughnessTexture;
+#endif
+#ifdef HAS_NORMAL_TEXTURE
+layout(binding = normalUnit) uniform sampler2D normalTexture;
+#endif
+#ifdef HAS_OCCLUSION_TEXTURE
+layout(binding = occlusionUnit) uniform sampler2D occlusionTexture;
+#endif
+#ifdef HAS_EMISSIVE_TEXTURE
+layout(binding = emissiveUnit) uniform sampler2D emissiveTexture;
+#endif
+
+// What the vertex stage hands over.
+struct Varyings {
+  vec3 position;
+  vec3 normal;
+  vec4 tangent;
+  vec2 texCoord0;
+  vec2 texCoord1;
+  vec4 color;
+};
+
+vec2 slotTexCoord(Varyings v, int slot) {
+#ifdef HAS_TEXCOORD_1
+  vec2 uv = material.texCoordSets[slot / 4][slot % 4] > 0.5 ? v.texCoord1 : v.texCoord0;
+#else
+  vec2 uv = v.texCoord0;
+#endif
+#ifdef HAS_TEXTURE_TRANSFORM
+  vec3 uv1 = vec3(uv, 1.0);
+  uv = vec2(dot(material.texCoordRows[2 * slot].xyz, uv1), dot(material.texCoordRows[2 * slot + 1].xyz, uv1));
+#endif
+  return uv;
+}
+
+vec4 materialBaseColor(Varyings v) {
+  vec4 color = material.baseColorFactor;
+#ifdef HAS_VERTEX_COLOR
+  color *= v.color;
+#endif
+#ifdef HAS_BASE_COLOR_TEXTURE
+  color *= texture(baseColorTexture, slotTexCoord(v, baseColorUnit));
+#endif
+  return color;
+}
+
+// x metallic, y perceptual roughness; both within [0, 1].
+vec2 materialMetallicRoughness(Varyings v) {
+  vec2 value = material.factors.xy;
+#ifdef HAS_METALLIC_ROUGHNESS_TEXTURE
+  value *= texture(metallicRoughnessTexture, slotTexCoord(v, metallicRoughnessUnit)).bg;
+#endif
+  return clamp(value, 0.0, 1.0);
+}
+
+// glTF 2.0, 3.9.3: 1 + strength (texture - 1).
+float materialOcclusion(Varyings v) {
+#ifdef HAS_OCCLUSION_TEXTURE
+  float texel = texture(occlusionTexture, slotTexCoord(v, occlusionUnit)).r;
+  return 1.0 + material.factors.z * frame.options.x * (texel - 1.0);
+#else
+  return 1.0;
+#endif
+}
+
+vec3 materialEmission(Varyings v) {
+  vec3 emission = material.emissiveFactor.rgb;
+#ifdef HAS_EMISSIVE_TEXTURE
+  emission *= texture(emissiveTexture, slotTexCoord(v, emissiveUnit)).rgb;
+#endif
+  return emission;
+}
+
+// Unit or as near as a degenerate input allows: a zero normal looks at the viewer.
+vec3 safeNormalize(vec3 v, vec3 otherwise) {
+  float length2 = dot(v, v);
+  return length2 > 0.0 ? v * inversesqrt(length2) : otherwise;
+}
+
+vec3 geometryNormal(Varyings v, vec3 V) { return safeNormalize(v.normal, V); }
+
+// Shading normal. MikkTSpace: the interpolated, not normalised, tangent frame decodes the texel.
+vec3 materialNormal(Varyings v, vec3 V) {
+#if defined(HAS_NORMAL_TEXTURE) && defined(HAS_TANGENT)
+  vec3 texel = texture(normalTexture, slotTexCoord(v, normalUnit)).xyz * 2.0 - 1.0;
+  texel.xy *= material.scales.x;
+  vec3 bitangent = v.tangent.w * cross(v.normal, v.tangent.xyz);
+  return safeNormalize(texel.x * v.tangent.xyz + texel.y * bitangent + texel.z * v.normal, geometryNormal(v, V));
+#else
+  return geometryNormal(v, V);
+#endif
+}

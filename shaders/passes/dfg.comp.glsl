@@ -1,0 +1,54 @@
+// The DFG table (dfg_table.glsl): A = int (1 - Fc) f NoL dw, B = int Fc f NoL dw with f = D G2 / (4 NoL NoV) and
+// Fc = (1 - VoH)^5. Over visible normals (Heitz 2018) the integrand is G2 / G1 times the Fresnel part:
+//   int f NoL dw = int [D_v(H) / (4 VoH)] [G2 / G1] dw = mean over the unit square of G2 / G1,
+// where the square maps to half the disc of visible normals, the other half being its mirror image. nodes[i] = (position,
+// weight) of Gauss-Legendre on [0, 1].
+#include "layout.h"
+#include "microfacet.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(binding = 0, rg16f) writeonly uniform image2D table;
+layout(std430, binding = computeInputBinding) readonly buffer NodeBlock { vec2 nodes[]; };
+
+// Half vector for the polar disc point (r, phi), Heitz 2018, section 3.
+vec3 visibleNormal(vec3 V, float alpha, float r, float phi) {
+  vec3 Vh = normalize(vec3(alpha * V.x, alpha * V.y, V.z));
+  vec3 T1 = Vh.z < 0.9999999 ? normalize(vec3(-Vh.y, Vh.x, 0.0)) : vec3(0.0, 1.0, 0.0);
+  vec3 T2 = cross(Vh, T1);
+  float t1 = r * cos(phi), t2 = r * sin(phi);
+  float s = 0.5 * (1.0 + Vh.z);
+  t2 = mix(sqrt(max(0.0, 1.0 - t1 * t1)), t2, s);
+  vec3 Nh = t1 * T1 + t2 * T2 + sqrt(max(0.0, 1.0 - t1 * t1 - t2 * t2)) * Vh;
+  return normalize(vec3(alpha * Nh.x, alpha * Nh.y, max(1e-6, Nh.z)));
+}
+
+void main() {
+  ivec2 size = imageSize(table);
+  ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
+  if (texel.x >= size.x || texel.y >= size.y) return;
+  vec2 uv = vec2(texel) / vec2(size - 1);
+  float NoV = max(uv.x * uv.x, 1e-6);
+  float alpha = uv.y * uv.y;
+  vec2 result;
+  float m = 1.0 - uv.x * uv.x;
+  float grazing = m * m * m * m * m;
+  if (alpha < 1e-6) {
+    result = vec2(1.0 - grazing, grazing);  // a mirror
+  } else {
+    vec3 V = vec3(0.0, sqrt(max(0.0, 1.0 - NoV * NoV)), NoV);
+    result = vec2(0.0);
+    for (int i = 0; i < nodes.length(); ++i)
+      for (int j = 0; j < nodes.length(); ++j) {
+        // r^2 uniform, phi over the half disc t1 > 0
+        vec3 H = visibleNormal(V, alpha, sqrt(nodes[i].x), PI * (nodes[j].x - 0.5));
+        float VoH = clamp(dot(V, H), 0.0, 1.0);
+        float NoL = 2.0 * VoH * H.z - V.z;
+        if (NoL <= 0.0) continue;
+        float weight = nodes[i].y * nodes[j].y * V_SmithGGXCorrelated(NoV, NoL, alpha) * 4.0 * NoV * NoL / G1_GGX(NoV, alpha);
+        float q = 1.0 - VoH;
+        float fc = q * q * q * q * q;
+        result += weight * vec2(1.0 - fc, fc);
+      }
+  }
+  imageStore(table, texel, vec4(result, 0.0, 0.0));
+}

@@ -1,0 +1,99 @@
+#include "material.glsl"
+#ifndef UNLIT
+#ifdef HAS_PUNCTUAL_LIGHTS
+#include "punctual_light.glsl"
+#else
+#include "punctual_light_none.glsl"
+#endif
+#ifdef HAS_ENVIRONMENT
+#include "image_light.glsl"
+#else
+#include "image_light_none.glsl"
+#endif
+#if defined(HAS_PUNCTUAL_LIGHTS) || defined(HAS_ENVIRONMENT)
+#include "dfg_table.glsl"
+#endif
+#endif
+#include "constants.glsl"
+
+layout(location = 0) in vec3 inPosition;
+#ifdef HAS_NORMAL
+layout(location = 1) in vec3 inNormal;
+#endif
+#ifdef HAS_TANGENT
+layout(location = 2) in vec4 inTangent;
+#endif
+#ifdef HAS_TEXCOORD_0
+layout(location = 3) in vec2 inTexCoord0;
+#endif
+#ifdef HAS_TEXCOORD_1
+layout(location = 4) in vec2 inTexCoord1;
+#endif
+#ifdef HAS_VERTEX_COLOR
+layout(location = 5) in vec4 inColor;
+#endif
+
+layout(location = 0) out vec4 outColor;  // scene-linear, associated alpha
+
+Varyings readVaryings() {
+  Varyings v = Varyings(inPosition, vec3(0.0), vec4(0.0), vec2(0.0), vec2(0.0), vec4(1.0));
+#ifdef HAS_NORMAL
+  v.normal = inNormal;
+#endif
+#ifdef HAS_TANGENT
+  v.tangent = inTangent;
+#endif
+#ifdef HAS_TEXCOORD_0
+  v.texCoord0 = inTexCoord0;
+#endif
+#ifdef HAS_TEXCOORD_1
+  v.texCoord1 = inTexCoord1;
+#endif
+#ifdef HAS_VERTEX_COLOR
+  v.color = inColor;
+#endif
+#ifdef DOUBLE_SIDED
+  if (!gl_FrontFacing) v.normal = -v.normal;  // and with it the bitangent; the tangent stays
+#endif
+  return v;
+}
+
+vec3 towardsViewer(vec3 position) {
+  return frame.eye.w > 0.5 ? safeNormalize(frame.eye.xyz - position, vec3(0.0, 0.0, 1.0)) : frame.towardsEye.xyz;
+}
+
+#ifndef UNLIT
+vec3 litRadiance(Varyings v, vec3 V, vec3 baseColor) {
+  vec2 metallicRoughness = materialMetallicRoughness(v);
+  Surface s = makeSurface(materialNormal(v, V), V, baseColor, metallicRoughness.x, metallicRoughness.y, materialOcclusion(v));
+#if defined(HAS_PUNCTUAL_LIGHTS) || defined(HAS_ENVIRONMENT)
+  s.dfg = lookUpDfg(s.NoV, s.perceptualRoughness);
+#endif
+  return materialEmission(v) + punctualLight(s, v.position) + imageLight(s);
+}
+#endif
+
+#ifdef CHANNEL
+#include "channels.glsl"
+#endif
+
+void main() {
+  Varyings v = readVaryings();
+  vec4 baseColor = materialBaseColor(v);
+#ifdef ALPHA_MASK
+  if (baseColor.a < material.factors.w) discard;
+#endif
+#ifdef ALPHA_BLEND
+  float coverage = clamp(baseColor.a, 0.0, 1.0);
+#else
+  float coverage = 1.0;
+#endif
+#if defined(CHANNEL)
+  outColor = vec4(channelValue(v, towardsViewer(v.position), baseColor), 1.0);
+#elif defined(UNLIT)
+  outColor = vec4(min(baseColor.rgb, maxHalf) * coverage, coverage);
+#else
+  vec3 radiance = litRadiance(v, towardsViewer(v.position), baseColor.rgb);
+  outColor = vec4(clamp(radiance, 0.0, maxHalf) * coverage, coverage);
+#endif
+}

@@ -1,0 +1,3 @@
+#include "bsdf.glsl"
+
+vec3 punctualLight(Surface s, vec3 position) { return vec3(0.0); }

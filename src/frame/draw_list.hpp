@@ -1,0 +1,56 @@
+#pragma once
+
+// Scene -> what is drawn: pure, no OpenGL. World coordinates are relative to the scene's origin (the centre of its
+// bounds), so that single precision suffices on the GPU however far away a scene lies.
+
+#include <optional>
+#include <vector>
+
+#include "ibl/tables.hpp"
+#include "layout.h"
+#include "scene/model.hpp"
+#include "scene/nodes.hpp"
+#include "shading/features.hpp"
+
+namespace facet::frame {
+
+// One material for everything, in place of the file's.
+using MaterialOverride = std::optional<scene::Material>;
+
+struct DrawOptions {
+  shading::FrameFeatures features;  // punctualLights is set by buildDrawList
+  bool sceneLights = true;          // the file's lights
+  bool demoLights = false;          // four point lights around the scene
+  MaterialOverride material;
+};
+
+// One instanced draw call.
+struct Draw {
+  const scene::Primitive* primitive = nullptr;
+  int material = 0;  // index in DrawList::materials
+  shading::VariantKey key;
+  uint32_t firstInstance = 0, instanceCount = 1;
+  bool mirrored = false;
+  bool doubleSided = false;
+  glm::vec3 center = glm::vec3(0);  // of the bounds, for sorting blended draws
+};
+
+struct DrawList {
+  glm::dvec3 origin = glm::dvec3(0);       // world position of the draw list's zero
+  scene::Bounds bounds;                    // world
+  std::vector<scene::Material> materials;  // the model's, then the default material
+  std::vector<layout::Instance> instances;
+  std::vector<layout::LightUniforms> lights;
+  std::vector<Draw> opaque;   // opaque and mask, sorted by program and material
+  std::vector<Draw> blended;  // one instance each; sorted by distance when drawn
+  shading::FrameFeatures features;
+  std::vector<scene::PlacedCamera> cameras;
+  int overflowed = 0;  // nodes left out because their transform is not finite
+
+  // What the draws read from src/ibl/.
+  ibl::Needs needs(bool environmentVisible) const;
+};
+
+DrawList buildDrawList(const scene::Model& model, int scene, const DrawOptions& options);
+
+}  // namespace facet::frame

@@ -1,0 +1,289 @@
+#include "frame/frame.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace facet::frame {
+
+namespace {
+
+using scene::TextureSlot;
+using shading::ProgramStore;
+
+Result<const gl::Program*> meshProgram(const shading::VariantKey& key, ProgramStore& programs) {
+  return programs.render("passes/mesh.vert.glsl", "passes/mesh.frag.glsl", shading::variantDefines(key));
+}
+Result<const gl::Program*> skyProgram(ProgramStore& programs) {
+  return programs.render("passes/fullscreen.vert.glsl", "passes/sky.frag.glsl");
+}
+Result<const gl::Program*> displayProgram(ProgramStore& programs) {
+  return programs.render("passes/fullscreen.vert.glsl", "passes/display.frag.glsl");
+}
+Result<const gl::Program*> gatherProgram(ProgramStore& programs) {
+  return programs.render("passes/fullscreen.vert.glsl", "passes/gather.frag.glsl");
+}
+
+bool skyVisible(const FrameInput& in) {
+  return in.settings.background == Background::environment && in.tables.background && in.list.features.channel == 0;
+}
+
+// Point i of the R2 sequence (Roberts 2018), which fills the square evenly for any count; i = 0 is the centre.
+glm::dvec2 jitter(int i) {
+  return glm::fract(glm::dvec2(0.5) + static_cast<double>(i) * glm::dvec2(0.7548776662466927, 0.5698402909980532)) -
+         0.5;
+}
+
+layout::FrameUniforms frameUniforms(const FrameInput& in, const glm::dvec2& offsetPixels) {
+  const scene::View& view = in.view;
+  const glm::dmat4 shift = glm::translate(
+      glm::dmat4(1), glm::dvec3(2 * offsetPixels.x / in.settings.width, 2 * offsetPixels.y / in.settings.height, 0));
+  layout::FrameUniforms u{};
+  u.clipFromWorld = glm::mat4(shift * view.clipFromWorld * glm::translate(glm::dmat4(1), in.list.origin));
+  const double tanX = view.orthographic ? 0 : 1 / view.clipFromView[0][0];
+  const double tanY = view.orthographic ? 0 : 1 / view.clipFromView[1][1];
+  u.worldFromClip = glm::mat4(glm::dmat4(glm::dvec4(view.right * tanX, 0), glm::dvec4(view.up * tanY, 0), glm::dvec4(0),
+                                         glm::dvec4(view.forward, 0)));
+  u.eye = glm::vec4(glm::vec3(view.eye - in.list.origin), view.orthographic ? 0.0f : 1.0f);
+  u.towardsEye = glm::vec4(glm::vec3(-view.forward), 0);
+  const float angle = glm::radians(in.settings.environmentRotationDeg);
+  u.environmentRotation = glm::vec4(std::cos(angle), std::sin(angle), 0, 0);
+  const float scale = in.tables.radianceScale * in.settings.environmentStrength;
+  u.environmentScale = glm::vec4(scale, scale, 0, 0);
+  u.options = glm::vec4(in.settings.occlusion, 0, 0, 0);
+  return u;
+}
+
+void bindTables(const ibl::Tables& tables) {
+  if (tables.dfg) tables.dfg.bind(layout::dfgUnit);
+  if (tables.irradiance) tables.irradiance.bind(layout::irradianceUnit);
+  if (tables.mirrorLayers) tables.mirrorLayers.bind(layout::mirrorLayersUnit);
+  if (tables.roughLayers) tables.roughLayers.bind(layout::roughLayersUnit);
+}
+
+void bindMaterial(const FrameInput& in, const Draw& draw) {
+  const auto index = static_cast<size_t>(draw.material);
+  const scene::Material& material = in.list.materials[index];
+  glBindBufferRange(GL_UNIFORM_BUFFER, layout::materialBinding, in.gpu.materials.id(),
+                    static_cast<GLintptr>(index * in.gpu.materialStride), sizeof(layout::MaterialUniforms));
+  for (const TextureSlot slot : scene::textureSlots) {
+    if (!shading::samplesSlot({material, *draw.primitive, in.list.features}, slot)) continue;
+    const BoundTexture bound = boundTexture(in.gpu, in.model, material, slot);
+    glBindTextureUnit(static_cast<GLuint>(slot), bound.texture);
+    glBindSampler(static_cast<GLuint>(slot), bound.sampler);
+  }
+}
+
+uint64_t triangleCount(const GpuPrimitive& primitive) {
+  switch (primitive.mode) {
+    case GL_TRIANGLES:
+      return static_cast<uint64_t>(primitive.count) / 3;
+    case GL_TRIANGLE_STRIP:
+    case GL_TRIANGLE_FAN:
+      return static_cast<uint64_t>(std::max(0, primitive.count - 2));
+    default:
+      return 0;
+  }
+}
+
+void issue(const FrameInput& in, const Draw& draw, FrameStatistics& statistics) {
+  const GpuPrimitive& primitive = in.gpu.primitives.at(draw.primitive);
+  glBindVertexArray(primitive.vertexArray.id());
+  glFrontFace(draw.mirrored ? GL_CW : GL_CCW);
+  const auto instances = static_cast<GLsizei>(draw.instanceCount);
+  if (primitive.indexType == GL_NONE)
+    glDrawArraysInstancedBaseInstance(primitive.mode, 0, primitive.count, instances, draw.firstInstance);
+  else
+    glDrawElementsInstancedBaseInstance(primitive.mode, primitive.count, primitive.indexType, nullptr, instances,
+                                        draw.firstInstance);
+  ++statistics.draws;
+  statistics.instances += draw.instanceCount;
+  statistics.triangles += triangleCount(primitive) * draw.instanceCount;
+}
+
+void setCulling(bool doubleSided) {
+  if (doubleSided)
+    glDisable(GL_CULL_FACE);
+  else
+    glEnable(GL_CULL_FACE);
+}
+
+// Draws a run of the list, changing program and material only where they change.
+Result<void> drawSorted(const FrameInput& in, const std::vector<const Draw*>& draws, bool blended,
+                        ProgramStore& programs, FrameStatistics& statistics) {
+  const gl::Program* current = nullptr;
+  const Draw* previous = nullptr;
+  for (const Draw* draw : draws) {
+    const auto program = meshProgram(draw->key, programs);
+    if (!program) return tl::unexpected(program.error());
+    if (*program != current) glUseProgram((*program)->id());
+    // The slots that are read depend on the primitive's attributes too, which the key holds.
+    if (*program != current || draw->material != previous->material) bindMaterial(in, *draw);
+    current = *program;
+    previous = draw;
+    if (blended && draw->doubleSided) {
+      // The far side of a closed shape first.
+      glEnable(GL_CULL_FACE);
+      glCullFace(GL_FRONT);
+      issue(in, *draw, statistics);
+      glCullFace(GL_BACK);
+      issue(in, *draw, statistics);
+      continue;
+    }
+    setCulling(draw->doubleSided);
+    issue(in, *draw, statistics);
+  }
+  return {};
+}
+
+Result<void> drawOpaque(const FrameInput& in, ProgramStore& programs, FrameStatistics& statistics) {
+  if (in.list.opaque.empty()) return {};
+  statistics.passes.emplace_back("opaque");
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_GREATER);
+  glDepthMask(GL_TRUE);
+  std::vector<const Draw*> draws;
+  for (const Draw& draw : in.list.opaque) draws.push_back(&draw);
+  return drawSorted(in, draws, false, programs, statistics);
+}
+
+Result<void> drawSky(const FrameInput& in, ProgramStore& programs, FrameStatistics& statistics) {
+  if (!skyVisible(in)) return {};
+  const auto program = skyProgram(programs);
+  if (!program) return tl::unexpected(program.error());
+  statistics.passes.emplace_back("sky");
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_GEQUAL);
+  glDepthMask(GL_FALSE);
+  glDisable(GL_CULL_FACE);
+  in.tables.background.bind(layout::equirectUnit);
+  glUseProgram((*program)->id());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  return {};
+}
+
+Result<void> drawBlended(const FrameInput& in, ProgramStore& programs, FrameStatistics& statistics) {
+  if (in.list.blended.empty()) return {};
+  statistics.passes.emplace_back("blend");
+  std::vector<const Draw*> draws;
+  for (const Draw& draw : in.list.blended) draws.push_back(&draw);
+  const glm::dvec3 eye = in.view.eye - in.list.origin;
+  std::ranges::stable_sort(draws, std::greater<>(), [&](const Draw* d) {
+    return in.view.orthographic ? glm::dot(glm::dvec3(d->center) - eye, in.view.forward)
+                                : glm::length(glm::dvec3(d->center) - eye);
+  });
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_GEQUAL);
+  glDepthMask(GL_FALSE);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  Result<void> result = drawSorted(in, draws, true, programs, statistics);
+  glDisable(GL_BLEND);
+  glDepthMask(GL_TRUE);
+  return result;
+}
+
+void clearTargets(const FrameInput& in, const Targets& targets) {
+  glm::vec4 clear(0, 0, 0, 1);
+  if (in.settings.background == Background::transparent) clear.a = 0;
+  if (in.settings.background == Background::color) clear = glm::vec4(in.settings.backgroundColor, 1);
+  const float far = 0;
+  glDepthMask(GL_TRUE);
+  glClearNamedFramebufferfv(targets.drawn.id(), GL_COLOR, 0, &clear.x);
+  glClearNamedFramebufferfv(targets.drawn.id(), GL_DEPTH, 0, &far);
+}
+
+// One draw of the scene into targets.color.
+Result<FrameStatistics> drawScene(const FrameInput& in, const Targets& targets, const glm::dvec2& offsetPixels,
+                                  ProgramStore& programs) {
+  FrameStatistics statistics;
+  const std::vector<layout::FrameUniforms> uniforms = {frameUniforms(in, offsetPixels)};
+  const gl::Buffer frameBuffer = gl::Buffer::of(uniforms, "frame");
+  glBindFramebuffer(GL_FRAMEBUFFER, targets.drawn.id());
+  glViewport(0, 0, targets.width, targets.height);
+  clearTargets(in, targets);
+  glBindBufferBase(GL_UNIFORM_BUFFER, layout::frameBinding, frameBuffer.id());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::instanceBinding, in.gpu.instances.id());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::lightBinding, in.gpu.lights.id());
+  bindTables(in.tables);
+  glCullFace(GL_BACK);
+  for (const auto pass : {drawOpaque, drawSky, drawBlended})
+    if (Result<void> result = pass(in, programs, statistics); !result) return tl::unexpected(result.error());
+  for (GLuint unit = 0; unit < layout::materialSlotCount; ++unit) glBindSampler(unit, 0);
+  if (targets.samples > 1) {
+    statistics.passes.emplace_back("resolve");
+    glBlitNamedFramebuffer(targets.drawn.id(), targets.resolved.id(), 0, 0, targets.width, targets.height, 0, 0,
+                           targets.width, targets.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  }
+  return statistics;
+}
+
+void drawFullscreen(const gl::Framebuffer& target, const Targets& targets, const gl::Texture& source,
+                    const gl::Program& program) {
+  glBindFramebuffer(GL_FRAMEBUFFER, target.id());
+  glViewport(0, 0, targets.width, targets.height);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  source.bind(layout::sourceUnit);
+  glUseProgram(program.id());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+Result<void> drawDisplay(const FrameInput& in, const Targets& targets, ProgramStore& programs) {
+  const auto program = displayProgram(programs);
+  if (!program) return tl::unexpected(program.error());
+  const int channel = in.list.features.channel;
+  const bool shaded = channel == 0;
+  const bool encode = shading::channelIsColor(channel);
+  (*program)->set(0, glm::vec4(shaded ? std::exp2(in.settings.exposureStops) : 1.0f,
+                               shaded ? static_cast<float>(in.settings.toneMapper) : 0.0f, encode ? 1.0f : 0.0f, 0));
+  drawFullscreen(targets.shown, targets, targets.sum ? targets.sum : targets.color, **program);
+  return {};
+}
+
+// Adds targets.color / draws to the sum.
+Result<void> gather(const Targets& targets, int draws, ProgramStore& programs) {
+  const auto program = gatherProgram(programs);
+  if (!program) return tl::unexpected(program.error());
+  (*program)->set(0, 1.0f / static_cast<float>(draws));
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE);
+  drawFullscreen(targets.gathered, targets, targets.color, **program);
+  glDisable(GL_BLEND);
+  return {};
+}
+
+}  // namespace
+
+Result<void> preparePrograms(const FrameInput& in, ProgramStore& programs) {
+  for (const std::vector<Draw>* draws : {&in.list.opaque, &in.list.blended})
+    for (const Draw& draw : *draws)
+      if (const auto program = meshProgram(draw.key, programs); !program) return tl::unexpected(program.error());
+  if (skyVisible(in))
+    if (const auto program = skyProgram(programs); !program) return tl::unexpected(program.error());
+  const auto program = displayProgram(programs);
+  if (!program) return tl::unexpected(program.error());
+  return {};
+}
+
+Result<FrameStatistics> drawFrame(const FrameInput& in, const Targets& targets, ProgramStore& programs) {
+  const int draws = targets.sum ? (in.settings.samples + targets.samples - 1) / targets.samples : 1;
+  FrameStatistics statistics;
+  if (targets.sum) {
+    const glm::vec4 zero(0);
+    glClearNamedFramebufferfv(targets.gathered.id(), GL_COLOR, 0, &zero.x);
+  }
+  for (int i = 0; i < draws; ++i) {
+    Result<FrameStatistics> drawn = drawScene(in, targets, draws > 1 ? jitter(i) : glm::dvec2(0), programs);
+    if (!drawn) return drawn;
+    if (i == 0) statistics = std::move(*drawn);
+    if (targets.sum)
+      if (Result<void> result = gather(targets, draws, programs); !result) return tl::unexpected(result.error());
+  }
+  if (targets.sum) statistics.passes.push_back("gather x " + std::to_string(draws));
+  statistics.passes.emplace_back("display");
+  if (Result<void> result = drawDisplay(in, targets, programs); !result) return tl::unexpected(result.error());
+  return statistics;
+}
+
+}  // namespace facet::frame

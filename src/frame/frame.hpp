@@ -1,0 +1,60 @@
+#pragma once
+
+// One frame: draw list + tables + view -> scene-linear picture -> display picture. A list of passes over plain structs.
+
+#include <string>
+#include <vector>
+
+#include "frame/draw_list.hpp"
+#include "frame/gpu_scene.hpp"
+#include "frame/settings.hpp"
+#include "gl/texture.hpp"
+#include "ibl/tables.hpp"
+#include "io/radiance.hpp"
+#include "scene/camera.hpp"
+#include "shading/programs.hpp"
+
+namespace facet::frame {
+
+// Where a frame is drawn. Samples of one draw are bounded by the driver; more are gathered from jittered draws.
+struct Targets {
+  int width = 0, height = 0;
+  int samples = 1;          // of the multisample targets
+  gl::Texture multisample;  // RGBA16F, only where samples > 1
+  gl::Texture depth;        // 32F, reversed: 1 near, 0 far
+  gl::Texture color;        // RGBA16F, scene-linear, associated alpha
+  gl::Texture sum;          // RGBA32F, only while several draws are gathered
+  gl::Texture display;      // RGBA8, sRGB-encoded, straight alpha
+  gl::Framebuffer drawn, resolved, gathered, shown;
+};
+Targets createTargets(int width, int height, int samples, bool gather);
+
+struct FrameStatistics {
+  std::vector<std::string> passes;
+  int draws = 0;
+  uint64_t instances = 0, triangles = 0;
+};
+
+struct FrameInput {
+  const scene::Model& model;
+  const DrawList& list;
+  const GpuScene& gpu;
+  const ibl::Tables& tables;
+  const scene::View& view;
+  const PictureSettings& settings;
+};
+
+// Compiles what the draw list needs and is not there yet. Errors: a shader does not compile (a driver's or a user's
+// file).
+Result<void> preparePrograms(const FrameInput& in, shading::ProgramStore& programs);
+
+// Draws settings.samples samples a pixel into targets.color (or targets.sum) and the display picture into
+// targets.display. All programs are ready (preparePrograms).
+Result<FrameStatistics> drawFrame(const FrameInput& in, const Targets& targets, shading::ProgramStore& programs);
+
+// Scene-linear, associated alpha; waits for the GPU.
+io::RadianceImage readRadiance(const Targets& targets);
+// 8-bit sRGB; RGB where the background covers everything, RGBA else.
+io::Pixels readDisplay(const Targets& targets, bool withAlpha);
+
+}  // namespace facet::frame

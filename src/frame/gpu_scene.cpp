@@ -1,0 +1,276 @@
+#include "frame/gpu_scene.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <numeric>
+
+#include "frame/gpu_texture.hpp"
+
+namespace facet::frame {
+
+namespace {
+
+using scene::Primitive;
+using scene::TextureSlot;
+using scene::Topology;
+
+GLenum drawMode(Topology topology) {
+  switch (topology) {
+    case Topology::points:
+      return GL_POINTS;
+    case Topology::lines:
+      return GL_LINES;
+    case Topology::lineLoop:
+      return GL_LINE_LOOP;
+    case Topology::lineStrip:
+      return GL_LINE_STRIP;
+    case Topology::triangles:
+      return GL_TRIANGLES;
+    case Topology::triangleStrip:
+      return GL_TRIANGLE_STRIP;
+    case Topology::triangleFan:
+      return GL_TRIANGLE_FAN;
+  }
+  return GL_TRIANGLES;
+}
+
+template <class T>
+void addAttribute(GpuPrimitive& gpu, GLuint location, GLint components, const std::vector<T>& data, const char* label) {
+  const gl::Buffer& buffer = gpu.buffers.emplace_back(gl::Buffer::of(data, label));
+  const GLuint vao = gpu.vertexArray.id();
+  glVertexArrayVertexBuffer(vao, location, buffer.id(), 0, sizeof(T));
+  glVertexArrayAttribFormat(vao, location, components, GL_FLOAT, GL_FALSE, 0);
+  glVertexArrayAttribBinding(vao, location, location);
+  glEnableVertexArrayAttrib(vao, location);
+}
+
+// 16-bit indices where they suffice.
+void addIndices(GpuPrimitive& gpu, const Primitive& primitive) {
+  if (primitive.indices.empty()) {
+    gpu.count = static_cast<GLsizei>(primitive.positions.size());
+    return;
+  }
+  gpu.count = static_cast<GLsizei>(primitive.indices.size());
+  if (primitive.positions.size() <= 65535) {
+    const std::vector<uint16_t> narrow(primitive.indices.begin(), primitive.indices.end());
+    gpu.indexType = GL_UNSIGNED_SHORT;
+    gpu.buffers.push_back(gl::Buffer::of(narrow, "indices"));
+  } else {
+    gpu.indexType = GL_UNSIGNED_INT;
+    gpu.buffers.push_back(gl::Buffer::of(primitive.indices, "indices"));
+  }
+  glVertexArrayElementBuffer(gpu.vertexArray.id(), gpu.buffers.back().id());
+}
+
+GpuPrimitive uploadPrimitive(const Primitive& primitive, const shading::VariantKey& key) {
+  GpuPrimitive gpu;
+  gpu.features = key.features;
+  gpu.mode = drawMode(primitive.topology);
+  addAttribute(gpu, layout::positionLocation, 3, primitive.positions, "positions");
+  if (shading::usesFeature(key, "HAS_NORMAL"))
+    addAttribute(gpu, layout::normalLocation, 3, primitive.normals, "normals");
+  if (shading::usesFeature(key, "HAS_TANGENT"))
+    addAttribute(gpu, layout::tangentLocation, 4, primitive.tangents, "tangents");
+  if (shading::usesFeature(key, "HAS_TEXCOORD_0"))
+    addAttribute(gpu, layout::texCoord0Location, 2, primitive.texCoords[0], "texture coordinates 0");
+  if (shading::usesFeature(key, "HAS_TEXCOORD_1"))
+    addAttribute(gpu, layout::texCoord1Location, 2, primitive.texCoords[1], "texture coordinates 1");
+  if (shading::usesFeature(key, "HAS_VERTEX_COLOR"))
+    addAttribute(gpu, layout::colorLocation, 4, primitive.colors, "vertex colours");
+  addIndices(gpu, primitive);
+  return gpu;
+}
+
+void forEachDraw(const DrawList& list, const std::function<void(const Draw&)>& visit) {
+  for (const Draw& draw : list.opaque) visit(draw);
+  for (const Draw& draw : list.blended) visit(draw);
+}
+
+TextureUse useOf(const scene::Model& model, const scene::Material& material, TextureSlot slot) {
+  TextureUse use;
+  use.image = model.textures[static_cast<size_t>(textureRef(material, slot).texture)].image;
+  switch (slot) {
+    case TextureSlot::baseColor:
+      use.srgb = true;
+      use.channels = material.alphaMode == scene::AlphaMode::opaque ? 0b0111 : 0b1111;
+      break;
+    case TextureSlot::emissive:
+      use.srgb = true, use.channels = 0b0111;
+      break;
+    case TextureSlot::metallicRoughness:
+      use.channels = 0b0110;
+      break;
+    case TextureSlot::occlusion:
+      use.channels = 0b0001;
+      break;
+    case TextureSlot::normal:
+      use.channels = 0b0111;
+      break;
+  }
+  return use;
+}
+
+const gl::Texture* findTexture(const GpuScene& gpu, const TextureUse& use) {
+  for (const auto& [key, texture] : gpu.textures)
+    if (key.image == use.image && key.srgb == use.srgb && (key.channels & use.channels) == use.channels)
+      return &texture;
+  return nullptr;
+}
+
+GLuint samplerFor(const GpuScene& gpu, const scene::Sampler& sampler) {
+  for (const auto& [key, object] : gpu.samplers)
+    if (key == sampler) return object.id();
+  return 0;
+}
+
+GLint wrapMode(scene::Wrap wrap) {
+  switch (wrap) {
+    case scene::Wrap::repeat:
+      return GL_REPEAT;
+    case scene::Wrap::mirroredRepeat:
+      return GL_MIRRORED_REPEAT;
+    case scene::Wrap::clampToEdge:
+      return GL_CLAMP_TO_EDGE;
+  }
+  return GL_REPEAT;
+}
+
+gl::Sampler createSampler(const scene::Sampler& sampler, const gl::ContextInfo& context) {
+  using scene::Filter;
+  using scene::MipFilter;
+  gl::Sampler object = gl::Sampler::create();
+  const GLuint id = object.id();
+  const bool linear = sampler.minFilter == Filter::linear;
+  GLint minFilter = linear ? GL_LINEAR : GL_NEAREST;
+  if (sampler.mipFilter == MipFilter::nearest)
+    minFilter = linear ? GL_LINEAR_MIPMAP_NEAREST : GL_NEAREST_MIPMAP_NEAREST;
+  if (sampler.mipFilter == MipFilter::linear) minFilter = linear ? GL_LINEAR_MIPMAP_LINEAR : GL_NEAREST_MIPMAP_LINEAR;
+  glSamplerParameteri(id, GL_TEXTURE_MIN_FILTER, minFilter);
+  glSamplerParameteri(id, GL_TEXTURE_MAG_FILTER, sampler.magFilter == Filter::linear ? GL_LINEAR : GL_NEAREST);
+  glSamplerParameteri(id, GL_TEXTURE_WRAP_S, wrapMode(sampler.wrapS));
+  glSamplerParameteri(id, GL_TEXTURE_WRAP_T, wrapMode(sampler.wrapT));
+  // Trilinear samplers get anisotropic filtering; any other filter is a wish for exactly that filter.
+  if (minFilter == GL_LINEAR_MIPMAP_LINEAR)
+    glSamplerParameterf(id, GL_TEXTURE_MAX_ANISOTROPY_EXT, std::min(8.0f, context.maxAnisotropy));
+  return object;
+}
+
+bool needsMips(const scene::Model& model, int image) {
+  return std::ranges::any_of(model.textures, [&](const scene::Texture& texture) {
+    return texture.image == image && texture.sampler.mipFilter != scene::MipFilter::none;
+  });
+}
+
+layout::MaterialUniforms materialUniforms(const scene::Material& material) {
+  layout::MaterialUniforms out{};
+  out.baseColorFactor = material.baseColorFactor;
+  out.emissiveFactor = glm::vec4(material.emissiveFactor * material.emissiveStrength, 0);
+  out.factors = glm::vec4(material.metallicFactor, material.perceptualRoughnessFactor, material.occlusionStrength,
+                          material.alphaCutoff);
+  out.scales.x = material.normalScale;
+  for (const TextureSlot slot : scene::textureSlots) {
+    const auto index = static_cast<int>(slot);
+    const scene::TextureRef& ref = textureRef(material, slot);
+    out.texCoordSets[index / 4][index % 4] = static_cast<float>(ref.texCoord);
+    // KHR_texture_transform: translation * rotation * scale
+    const scene::TextureTransform& t = ref.transform;
+    const float c = std::cos(t.rotation), s = std::sin(t.rotation);
+    out.texCoordRows[2 * index] = glm::vec4(c * t.scale.x, s * t.scale.y, t.offset.x, 0);
+    out.texCoordRows[2 * index + 1] = glm::vec4(-s * t.scale.x, c * t.scale.y, t.offset.y, 0);
+  }
+  return out;
+}
+
+void uploadMaterials(GpuScene& gpu, const DrawList& list) {
+  GLint alignment = 256;
+  glGetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &alignment);
+  const size_t step = static_cast<size_t>(alignment);
+  gpu.materialStride = (sizeof(layout::MaterialUniforms) + step - 1) / step * step;
+  std::vector<std::byte> bytes(gpu.materialStride * list.materials.size());
+  for (size_t i = 0; i < list.materials.size(); ++i) {
+    const layout::MaterialUniforms uniforms = materialUniforms(list.materials[i]);
+    std::memcpy(bytes.data() + i * gpu.materialStride, &uniforms, sizeof uniforms);
+  }
+  gpu.materials = gl::Buffer(bytes, "materials");
+}
+
+}  // namespace
+
+size_t GpuScene::textureBytes() const {
+  return std::accumulate(textures.begin(), textures.end(), size_t{0},
+                         [](size_t sum, const auto& entry) { return sum + entry.second.bytes(); });
+}
+
+size_t GpuScene::geometryBytes() const {
+  size_t sum = instances.bytes();
+  for (const auto& entry : primitives)
+    for (const gl::Buffer& buffer : entry.second.buffers) sum += buffer.bytes();
+  return sum;
+}
+
+std::vector<TextureUse> textureUses(const scene::Model& model, const DrawList& list) {
+  std::vector<TextureUse> uses;
+  forEachDraw(list, [&](const Draw& draw) {
+    const scene::Material& material = list.materials[static_cast<size_t>(draw.material)];
+    for (const TextureSlot slot : scene::textureSlots) {
+      if (!shading::samplesSlot({material, *draw.primitive, list.features}, slot)) continue;
+      const TextureUse use = useOf(model, material, slot);
+      if (use.image < 0) continue;
+      const auto same = std::ranges::find_if(
+          uses, [&](const TextureUse& other) { return other.image == use.image && other.srgb == use.srgb; });
+      if (same == uses.end())
+        uses.push_back(use);
+      else
+        same->channels = static_cast<uint8_t>(same->channels | use.channels);
+    }
+  });
+  return uses;
+}
+
+std::vector<bool> missingImages(const scene::Model& model, const DrawList& list, const GpuScene& gpu) {
+  std::vector<bool> missing(model.images.size(), false);
+  for (const TextureUse& use : textureUses(model, list))
+    if (!findTexture(gpu, use)) missing[static_cast<size_t>(use.image)] = true;
+  return missing;
+}
+
+void upload(GpuScene& gpu, const scene::Model& model, const DrawList& list, std::vector<io::Pixels> pixels,
+            const gl::ContextInfo& context) {
+  forEachDraw(list, [&](const Draw& draw) {
+    const auto found = gpu.primitives.find(draw.primitive);
+    if (found == gpu.primitives.end())
+      gpu.primitives.emplace(draw.primitive, uploadPrimitive(*draw.primitive, draw.key));
+    else if ((draw.key.features & ~found->second.features) != 0)
+      found->second = uploadPrimitive(*draw.primitive, {found->second.features | draw.key.features, 0});
+  });
+  if (!gpu.placeholder)
+    gpu.placeholder = uploadTexture(io::placeholderImage(), {.image = -1, .srgb = true, .channels = 0b0111}, true);
+  const std::vector<TextureUse> uses = textureUses(model, list);
+  for (size_t image = 0; image < pixels.size(); ++image) {
+    if (pixels[image].width == 0) continue;
+    ++gpu.imagesDecoded;
+    for (const TextureUse& use : uses)
+      if (use.image == static_cast<int>(image) && !findTexture(gpu, use))
+        gpu.textures.emplace(use, uploadTexture(pixels[image], use, needsMips(model, use.image)));
+    pixels[image] = {};
+  }
+  for (const scene::Texture& texture : model.textures)
+    if (samplerFor(gpu, texture.sampler) == 0)
+      gpu.samplers.emplace_back(texture.sampler, createSampler(texture.sampler, context));
+  uploadMaterials(gpu, list);
+  gpu.instances = gl::Buffer::of(list.instances, "instances");
+  gpu.lights = gl::Buffer::of(list.lights, "lights");
+}
+
+BoundTexture boundTexture(const GpuScene& gpu, const scene::Model& model, const scene::Material& material,
+                          TextureSlot slot) {
+  const TextureUse use = useOf(model, material, slot);
+  const gl::Texture* texture = use.image >= 0 ? findTexture(gpu, use) : nullptr;
+  const scene::Texture& source = model.textures[static_cast<size_t>(textureRef(material, slot).texture)];
+  return {texture ? texture->id() : gpu.placeholder.id(), samplerFor(gpu, source.sampler)};
+}
+
+}  // namespace facet::frame

@@ -1,0 +1,67 @@
+#pragma once
+
+// A draw list's data on the GPU: geometry, textures, samplers, materials. Grows on demand: what a draw list does not
+// read is neither decoded nor uploaded.
+
+#include <array>
+#include <map>
+#include <vector>
+
+#include "frame/draw_list.hpp"
+#include "gl/buffer.hpp"
+#include "gl/context.hpp"
+#include "gl/texture.hpp"
+#include "gl/vertex_array.hpp"
+#include "io/image.hpp"
+
+namespace facet::frame {
+
+struct GpuPrimitive {
+  gl::VertexArray vertexArray;
+  std::vector<gl::Buffer> buffers;
+  uint32_t features = 0;  // the variant features whose attributes are present
+  GLenum mode = GL_TRIANGLES;
+  GLenum indexType = GL_NONE;  // GL_NONE: not indexed
+  GLsizei count = 0;
+};
+
+// An image as one use of it needs it: which channels, and through the sRGB curve or not.
+struct TextureUse {
+  int image = -1;
+  bool srgb = false;
+  uint8_t channels = 0;  // bit 0 red .. bit 3 alpha
+  auto operator<=>(const TextureUse&) const = default;
+};
+
+struct GpuScene {
+  std::map<const scene::Primitive*, GpuPrimitive> primitives;
+  std::map<TextureUse, gl::Texture> textures;
+  std::vector<std::pair<scene::Sampler, gl::Sampler>> samplers;
+  gl::Texture placeholder;
+  gl::Buffer materials, instances, lights;
+  size_t materialStride = 0;
+  int imagesDecoded = 0;
+
+  size_t textureBytes() const;
+  size_t geometryBytes() const;
+};
+
+// The texture uses of the draw list's variants; where several slots read one image they share one texture.
+std::vector<TextureUse> textureUses(const scene::Model& model, const DrawList& list);
+
+// Images of the list that the GPU does not hold yet: one entry per image of the model.
+std::vector<bool> missingImages(const scene::Model& model, const DrawList& list, const GpuScene& gpu);
+
+// Uploads what is missing; pixels as io::decodeImages returned them for missingImages (moved from, so that each image's
+// memory is freed as soon as it is on the GPU).
+void upload(GpuScene& gpu, const scene::Model& model, const DrawList& list, std::vector<io::Pixels> pixels,
+            const gl::ContextInfo& context);
+
+// The texture and sampler names of a material's slot.
+struct BoundTexture {
+  GLuint texture = 0, sampler = 0;
+};
+BoundTexture boundTexture(const GpuScene& gpu, const scene::Model& model, const scene::Material& material,
+                          scene::TextureSlot slot);
+
+}  // namespace facet::frame

@@ -1,0 +1,115 @@
+#include "frame/gpu_texture.hpp"
+
+#include <array>
+#include <bit>
+#include <cassert>
+
+namespace facet::frame {
+
+namespace {
+
+// Where the shader's red, green, blue, alpha come from in the decoded image: grey images repeat themselves.
+std::array<int, 4> sourceChannels(int channels) {
+  switch (channels) {
+    case 1:
+      return {0, 0, 0, -1};
+    case 2:
+      return {0, 0, 0, 1};
+    case 3:
+      return {0, 1, 2, -1};
+    default:
+      return {0, 1, 2, 3};
+  }
+}
+
+struct Storage {
+  std::vector<int> channels;  // of the image, in the order in which they are stored
+  std::array<GLint, 4> swizzle = {GL_ZERO, GL_ZERO, GL_ZERO, GL_ONE};
+};
+
+Storage planStorage(const io::Pixels& pixels, const TextureUse& use) {
+  constexpr GLint sources[] = {GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA};
+  Storage plan;
+  const std::array<int, 4> from = sourceChannels(pixels.channels);
+  for (int c = 0; c < 4; ++c) {
+    const int source = from[static_cast<size_t>(c)];
+    if (!(use.channels & (1 << c)) || source < 0) continue;
+    size_t slot = 0;
+    while (slot < plan.channels.size() && plan.channels[slot] != source) ++slot;
+    if (slot == plan.channels.size()) plan.channels.push_back(source);
+    plan.swizzle[static_cast<size_t>(c)] = sources[slot];
+  }
+  // sRGB exists for three and four channels only, and alpha stays outside the curve.
+  if (use.srgb && plan.channels.size() < 3) {
+    const bool alpha = (use.channels & 8) != 0 && from[3] >= 0;
+    plan.channels = {from[0], from[1], from[2]};
+    if (alpha) plan.channels.push_back(from[3]);
+    plan.swizzle = {GL_RED, GL_GREEN, GL_BLUE, alpha ? GL_ALPHA : GL_ONE};
+  }
+  return plan;
+}
+
+GLenum internalFormat(size_t channels, bool srgb, bool wide) {
+  if (srgb) return channels == 3 ? GL_SRGB8 : GL_SRGB8_ALPHA8;
+  constexpr GLenum narrowFormats[] = {GL_R8, GL_RG8, GL_RGB8, GL_RGBA8};
+  constexpr GLenum wideFormats[] = {GL_R16, GL_RG16, GL_RGB16, GL_RGBA16};
+  return wide ? wideFormats[channels - 1] : narrowFormats[channels - 1];
+}
+
+template <class Sample>
+std::vector<uint8_t> repack(const io::Pixels& pixels, const std::vector<int>& channels, bool narrow) {
+  const size_t count = static_cast<size_t>(pixels.width) * static_cast<size_t>(pixels.height);
+  const auto* source = reinterpret_cast<const Sample*>(pixels.data.data());
+  std::vector<uint8_t> out(count * channels.size() * (narrow ? 1 : sizeof(Sample)));
+  for (size_t k = 0; k < channels.size(); ++k) {
+    const auto stride = static_cast<size_t>(pixels.channels);
+    const auto channel = static_cast<size_t>(channels[k]);
+    if (narrow) {
+      for (size_t i = 0; i < count; ++i) {
+        const Sample value = source[i * stride + channel];
+        out[i * channels.size() + k] =
+            static_cast<uint8_t>(sizeof(Sample) == 2 ? (value * 255u + 32767u) / 65535u : value);
+      }
+    } else {
+      auto* target = reinterpret_cast<Sample*>(out.data());
+      for (size_t i = 0; i < count; ++i) target[i * channels.size() + k] = source[i * stride + channel];
+    }
+  }
+  return out;
+}
+
+bool isIdentity(const std::vector<int>& channels, int stored) {
+  if (static_cast<int>(channels.size()) != stored) return false;
+  for (size_t i = 0; i < channels.size(); ++i)
+    if (channels[i] != static_cast<int>(i)) return false;
+  return true;
+}
+
+}  // namespace
+
+gl::Texture uploadTexture(const io::Pixels& pixels, const TextureUse& use, bool mips) {
+  assert(pixels.width > 0 && pixels.height > 0);
+  const Storage plan = planStorage(pixels, use);
+  const bool wide = pixels.bytesPerSample == 2 && !use.srgb;
+  gl::Texture texture({.format = internalFormat(plan.channels.size(), use.srgb, wide),
+                       .width = pixels.width,
+                       .height = pixels.height,
+                       .levels = mips ? gl::mipLevels(pixels.width, pixels.height) : 1},
+                      "image " + std::to_string(use.image));
+  glTextureParameteriv(texture.id(), GL_TEXTURE_SWIZZLE_RGBA, plan.swizzle.data());
+  constexpr GLenum formats[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
+  const GLenum format = formats[plan.channels.size() - 1];
+  const GLenum type = wide ? GL_UNSIGNED_SHORT : GL_UNSIGNED_BYTE;
+  const void* data = pixels.data.data();
+  std::vector<uint8_t> packed;
+  if (pixels.bytesPerSample == 2 && !wide)
+    packed = repack<uint16_t>(pixels, plan.channels, true), data = packed.data();
+  else if (!isIdentity(plan.channels, pixels.channels))
+    packed = wide ? repack<uint16_t>(pixels, plan.channels, false) : repack<uint8_t>(pixels, plan.channels, false),
+    data = packed.data();
+  glTextureSubImage2D(texture.id(), 0, 0, 0, pixels.width, pixels.height, format, type, data);
+  if (mips) glGenerateTextureMipmap(texture.id());
+  return texture;
+}
+
+}  // namespace facet::frame

@@ -1,0 +1,77 @@
+#include <algorithm>
+
+#include "frame/frame.hpp"
+
+namespace facet::frame {
+
+Targets createTargets(int width, int height, int samples, bool gather) {
+  Targets t;
+  t.width = width;
+  t.height = height;
+  t.samples = std::max(1, samples);
+  const GLenum target = t.samples > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
+  const int count = t.samples > 1 ? t.samples : 0;
+  t.color = gl::Texture({.format = GL_RGBA16F, .width = width, .height = height}, "scene-linear");
+  t.depth = gl::Texture(
+      {.target = target, .format = GL_DEPTH_COMPONENT32F, .width = width, .height = height, .samples = count}, "depth");
+  t.display = gl::Texture({.format = GL_RGBA8, .width = width, .height = height}, "display");
+  t.resolved = gl::Framebuffer("resolved");
+  t.resolved.attach(GL_COLOR_ATTACHMENT0, t.color);
+  t.drawn = gl::Framebuffer("drawn");
+  if (t.samples > 1) {
+    t.multisample = gl::Texture(
+        {.target = target, .format = GL_RGBA16F, .width = width, .height = height, .samples = count}, "multisample");
+    t.drawn.attach(GL_COLOR_ATTACHMENT0, t.multisample);
+  } else {
+    t.drawn.attach(GL_COLOR_ATTACHMENT0, t.color);
+  }
+  t.drawn.attach(GL_DEPTH_ATTACHMENT, t.depth);
+  if (gather) {
+    t.sum = gl::Texture({.format = GL_RGBA32F, .width = width, .height = height}, "gathered samples");
+    t.gathered = gl::Framebuffer("gathered");
+    t.gathered.attach(GL_COLOR_ATTACHMENT0, t.sum);
+  }
+  t.shown = gl::Framebuffer("shown");
+  t.shown.attach(GL_COLOR_ATTACHMENT0, t.display);
+  return t;
+}
+
+namespace {
+
+template <class T>
+void flipRows(std::vector<T>& data, size_t rowLength) {
+  const size_t rows = data.size() / rowLength;
+  for (size_t y = 0; y < rows / 2; ++y)
+    std::swap_ranges(data.begin() + static_cast<ptrdiff_t>(y * rowLength),
+                     data.begin() + static_cast<ptrdiff_t>((y + 1) * rowLength),
+                     data.begin() + static_cast<ptrdiff_t>((rows - 1 - y) * rowLength));
+}
+
+}  // namespace
+
+io::RadianceImage readRadiance(const Targets& targets) {
+  io::RadianceImage out;
+  out.width = targets.width;
+  out.height = targets.height;
+  out.pixels.resize(static_cast<size_t>(targets.width) * static_cast<size_t>(targets.height));
+  const gl::Texture& source = targets.sum ? targets.sum : targets.color;
+  glGetTextureImage(source.id(), 0, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(out.pixels.size() * sizeof(glm::vec4)),
+                    out.pixels.data());
+  flipRows(out.pixels, static_cast<size_t>(targets.width));
+  return out;
+}
+
+io::Pixels readDisplay(const Targets& targets, bool withAlpha) {
+  io::Pixels out;
+  out.width = targets.width;
+  out.height = targets.height;
+  out.channels = withAlpha ? 4 : 3;
+  out.data.resize(static_cast<size_t>(targets.width) * static_cast<size_t>(targets.height) *
+                  static_cast<size_t>(out.channels));
+  glGetTextureImage(targets.display.id(), 0, withAlpha ? GL_RGBA : GL_RGB, GL_UNSIGNED_BYTE,
+                    static_cast<GLsizei>(out.data.size()), out.data.data());
+  flipRows(out.data, static_cast<size_t>(targets.width) * static_cast<size_t>(out.channels));
+  return out;
+}
+
+}  // namespace facet::frame

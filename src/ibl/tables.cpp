@@ -1,0 +1,266 @@
+#include "ibl/tables.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include "base/parallel.hpp"
+#include "gl/buffer.hpp"
+#include "ibl/kernel.hpp"
+#include "ibl/layers.hpp"
+#include "layout.h"
+#include "optics/quadrature.hpp"
+
+namespace facet::ibl {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using shading::ProgramStore;
+
+// Largest stored value; leaves half floats room for interpolation and sums.
+constexpr float largestStored = 32768.0f;
+
+float radianceScaleFor(const scene::Environment& environment) {
+  float largest = 0;
+  for (const glm::vec3& texel : environment.radiance) largest = std::max({largest, texel.x, texel.y, texel.z});
+  return largest > largestStored ? std::exp2(std::ceil(std::log2(largest / largestStored))) : 1.0f;
+}
+
+gl::Texture uploadEquirect(const scene::Environment& environment, GLenum format, float scale, std::string_view label) {
+  gl::Texture texture({.format = format, .width = environment.width, .height = environment.height}, label);
+  texture.filterLinear();
+  texture.parameter(GL_TEXTURE_WRAP_S, GL_REPEAT);
+  const std::vector<glm::vec3>* texels = &environment.radiance;
+  std::vector<glm::vec3> scaled;
+  if (scale != 1) {
+    scaled = environment.radiance;
+    for (glm::vec3& texel : scaled) texel /= scale;
+    texels = &scaled;
+  }
+  glTextureSubImage2D(texture.id(), 0, 0, 0, environment.width, environment.height, GL_RGB, GL_FLOAT, texels->data());
+  return texture;
+}
+
+gl::Texture cubeTexture(GLenum format, int size, int levels, std::string_view label) {
+  gl::Texture texture(
+      {.target = GL_TEXTURE_CUBE_MAP, .format = format, .width = size, .height = size, .levels = levels}, label);
+  texture.filterLinear();
+  return texture;
+}
+
+gl::Texture cubeArray(int size, int cubes, int levels, std::string_view label) {
+  gl::Texture texture({.target = GL_TEXTURE_CUBE_MAP_ARRAY,
+                       .format = GL_RGBA16F,
+                       .width = size,
+                       .height = size,
+                       .layers = cubes,
+                       .levels = levels},
+                      label);
+  texture.filterLinear();
+  if (levels > 1) texture.parameter(GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
+  return texture;
+}
+
+void dispatchFaces(int size, int faces = 6) {
+  const GLuint groups = static_cast<GLuint>((size + 7) / 8);
+  glDispatchCompute(groups, groups, static_cast<GLuint>(faces));
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+// Runs one step, waits for it and books it.
+template <class Step>
+Result<void> timed(std::vector<TableStatistics>& statistics, const char* name, size_t bytes, uint64_t fetches,
+                   Step&& step) {
+  const Clock::time_point start = Clock::now();
+  if (Result<void> result = step(); !result) return result;
+  glFinish();
+  statistics.push_back({name, bytes, fetches, std::chrono::duration<double, std::milli>(Clock::now() - start).count()});
+  return {};
+}
+
+Result<void> computeDfg(gl::Texture& table, ProgramStore& programs, const Method& method) {
+  const auto program = programs.compute("passes/dfg.comp.glsl");
+  if (!program) return tl::unexpected(program.error());
+  const optics::Quadrature rule = optics::gaussLegendre(static_cast<size_t>(method.dfgNodes));
+  std::vector<glm::vec2> nodes;
+  for (size_t i = 0; i < rule.nodes.size(); ++i) nodes.emplace_back(rule.nodes[i], rule.weights[i]);
+  const gl::Buffer input = gl::Buffer::of(nodes, "DFG quadrature");
+  table = gl::Texture({.format = GL_RG16F, .width = method.dfgSize, .height = method.dfgSize}, "DFG table");
+  table.filterLinear();
+  glUseProgram((*program)->id());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeInputBinding, input.id());
+  glBindImageTexture(0, table.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG16F);
+  dispatchFaces(method.dfgSize, 1);
+  return {};
+}
+
+// The environment as a cube map with solid-angle-weighted levels down to 1^2.
+Result<gl::Texture> environmentCube(const scene::Environment& environment, float scale, ProgramStore& programs,
+                                    const Method& method) {
+  const auto toCube = programs.compute("passes/equirect_to_cube.comp.glsl");
+  if (!toCube) return tl::unexpected(toCube.error());
+  const auto toMip = programs.compute("passes/cube_mip.comp.glsl");
+  if (!toMip) return tl::unexpected(toMip.error());
+  const bool tooWide = environment.width > method.equirectWidth;
+  const gl::Texture equirect = uploadEquirect(tooWide ? reduceEquirect(environment, method.equirectWidth) : environment,
+                                              GL_RGBA32F, scale, "equirectangular source");
+  gl::Texture cube = cubeTexture(GL_RGBA32F, mirrorSize, gl::mipLevels(mirrorSize, mirrorSize), "environment cube");
+  glUseProgram((*toCube)->id());
+  (*toCube)->set(0, method.cubeTaps);
+  equirect.bind(layout::equirectUnit);
+  glBindImageTexture(0, cube.id(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA32F);
+  dispatchFaces(mirrorSize);
+  glUseProgram((*toMip)->id());
+  for (int level = 1; level < cube.description().levels; ++level) {
+    glBindImageTexture(0, cube.id(), level - 1, GL_TRUE, 0, GL_READ_ONLY, GL_RGBA32F);
+    glBindImageTexture(1, cube.id(), level, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA32F);
+    dispatchFaces(mirrorSize >> level);
+  }
+  return cube;
+}
+
+Result<void> computeIrradiance(gl::Texture& irradiance, const gl::Texture& cube, ProgramStore& programs,
+                               const Method& method) {
+  constexpr int listLevel = 3, listSize = mirrorSize >> listLevel;
+  const auto toList = programs.compute("passes/cube_to_list.comp.glsl");
+  if (!toList) return tl::unexpected(toList.error());
+  const auto sum = programs.compute("passes/irradiance.comp.glsl");
+  if (!sum) return tl::unexpected(sum.error());
+  const gl::Buffer list(size_t{6} * listSize * listSize * 2 * sizeof(glm::vec4), "environment list");
+  glUseProgram((*toList)->id());
+  glBindImageTexture(0, cube.id(), listLevel, GL_TRUE, 0, GL_READ_ONLY, GL_RGBA32F);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeOutputBinding, list.id());
+  dispatchFaces(listSize);
+  irradiance = cubeTexture(GL_RGBA16F, method.irradianceSize, 1, "irradiance / pi");
+  glUseProgram((*sum)->id());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeInputBinding, list.id());
+  glBindImageTexture(0, irradiance.id(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA16F);
+  dispatchFaces(method.irradianceSize);
+  return {};
+}
+
+int sampleCount(const Layer& layer, const Method& method) {
+  if (layer.perceptualRoughness == 0) return 1;
+  // The lobe of r = 0.05 is narrower than a texel of the cube.
+  if (layer.mirror) return 8;
+  return layer.perceptualRoughness < 0.25 ? method.samplesNarrow : method.samplesWide;
+}
+
+uint64_t layerFetches(const Layer& layer, const Method& method) {
+  return uint64_t{6} * static_cast<uint64_t>(layer.size) * static_cast<uint64_t>(layer.size) *
+         static_cast<uint64_t>(sampleCount(layer, method));
+}
+
+Result<void> computeLayer(const Layer& layer, const Tables& tables, const gl::Texture& cube, ProgramStore& programs,
+                          const Method& method) {
+  const auto program = programs.compute("passes/prefilter.comp.glsl");
+  if (!program) return tl::unexpected(program.error());
+  std::vector<glm::vec4> samples;
+  const double alpha = layer.perceptualRoughness * layer.perceptualRoughness;
+  for (const KernelSample& s : kernelSamples(alpha, sampleCount(layer, method), mirrorSize))
+    samples.emplace_back(glm::vec3(s.direction), static_cast<float>(s.level));
+  const gl::Buffer input = gl::Buffer::of(samples, "LD samples");
+  const gl::Texture& target = layer.mirror ? tables.mirrorLayers : tables.roughLayers;
+  glUseProgram((*program)->id());
+  (*program)->set(0, layer.cube);
+  cube.bind(layout::sourceUnit);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeInputBinding, input.id());
+  glBindImageTexture(0, target.id(), layer.level, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA16F);
+  dispatchFaces(layer.size);
+  return {};
+}
+
+}  // namespace
+
+scene::Environment reduceEquirect(const scene::Environment& environment, int maxWidth) {
+  const int factor = (environment.width + maxWidth - 1) / maxWidth;
+  if (factor <= 1) return environment;
+  scene::Environment out;
+  out.name = environment.name;
+  out.width = (environment.width + factor - 1) / factor;
+  out.height = std::max(1, (environment.height + factor - 1) / factor);
+  out.radiance.resize(static_cast<size_t>(out.width) * static_cast<size_t>(out.height));
+  // Area resampling: source rows and columns count by their overlap, rows by their band's share of the sphere.
+  const auto bandEdge = [](double row, int height) { return std::cos(std::numbers::pi * row / height); };
+  parallelFor(static_cast<size_t>(out.height), [&](size_t y) {
+    const double top = static_cast<double>(y) * environment.height / out.height;
+    const double bottom = static_cast<double>(y + 1) * environment.height / out.height;
+    for (int x = 0; x < out.width; ++x) {
+      const double left = static_cast<double>(x) * environment.width / out.width;
+      const double right = static_cast<double>(x + 1) * environment.width / out.width;
+      glm::dvec3 sum(0);
+      double weights = 0;
+      for (int sy = static_cast<int>(top); sy < std::min<double>(environment.height, std::ceil(bottom)); ++sy) {
+        const double band = bandEdge(std::max<double>(sy, top), environment.height) -
+                            bandEdge(std::min<double>(sy + 1, bottom), environment.height);
+        for (int sx = static_cast<int>(left); sx < std::min<double>(environment.width, std::ceil(right)); ++sx) {
+          const double w = band * (std::min<double>(sx + 1, right) - std::max<double>(sx, left));
+          sum += w * glm::dvec3(environment.radiance[static_cast<size_t>(sy) * static_cast<size_t>(environment.width) +
+                                                     static_cast<size_t>(sx)]);
+          weights += w;
+        }
+      }
+      out.radiance[y * static_cast<size_t>(out.width) + static_cast<size_t>(x)] = glm::vec3(sum / weights);
+    }
+  });
+  return out;
+}
+
+Result<Tables> computeTables(const scene::Environment* environment, const Needs& needs, ProgramStore& programs,
+                             const Method& method) {
+  Tables tables;
+  std::vector<TableStatistics>& booked = tables.statistics;
+  if (needs.dfg) {
+    const uint64_t evaluations = static_cast<uint64_t>(method.dfgSize) * static_cast<uint64_t>(method.dfgSize) *
+                                 static_cast<uint64_t>(method.dfgNodes) * static_cast<uint64_t>(method.dfgNodes);
+    const size_t bytes = static_cast<size_t>(method.dfgSize) * static_cast<size_t>(method.dfgSize) * 4;
+    if (auto r = timed(booked, "DFG", bytes, evaluations, [&] { return computeDfg(tables.dfg, programs, method); }); !r)
+      return tl::unexpected(r.error());
+  }
+  if (!needs.imageLight && !needs.background) return tables;
+  assert(environment != nullptr && environment->width > 0);
+  tables.radianceScale = radianceScaleFor(*environment);
+  if (needs.background)
+    tables.background = uploadEquirect(*environment, GL_RGBA16F, tables.radianceScale, "background");
+  if (!needs.imageLight) return tables;
+
+  gl::Texture cube;
+  const uint64_t cubeTexels = uint64_t{6} * mirrorSize * mirrorSize;
+  const uint64_t cubeFetches =
+      cubeTexels * static_cast<uint64_t>(method.cubeTaps * method.cubeTaps) + cubeTexels * 4 / 3;
+  const auto makeCube = [&]() -> Result<void> {
+    Result<gl::Texture> made = environmentCube(*environment, tables.radianceScale, programs, method);
+    if (!made) return tl::unexpected(made.error());
+    cube = std::move(*made);
+    return {};
+  };
+  if (auto r = timed(booked, "environment cube", 0, cubeFetches, makeCube); !r) return tl::unexpected(r.error());
+
+  const uint64_t irradianceFetches =
+      static_cast<uint64_t>(6 * method.irradianceSize * method.irradianceSize) * 6 * 32 * 32;
+  if (auto r = timed(booked, "irradiance", 0, irradianceFetches,
+                     [&] { return computeIrradiance(tables.irradiance, cube, programs, method); });
+      !r)
+    return tl::unexpected(r.error());
+  booked.back().bytes = tables.irradiance.bytes();
+
+  tables.mirrorLayers = cubeArray(mirrorSize, layout::ldMirrorLayerCount, 1, "LD mirror layers");
+  tables.roughLayers = cubeArray(roughSize, roughCubes, 3, "LD rough layers");
+  uint64_t fetches = 0;
+  for (const Layer& layer : layers) fetches += layerFetches(layer, method);
+  const auto makeLayers = [&]() -> Result<void> {
+    for (const Layer& layer : layers)
+      if (Result<void> r = computeLayer(layer, tables, cube, programs, method); !r) return r;
+    return {};
+  };
+  if (auto r =
+          timed(booked, "LD layers", tables.mirrorLayers.bytes() + tables.roughLayers.bytes(), fetches, makeLayers);
+      !r)
+    return tl::unexpected(r.error());
+  return tables;
+}
+
+}  // namespace facet::ibl

@@ -1,0 +1,61 @@
+#pragma once
+
+// Environment map -> the tables that a frame reads, and only those that it reads.
+
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "gl/texture.hpp"
+#include "scene/environment.hpp"
+#include "shading/programs.hpp"
+
+namespace facet::ibl {
+
+// What the frame's draws will read.
+struct Needs {
+  bool dfg = false;         // anything lit
+  bool imageLight = false;  // irradiance and LD layers
+  bool background = false;  // the environment itself is visible
+
+  bool covers(const Needs& other) const {
+    return (dfg || !other.dfg) && (imageLight || !other.imageLight) && (background || !other.background);
+  }
+};
+
+// How the tables are made. Work is counted in texture fetches.
+struct Method {
+  int cubeTaps = 4;          // equirect -> cube: taps per texel along each axis
+  int equirectWidth = 1024;  // a wider map is first reduced, texels weighted by solid angle
+  int irradianceSize = 16;   // face of the irradiance map; summed over a 32^2 level
+  int dfgSize = 64;
+  int dfgNodes = 16;       // Gauss-Legendre nodes along each axis
+  int samplesNarrow = 32;  // LD samples where perceptual roughness is below 0.25
+  int samplesWide = 96;    // and above
+};
+
+struct TableStatistics {
+  std::string name;
+  size_t bytes = 0;
+  uint64_t fetches = 0;
+  double milliseconds = 0;
+};
+
+struct Tables {
+  gl::Texture dfg;           // RG16F, A and B over (sqrt NoV, perceptual roughness)
+  gl::Texture irradiance;    // RGBA16F cube, irradiance / pi
+  gl::Texture mirrorLayers;  // RGBA16F cube array, LD layers 0 and 1
+  gl::Texture roughLayers;   // RGBA16F cube array with levels, the rest
+  gl::Texture background;    // RGBA16F equirectangular, full resolution
+  float radianceScale = 1;   // radiance = stored value * radianceScale (a power of two, so that half floats hold it)
+  std::vector<TableStatistics> statistics;
+};
+
+// The DFG table does not depend on the environment: environment may be null where only needs.dfg is set.
+Result<Tables> computeTables(const scene::Environment* environment, const Needs& needs, shading::ProgramStore& programs,
+                             const Method& method = {});
+
+// Reduces a map to at most the given width by an integer factor, each texel weighted by its solid angle.
+scene::Environment reduceEquirect(const scene::Environment& environment, int maxWidth);
+
+}  // namespace facet::ibl

@@ -1,0 +1,39 @@
+#pragma once
+
+// Shader text from chunks: #include "path" (relative to shaders/), guarded so that each file counts once, cycles
+// refused, #line directives so that the compiler's messages can be traced to chunk and line.
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+
+namespace facet::shading {
+
+struct Define {
+  std::string name;
+  std::string value = "1";
+};
+
+// Text of a file below shaders/, or nothing.
+using ShaderReader = std::function<std::optional<std::string>(const std::string& path)>;
+
+// From the executable, or from a folder where one is given.
+ShaderReader shaderReader(const std::filesystem::path& overrideFolder = {});
+
+struct AssembledShader {
+  std::string text;
+  std::vector<std::string> files;  // index = string number in #line
+};
+
+// Errors: a missing file or a cycle, with chunk:line of the #include.
+Result<AssembledShader> assemble(const std::string& entry, const std::vector<Define>& defines,
+                                 const ShaderReader& reader);
+
+// Replaces "N:L(", "N(L)" and "N:L:" (string number, line) as drivers write them by "chunk:L".
+std::string translateLog(const std::string& log, const std::vector<std::string>& files);
+
+}  // namespace facet::shading

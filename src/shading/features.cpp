@@ -1,0 +1,150 @@
+#include "shading/features.hpp"
+
+#include <cassert>
+#include <cstring>
+
+#include "scene/usage.hpp"
+
+namespace facet::shading {
+
+namespace {
+
+using scene::AlphaMode;
+using scene::TextureRef;
+using scene::Topology;
+
+// Lines and points without normals cannot be lit (glTF 2.0, 3.7.2.1); triangles always have normals by now.
+bool unlit(const FeatureInput& in) { return in.material.unlit || in.primitive.normals.empty(); }
+
+bool sampled(const FeatureInput& in, TextureSlot slot) { return usesTexture(in.material, in.primitive, slot); }
+
+bool channelIs(const FeatureInput& in, const char* name) { return in.frame.channel == channelIndex(name); }
+
+// Shaded, or the debug view shows this very slot.
+bool wanted(const FeatureInput& in, const char* channel) {
+  return in.frame.channel == 0 ? !unlit(in) : channelIs(in, channel);
+}
+
+bool baseColorTexture(const FeatureInput& in) {
+  const bool alphaTested = in.material.alphaMode == AlphaMode::mask;
+  const bool shown = in.frame.channel == 0 || channelIs(in, "baseColor") || channelIs(in, "alpha");
+  return sampled(in, TextureSlot::baseColor) && (shown || alphaTested);
+}
+bool metallicRoughnessTexture(const FeatureInput& in) {
+  return sampled(in, TextureSlot::metallicRoughness) && (wanted(in, "metallic") || channelIs(in, "roughness"));
+}
+bool normalTexture(const FeatureInput& in) {
+  return sampled(in, TextureSlot::normal) && wanted(in, "normal") && !in.primitive.tangents.empty();
+}
+bool occlusionTexture(const FeatureInput& in) {
+  return in.frame.occlusion && sampled(in, TextureSlot::occlusion) &&
+         (in.frame.channel == 0 ? !unlit(in) && in.frame.environment : channelIs(in, "occlusion"));
+}
+bool emissiveTexture(const FeatureInput& in) { return sampled(in, TextureSlot::emissive) && wanted(in, "emissive"); }
+
+bool samplesSlotOf(const FeatureInput& in, TextureSlot slot) {
+  switch (slot) {
+    case TextureSlot::baseColor:
+      return baseColorTexture(in);
+    case TextureSlot::metallicRoughness:
+      return metallicRoughnessTexture(in);
+    case TextureSlot::normal:
+      return normalTexture(in);
+    case TextureSlot::occlusion:
+      return occlusionTexture(in);
+    case TextureSlot::emissive:
+      return emissiveTexture(in);
+  }
+  return false;
+}
+
+bool anySlot(const FeatureInput& in, bool (*test)(const TextureRef&)) {
+  for (const TextureSlot slot : scene::textureSlots)
+    if (samplesSlotOf(in, slot) && test(textureRef(in.material, slot))) return true;
+  return false;
+}
+
+constexpr FeatureRow rows[] = {
+    {"normals", "HAS_NORMAL", [](const FeatureInput& in) { return !in.primitive.normals.empty(); }},
+    {"tangents", "HAS_TANGENT",
+     [](const FeatureInput& in) {
+       return normalTexture(in) || (channelIs(in, "tangent") && !in.primitive.tangents.empty());
+     }},
+    {"uv0", "HAS_TEXCOORD_0",
+     [](const FeatureInput& in) {
+       return !in.primitive.texCoords[0].empty() &&
+              (channelIs(in, "uv") || anySlot(in, [](const TextureRef& ref) { return ref.texCoord == 0; }));
+     }},
+    {"uv1", "HAS_TEXCOORD_1",
+     [](const FeatureInput& in) { return anySlot(in, [](const TextureRef& ref) { return ref.texCoord == 1; }); }},
+    {"vertex colours", "HAS_VERTEX_COLOR", [](const FeatureInput& in) { return !in.primitive.colors.empty(); }},
+    {"base colour texture", "HAS_BASE_COLOR_TEXTURE", baseColorTexture},
+    {"metallic-roughness texture", "HAS_METALLIC_ROUGHNESS_TEXTURE", metallicRoughnessTexture},
+    {"normal texture", "HAS_NORMAL_TEXTURE", normalTexture},
+    {"occlusion texture", "HAS_OCCLUSION_TEXTURE", occlusionTexture},
+    {"emissive texture", "HAS_EMISSIVE_TEXTURE", emissiveTexture},
+    {"texture transform", "HAS_TEXTURE_TRANSFORM",
+     [](const FeatureInput& in) {
+       return anySlot(in, [](const TextureRef& ref) { return ref.transform != scene::TextureTransform{}; });
+     }},
+    {"alpha mask", "ALPHA_MASK", [](const FeatureInput& in) { return in.material.alphaMode == AlphaMode::mask; }},
+    {"alpha blend", "ALPHA_BLEND",
+     [](const FeatureInput& in) { return in.material.alphaMode == AlphaMode::blend && in.frame.channel == 0; }},
+    {"double-sided", "DOUBLE_SIDED",
+     [](const FeatureInput& in) { return in.material.doubleSided && !in.primitive.normals.empty(); }},
+    {"unlit", "UNLIT", [](const FeatureInput& in) { return unlit(in) || in.frame.channel != 0; }},
+    {"punctual lights", "HAS_PUNCTUAL_LIGHTS",
+     [](const FeatureInput& in) { return in.frame.punctualLights && !unlit(in) && in.frame.channel == 0; }},
+    {"environment", "HAS_ENVIRONMENT",
+     [](const FeatureInput& in) { return in.frame.environment && !unlit(in) && in.frame.channel == 0; }},
+};
+
+}  // namespace
+
+bool channelIsColor(int channel) {
+  const std::string name = channelNames[channel];
+  return name.empty() || name == "baseColor" || name == "emissive";
+}
+
+int channelIndex(const std::string& name) {
+  for (int i = 0; i < static_cast<int>(std::size(channelNames)); ++i)
+    if (name == channelNames[i]) return i;
+  return -1;
+}
+
+bool samplesSlot(const FeatureInput& input, TextureSlot slot) { return samplesSlotOf(input, slot); }
+
+std::span<const FeatureRow> featureTable() { return rows; }
+
+VariantKey variantKey(const FeatureInput& input) {
+  VariantKey key;
+  key.channel = static_cast<uint8_t>(input.frame.channel);
+  for (size_t i = 0; i < std::size(rows); ++i)
+    if (rows[i].usedBy(input)) key.features |= 1u << i;
+  return key;
+}
+
+std::vector<Define> variantDefines(const VariantKey& key) {
+  std::vector<Define> defines;
+  for (size_t i = 0; i < std::size(rows); ++i)
+    if (key.features & (1u << i)) defines.push_back({rows[i].define});
+  if (key.channel != 0) defines.push_back({"CHANNEL", std::to_string(key.channel)});
+  return defines;
+}
+
+std::string variantName(const VariantKey& key) {
+  std::string name;
+  for (size_t i = 0; i < std::size(rows); ++i)
+    if (key.features & (1u << i)) name += (name.empty() ? "" : ", ") + std::string(rows[i].name);
+  if (key.channel != 0) name += (name.empty() ? "" : ", ") + std::string("view of ") + channelNames[key.channel];
+  return name.empty() ? "plain" : name;
+}
+
+bool usesFeature(const VariantKey& key, const char* define) {
+  for (size_t i = 0; i < std::size(rows); ++i)
+    if (std::strcmp(rows[i].define, define) == 0) return (key.features & (1u << i)) != 0;
+  assert(false && "no such feature");
+  return false;
+}
+
+}  // namespace facet::shading

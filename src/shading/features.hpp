@@ -1,0 +1,66 @@
+#pragma once
+
+// The one table of what a drawn primitive may need from its shader. Variant keys, defines, statistics and inspect's
+// output are derived from it. To add a feature: a row here, its chunk in shaders/, its twin in optics/, its tests.
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "scene/model.hpp"
+#include "scene/usage.hpp"
+#include "shading/assembler.hpp"
+
+namespace facet::shading {
+
+// Debug views in place of the shaded picture; index = CHANNEL in shaders/channels.glsl, 0 = shaded.
+inline constexpr const char* channelNames[] = {"",          "normal",    "geometryNormal", "tangent",
+                                               "uv",        "baseColor", "metallic",       "roughness",
+                                               "occlusion", "emissive",  "alpha"};
+// Colours are shown through the sRGB curve, everything else as the number itself.
+bool channelIsColor(int channel);
+// -1 where there is none of that name.
+int channelIndex(const std::string& name);
+
+// What the frame offers besides the primitive and its material.
+struct FrameFeatures {
+  bool punctualLights = false;
+  bool environment = false;
+  bool occlusion = true;  // false: occlusion textures are switched off
+  int channel = 0;
+};
+
+struct FeatureInput {
+  const scene::Material& material;
+  const scene::Primitive& primitive;
+  const FrameFeatures& frame;
+};
+
+struct FeatureRow {
+  const char* name;    // for people
+  const char* define;  // for the shader
+  bool (*usedBy)(const FeatureInput&);
+};
+
+// Bit i of a key is row i.
+std::span<const FeatureRow> featureTable();
+
+// True where the draw's shader reads the slot's texture.
+bool samplesSlot(const FeatureInput& input, scene::TextureSlot slot);
+
+// Everything that decides which program a draw gets; compared by value.
+struct VariantKey {
+  uint32_t features = 0;
+  uint8_t channel = 0;
+  auto operator<=>(const VariantKey&) const = default;
+};
+
+VariantKey variantKey(const FeatureInput& input);
+std::vector<Define> variantDefines(const VariantKey& key);
+std::string variantName(const VariantKey& key);  // "normal, uv0, base colour texture, environment"
+
+// True where the key's draws read punctual lights, the environment, the DFG table.
+bool usesFeature(const VariantKey& key, const char* define);
+
+}  // namespace facet::shading

@@ -1,0 +1,54 @@
+#pragma once
+
+// Programs by entry points and defines: compiled on first use, kept while the store lives, and as binaries on disk.
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "gl/program.hpp"
+#include "shading/assembler.hpp"
+
+namespace facet::shading {
+
+struct ProgramStatistics {
+  int compiled = 0;  // built from source in this process
+  int fromDisk = 0;  // taken from the disk cache
+  double milliseconds = 0;
+};
+
+class ProgramStore {
+ public:
+  // cacheFolder: empty = no disk cache. driver: vendor, renderer and version; part of the cache's key.
+  ProgramStore(ShaderReader reader, std::filesystem::path cacheFolder, std::string driver);
+
+  // The pointer stays valid until reload(). Errors name chunk:line.
+  Result<const gl::Program*> render(const std::string& vertex, const std::string& fragment,
+                                    const std::vector<Define>& defines = {});
+  Result<const gl::Program*> compute(const std::string& entry, const std::vector<Define>& defines = {});
+
+  const ProgramStatistics& statistics() const { return statistics_; }
+  void reload() { programs_.clear(); }  // after shader files have changed
+
+ private:
+  struct Stage {
+    GLenum type;
+    std::string entry;
+  };
+  Result<const gl::Program*> get(const std::vector<Stage>& stages, const std::vector<Define>& defines);
+  Result<gl::Program> build(const std::vector<Stage>& stages, const std::vector<Define>& defines,
+                            const std::string& label);
+
+  ShaderReader reader_;
+  std::filesystem::path cacheFolder_;
+  std::string driver_;
+  std::map<std::string, gl::Program> programs_;
+  ProgramStatistics statistics_;
+};
+
+// $XDG_CACHE_HOME/facet, else ~/.cache/facet; empty where neither is known.
+std::filesystem::path userCacheFolder();
+
+}  // namespace facet::shading
