@@ -11,6 +11,7 @@ namespace {
 
 using scene::AlphaMode;
 using scene::TextureRef;
+using scene::TextureSlot;
 using scene::Topology;
 
 // Lines and points without normals cannot be lit (glTF 2.0, 3.7.2.1); triangles always have normals by now.

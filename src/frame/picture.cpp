@@ -1,0 +1,192 @@
+#include "frame/picture.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+
+namespace facet::frame {
+
+namespace {
+
+std::optional<int> parseIndex(const std::string& text) {
+  int value = 0;
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (problem != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+// The file's camera by name, else by index.
+Result<scene::PlacedCamera> findCamera(const std::string& wanted, const scene::Model& model, const DrawList& list) {
+  std::string known;
+  for (const scene::PlacedCamera& placed : list.cameras) {
+    const scene::Camera& camera = model.cameras[static_cast<size_t>(placed.camera)];
+    if (camera.name == wanted || model.nodes[static_cast<size_t>(placed.node)].name == wanted) return placed;
+    known += (known.empty() ? "" : ", ") + std::to_string(placed.camera) +
+             (camera.name.empty() ? "" : " (" + camera.name + ")");
+  }
+  if (const std::optional<int> index = parseIndex(wanted))
+    for (const scene::PlacedCamera& placed : list.cameras)
+      if (placed.camera == *index) return placed;
+  return fail(model.name, "", "the scene has no camera '" + wanted + "'",
+              known.empty() ? "it has none at all: leave out --camera" : "it has " + known);
+}
+
+void countExtremes(const io::RadianceImage& image, PictureStatistics& statistics) {
+  for (const glm::vec4& p : image.pixels) {
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z) || !std::isfinite(p.w))
+      ++statistics.nonFinitePixels;
+    else if (std::max({p.x, p.y, p.z}) >= 65504.0f)
+      ++statistics.clampedPixels;
+  }
+}
+
+void noteUnlit(const PictureSettings& settings, const DrawList& list, const ibl::Needs& needs, Notes& notes) {
+  if (list.opaque.empty() && list.blended.empty()) {
+    notes.push_back({Note::Severity::warning, "", "the scene draws nothing"});
+    return;
+  }
+  const auto lit = [](const Draw& draw) { return !shading::usesFeature(draw.key, "UNLIT"); };
+  const bool anyLit = std::ranges::any_of(list.opaque, lit) || std::ranges::any_of(list.blended, lit);
+  if (anyLit && !needs.dfg && settings.channel.empty())
+    notes.push_back({Note::Severity::warning, "",
+                     "nothing lights the scene: it has no lights and --env is none; give --env or --lights demo"});
+}
+
+}  // namespace
+
+Result<void> ensureTables(EnvironmentOnGpu& environment, const ibl::Needs& needs, shading::ProgramStore& programs,
+                          std::vector<ibl::TableStatistics>& computed) {
+  if (environment.computed.covers(needs)) return {};
+  ibl::Needs missing;
+  missing.dfg = needs.dfg && !environment.computed.dfg;
+  missing.imageLight = needs.imageLight && !environment.computed.imageLight;
+  missing.background = needs.background && !environment.computed.background;
+  Result<ibl::Tables> made = ibl::computeTables(environment.environment, missing, programs);
+  if (!made) return tl::unexpected(made.error());
+  ibl::Tables& tables = environment.tables;
+  if (missing.dfg) tables.dfg = std::move(made->dfg);
+  if (missing.imageLight) {
+    tables.irradiance = std::move(made->irradiance);
+    tables.mirrorLayers = std::move(made->mirrorLayers);
+    tables.roughLayers = std::move(made->roughLayers);
+  }
+  if (missing.background) tables.background = std::move(made->background);
+  if (missing.imageLight || missing.background) tables.radianceScale = made->radianceScale;
+  environment.computed = {environment.computed.dfg || missing.dfg,
+                          environment.computed.imageLight || missing.imageLight,
+                          environment.computed.background || missing.background};
+  computed.insert(computed.end(), made->statistics.begin(), made->statistics.end());
+  return {};
+}
+
+DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment) {
+  DrawOptions options;
+  options.features.environment = hasEnvironment && settings.environmentStrength > 0;
+  options.features.occlusion = settings.occlusion > 0;
+  options.features.channel = std::max(0, shading::channelIndex(settings.channel));
+  options.sceneLights = settings.lights != Lights::none;
+  options.demoLights = settings.lights == Lights::demo;
+  return options;
+}
+
+Result<int> chooseScene(const PictureSettings& settings, const scene::Model& model) {
+  const int scene = settings.scene < 0 ? model.defaultScene : settings.scene;
+  if (scene >= static_cast<int>(model.scenes.size()) && settings.scene >= 0)
+    return fail(model.name, "", "there is no scene " + std::to_string(scene),
+                "the file has " + std::to_string(model.scenes.size()));
+  return scene;
+}
+
+Result<scene::View> chooseView(const PictureSettings& settings, const scene::Model& model, const DrawList& list) {
+  const double aspect = static_cast<double>(settings.width) / settings.height;
+  if (!settings.camera.empty()) {
+    const Result<scene::PlacedCamera> placed = findCamera(settings.camera, model, list);
+    if (!placed) return tl::unexpected(placed.error());
+    scene::Camera camera = model.cameras[static_cast<size_t>(placed->camera)];
+    if (settings.fovYDeg) camera.fovY = glm::radians(*settings.fovYDeg), camera.aspectRatio = 0;
+    return scene::cameraView(camera, placed->worldFromNode, aspect, list.bounds);
+  }
+  const double fovY = settings.fovYDeg.value_or(45.0);
+  scene::OrbitCamera orbit = scene::frameBounds(list.bounds, fovY, aspect);
+  if (settings.target) orbit.target = *settings.target;
+  if (settings.orbit) {
+    orbit.theta = settings.orbit->thetaDeg;
+    orbit.phi = settings.orbit->phiDeg;
+    if (settings.orbit->radius) orbit.radius = *settings.orbit->radius;
+  }
+  return scene::orbitView(orbit, aspect, list.bounds);
+}
+
+std::string chooseEnvironment(const PictureSettings& settings, const scene::Model& model, int scene) {
+  if (!settings.environment.empty()) return settings.environment;
+  // Lit at all? Asked of the draw list, which knows.
+  DrawOptions options = drawOptions(settings, true);
+  const DrawList list = buildDrawList(model, scene, options);
+  return list.needs(false).imageLight ? "builtin:studio" : "none";
+}
+
+Result<Picture> renderPicture(const PictureSettings& settings, const PictureRequest& request, SceneOnGpu& scene,
+                              EnvironmentOnGpu& environment, shading::ProgramStore& programs,
+                              const gl::ContextInfo& context, Notes& notes, Stages& stages) {
+  const scene::Model& model = *scene.model;
+  Picture picture;
+  PictureStatistics& statistics = picture.statistics;
+  const Result<int> sceneIndex = chooseScene(settings, model);
+  if (!sceneIndex) return tl::unexpected(sceneIndex.error());
+  const DrawList list = buildDrawList(model, *sceneIndex, drawOptions(settings, environment.environment != nullptr));
+  const Result<scene::View> view = chooseView(settings, model, list);
+  if (!view) return tl::unexpected(view.error());
+  const bool skyVisible = settings.background == Background::environment && environment.environment != nullptr &&
+                          list.features.channel == 0;
+  const ibl::Needs needs = list.needs(skyVisible);
+  noteUnlit(settings, list, needs, notes);
+  stages.mark("prepare");
+
+  const int decodedBefore = scene.gpu.imagesDecoded;
+  std::vector<io::Pixels> pixels = io::decodeImages(model, missingImages(model, list, scene.gpu), notes);
+  stages.mark("decode");
+  upload(scene.gpu, model, list, std::move(pixels), context);
+  statistics.imagesDecoded = scene.gpu.imagesDecoded - decodedBefore;
+  stages.mark("upload");
+
+  const shading::ProgramStatistics before = programs.statistics();
+  if (Result<void> r = ensureTables(environment, needs, programs, statistics.tables); !r)
+    return tl::unexpected(r.error());
+  stages.mark("precompute");
+
+  const FrameInput input{model, list, scene.gpu, environment.tables, *view, settings};
+  if (Result<void> r = preparePrograms(input, programs); !r) return tl::unexpected(r.error());
+  statistics.programsCompiled = programs.statistics().compiled - before.compiled;
+  statistics.programsFromDisk = programs.statistics().fromDisk - before.fromDisk;
+  stages.mark("compile");
+
+  const int samples = std::min(settings.samples, context.maxSamples);
+  const Targets targets = createTargets(settings.width, settings.height, samples, settings.samples > samples);
+  for (int i = 0; i <= request.repeat; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    Result<FrameStatistics> drawn = drawFrame(input, targets, programs);
+    if (!drawn) return tl::unexpected(drawn.error());
+    glFinish();
+    statistics.frameMs.push_back(
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+    statistics.frame = std::move(*drawn);
+    stages.mark(i == 0 ? "first frame" : "repeated frames");
+  }
+  statistics.textureBytes = scene.gpu.textureBytes();
+  statistics.geometryBytes = scene.gpu.geometryBytes();
+  for (const gl::Texture* t :
+       {&environment.tables.dfg, &environment.tables.irradiance, &environment.tables.mirrorLayers,
+        &environment.tables.roughLayers, &environment.tables.background})
+    if (*t) statistics.tableBytes += t->bytes();
+
+  if (request.radiance) {
+    picture.radiance = readRadiance(targets);
+    countExtremes(picture.radiance, statistics);
+  }
+  if (request.display) picture.display = readDisplay(targets, settings.background == Background::transparent);
+  stages.mark("read back");
+  return picture;
+}
+
+}  // namespace facet::frame

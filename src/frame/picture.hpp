@@ -1,0 +1,68 @@
+#pragma once
+
+// Settings + model + environment -> one picture. What several pictures share (programs, a scene's GPU data, an
+// environment's tables) is passed in and grows on demand.
+
+#include <optional>
+
+#include "base/stages.hpp"
+#include "frame/frame.hpp"
+
+namespace facet::frame {
+
+struct SceneOnGpu {
+  const scene::Model* model = nullptr;
+  GpuScene gpu;
+};
+
+// environment is null for pictures without distant light; the DFG table may still be needed.
+struct EnvironmentOnGpu {
+  const scene::Environment* environment = nullptr;
+  ibl::Tables tables;
+  ibl::Needs computed;
+};
+
+// Computes what is needed and not there yet; the statistics name only what this call computed.
+Result<void> ensureTables(EnvironmentOnGpu& environment, const ibl::Needs& needs, shading::ProgramStore& programs,
+                          std::vector<ibl::TableStatistics>& computed);
+
+// What the settings ask of the draw list.
+DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment);
+
+// Errors: no such scene in the model.
+Result<int> chooseScene(const PictureSettings& settings, const scene::Model& model);
+
+// The view that the settings ask for; without orbit and camera it frames the scene's bounds. Errors: no such camera.
+Result<scene::View> chooseView(const PictureSettings& settings, const scene::Model& model, const DrawList& list);
+
+// The environment's name where the settings leave the choice: none for a scene that nothing could light, else the
+// studio.
+std::string chooseEnvironment(const PictureSettings& settings, const scene::Model& model, int scene);
+
+struct PictureStatistics {
+  FrameStatistics frame;
+  int imagesDecoded = 0;
+  int programsCompiled = 0, programsFromDisk = 0;
+  std::vector<ibl::TableStatistics> tables;
+  size_t textureBytes = 0, geometryBytes = 0, tableBytes = 0;
+  uint64_t clampedPixels = 0;    // a channel at the largest half float; counted on read-back of radiance
+  uint64_t nonFinitePixels = 0;  // likewise
+  std::vector<double> frameMs;   // the first frame, then the repeated ones; each waited for
+};
+
+struct Picture {
+  io::RadianceImage radiance;  // where asked for
+  io::Pixels display;          // where asked for
+  PictureStatistics statistics;
+};
+
+struct PictureRequest {
+  bool radiance = false, display = false;
+  int repeat = 0;  // further frames, for timing
+};
+
+Result<Picture> renderPicture(const PictureSettings& settings, const PictureRequest& request, SceneOnGpu& scene,
+                              EnvironmentOnGpu& environment, shading::ProgramStore& programs,
+                              const gl::ContextInfo& context, Notes& notes, Stages& stages);
+
+}  // namespace facet::frame
