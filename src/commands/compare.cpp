@@ -120,13 +120,12 @@ void printLine(const Task& task, const Comparison& c) {
             << format("  largest %.4f at %d,%d  above %g: %.3f%%  (%llu px)\n", c.largest, c.largestX, c.largestY,
                       task.options.tolerance, 100 * c.shareAbove, static_cast<unsigned long long>(c.pixels));
   if (!c.finite()) {
-    std::cout << "not finite: " << c.nonFiniteReference << " pixels of the reference, " << c.nonFinitePicture
-              << " of the picture\n";
-  }
-  if (task.maxError) {
-    const double value = task.metric->value(c);
-    std::cout << (passes(task, c) ? "within: " : "differ: ") << task.metric->name << ' ' << format("%.6g", value)
-              << (value <= *task.maxError ? " <= " : " > ") << format("%.6g", *task.maxError) << '\n';
+    std::cout << "differ: not finite are " << c.nonFiniteReference << " pixels of the reference and "
+              << c.nonFinitePicture << " of the picture\n";
+  } else if (task.maxError) {
+    const char* relation = passes(task, c) ? "<=" : ">";
+    std::cout << (passes(task, c) ? "within: " : "differ: ") << task.metric->name
+              << format(" %.6g %s %.6g\n", task.metric->value(c), relation, *task.maxError);
   }
   std::cout.flush();
 }
@@ -159,17 +158,21 @@ std::function<int()> addCompare(CLI::App& app) {
   app.add_option("REF", settings->reference, "the reference, PNG or EXR")->required();
   app.add_option("IMG", settings->picture, "the picture to judge, PNG or EXR")->required();
   app.add_option("--max-error", settings->maxError, "exit 1 if the metric is above this")->type_name("E");
-  app.add_option(
-         "--metric", settings->metric,
-         "what --max-error limits: drmse (RMSE of the sRGB pictures in 1/255), rel-rmse (linear RMSE / mean), "
-         "bias (largest of the channels' |mean error| / mean), largest (display difference, 0..1), above (share "
-         "of pixels above the tolerance, 0..1), ssim (1 - SSIM) (drmse)")
+  app.add_option("--metric", settings->metric,
+                 "what --max-error limits (drmse):\n"
+                 "drmse     RMSE of the sRGB pictures in 1/255\n"
+                 "rel-rmse  linear RMSE / mean\n"
+                 "bias      largest of the channels' |mean error| / mean\n"
+                 "largest   largest display difference, 0..1\n"
+                 "above     share of pixels above the tolerance, 0..1\n"
+                 "ssim      1 - SSIM")
       ->type_name("NAME");
   app.add_option("--tolerance", settings->tolerance, "display difference that counts as none, 0..1 (0.01)")
       ->type_name("T");
   app.add_flag("--mask-from-alpha", settings->maskFromAlpha, "judge only where the reference's alpha is above 0.5");
   app.add_option("--diff", settings->diff,
-                 "write a heat map: differences 0 black, 1/16 blue, 1/4 red, 9/16 yellow, 1 white; not finite magenta")
+                 "write a heat map of the display differences:\n"
+                 "0 black, 1/16 blue, 1/4 red, 9/16 yellow, 1 white; not finite magenta")
       ->type_name("D.png");
   app.add_flag("--json", settings->json, "print the figures as JSON");
   return [settings] { return runCompare(*settings); };

@@ -57,7 +57,11 @@ Error explain(const CLI::ParseError& error, const CLI::App& app) {
             meant.empty() ? helpHint(app) : "perhaps " + std::string(meant) + " is meant"};
   }
   if (!remaining.empty()) return {{}, inQuotes(remaining.front()), "one argument too many", helpHint(app)};
-  return {{}, {}, error.what(), helpHint(app)};
+  const std::string what = error.what();
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error)) {
+    return {{}, what.substr(0, what.find(':')), "takes exactly one value, once", helpHint(app)};
+  }
+  return {{}, {}, what, helpHint(app)};
 }
 
 // `facet rendr model.glb`: the first argument looks like a command, and no file is called so.
