@@ -1,0 +1,41 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+
+#include "base/error.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace facet::commands {
+
+enum ExitStatus {
+  exitGood = 0,
+  exitFailed = 1,    // a check failed or pictures differ
+  exitBadInput = 2,  // bad arguments or input
+  exitNoOpenGL = 3   // no usable OpenGL
+};
+
+struct Command {
+  const char* name;      // empty: what `facet` without a command does
+  const char* summary;   // one line, for `facet --help`
+  const char* examples;  // lines "  facet ..." below `facet NAME --help`
+  // Adds the options to app. What it returns runs the command once they are parsed and gives the exit status.
+  std::function<int()> (*add)(CLI::App& app);
+};
+
+// argv -> command -> exit status. A first argument that is no command's name belongs to the nameless command (a model
+// for the window); a model that is called like a command can be given as ./render.
+int run(int argc, char** argv);
+int run(std::span<const Command> table, int argc, char** argv);
+
+// Says what is wrong and returns exitBadInput.
+int badInput(const Error& error);
+
+// One per command, each in the file of its name.
+std::function<int()> addCompare(CLI::App& app);
+
+}  // namespace facet::commands

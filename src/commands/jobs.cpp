@@ -1,0 +1,148 @@
+#include "commands/jobs.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "base/nearest.hpp"
+#include "commands/option_text.hpp"
+
+namespace facet::commands {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::string_view ownKeys[] = {"model", "output", "stats"};
+constexpr uint64_t largestFile = uint64_t{64} << 20;  // bytes; a million jobs of 64 characters
+
+std::string lineAndColumn(std::string_view text, size_t byte) {
+  const std::string_view before = text.substr(0, std::min(byte, text.size()));
+  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+  const size_t column = before.size() - (before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1);
+  return "line " + std::to_string(line) + ", column " + std::to_string(std::max<size_t>(column, 1));
+}
+
+// "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error while ...": only the last part.
+std::string parserProblem(const std::string& what) {
+  const size_t start = what.find(": ");
+  return "not JSON: " + (start == std::string::npos ? what : what.substr(start + 2));
+}
+
+Result<json> parseJson(std::string_view text, const std::string& name) {
+  try {
+    return json::parse(text);
+  } catch (const json::parse_error& error) {
+    return fail(name, lineAndColumn(text, error.byte), parserProblem(error.what()));
+  } catch (const json::out_of_range& error) {  // a number beyond double
+    return fail(name, {}, parserProblem(error.what()));
+  }
+}
+
+Result<std::string> textAt(const json& job, const char* key, const std::string& name, const std::string& pointer,
+                           bool required) {
+  const auto found = job.find(key);
+  if (found == job.end()) {
+    if (!required) return std::string();
+    return fail(name, pointer, std::string("the job has no \"") + key + "\"", "every job names a model and an output");
+  }
+  if (!found->is_string() || found->get_ref<const std::string&>().empty()) {
+    return fail(name, pointer + "/" + key, "this is no file name", "give a text that is not empty");
+  }
+  return found->get<std::string>();
+}
+
+Result<Job> parseJob(const json& object, const std::string& name, const std::string& pointer,
+                     const std::filesystem::path& folder, const PictureArguments& overrides) {
+  if (!object.is_object()) {
+    return fail(name, pointer, std::string("a job is an object, not a ") + object.type_name(),
+                "write {\"model\": ..., \"output\": ...}");
+  }
+  const Result<std::string> model = textAt(object, "model", name, pointer, true);
+  if (!model) return tl::unexpected(model.error());
+  const Result<std::string> output = textAt(object, "output", name, pointer, true);
+  if (!output) return tl::unexpected(output.error());
+  const Result<std::string> stats = textAt(object, "stats", name, pointer, false);
+  if (!stats) return tl::unexpected(stats.error());
+
+  Job job;
+  job.model = model->starts_with("builtin:") ? *model : (folder / *model).string();
+  job.output = folder / *output;
+  if (!stats->empty()) job.stats = folder / *stats;
+  if (auto named = checkOutputName(job.output); !named) {
+    return fail(name, pointer + "/output", named.error().problem, named.error().remedy);
+  }
+  if (auto set = apply(object, ownKeys, folder.string(), name, pointer, job.settings); !set) {
+    return tl::unexpected(set.error());
+  }
+  if (auto together = checkTogether(job.settings); !together) {
+    return fail(name, pointer, together.error().place + ": " + together.error().problem, together.error().remedy);
+  }
+  if (auto set = apply(overrides, job.settings); !set) return tl::unexpected(set.error());
+  return job;
+}
+
+Result<const json*> listOf(const json& document, const std::string& name) {
+  if (document.is_array()) return &document;
+  const std::string remedy = "write {\"jobs\": [...]} or just the array";
+  if (!document.is_object() || !document.contains("jobs")) return fail(name, {}, "there are no jobs", remedy);
+  constexpr std::string_view known[] = {"jobs"};
+  for (const auto& [key, value] : document.items()) {
+    if (key != "jobs") return fail(name, "/" + pointerToken(key), "there is no such key", suggestion(key, known));
+  }
+  if (!document["jobs"].is_array()) return fail(name, "/jobs", "this is no array", remedy);
+  return &document["jobs"];
+}
+
+}  // namespace
+
+Result<void> checkOutputName(const std::filesystem::path& output) {
+  std::string extension = output.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (extension == ".png" || extension == ".exr") return {};
+  return fail({}, {}, "'" + output.string() + "' is neither a .png nor an .exr",
+              "name the picture .png (after tone mapping) or .exr (scene-linear)");
+}
+
+Result<std::vector<Job>> parseJobs(std::string_view text, const std::string& name, const std::filesystem::path& folder,
+                                   const PictureArguments& overrides) {
+  const Result<json> document = parseJson(text, name);
+  if (!document) return tl::unexpected(document.error());
+  const Result<const json*> list = listOf(*document, name);
+  if (!list) return tl::unexpected(list.error());
+  if ((*list)->empty()) return fail(name, {}, "there are no jobs", "list at least one");
+
+  const std::string above = document->is_array() ? "/" : "/jobs/";
+  std::vector<Job> jobs;
+  std::map<std::string, std::string> writers;  // file -> pointer of what writes it
+  for (size_t i = 0; i < (*list)->size(); ++i) {
+    const std::string pointer = above + std::to_string(i);
+    Result<Job> job = parseJob((**list)[i], name, pointer, folder, overrides);
+    if (!job) return tl::unexpected(job.error());
+    for (const auto& [file, key] : {std::pair(job->output, "/output"), std::pair(job->stats, "/stats")}) {
+      if (file.empty()) continue;
+      const auto [other, added] = writers.emplace(file.lexically_normal().string(), pointer + key);
+      if (!added) return fail(name, pointer + key, "the file is also written by " + other->second, "name another file");
+    }
+    jobs.push_back(std::move(*job));
+  }
+  return jobs;
+}
+
+Result<std::vector<Job>> readJobs(const std::filesystem::path& file, const PictureArguments& overrides) {
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) return fail(file.string(), {}, "there is no such file");
+  if (!std::filesystem::is_regular_file(file, error)) return fail(file.string(), {}, "this is no regular file");
+  if (std::filesystem::file_size(file, error) > largestFile || error) {
+    return fail(file.string(), {}, "the file is larger than 64 MiB", "split it");
+  }
+  std::ifstream stream(file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  if (!stream) return fail(file.string(), {}, "the file cannot be read");
+  return parseJobs(text, file.string(), file.parent_path(), overrides);
+}
+
+}  // namespace facet::commands

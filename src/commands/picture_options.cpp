@@ -1,0 +1,336 @@
+#include "commands/picture_options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "base/nearest.hpp"
+#include "base/srgb.hpp"
+#include "commands/option_text.hpp"
+
+namespace facet::commands {
+
+namespace {
+
+using frame::PictureSettings;
+using Text = std::string_view;
+
+// ---- Rows of one number, one name, one text -------------------------------------------------------------------------
+
+template <auto member, int min, int max>
+Result<void> parseNumberInto(Text text, PictureSettings& settings) {
+  using Member = std::remove_cvref_t<decltype(settings.*member)>;
+  if constexpr (std::is_same_v<Member, int>) {
+    return parseWhole(text, min, max).map([&](int value) { settings.*member = value; });
+  } else {
+    using Value = std::conditional_t<std::is_same_v<Member, float>, float, double>;
+    return parseNumber(text, min, max).map([&](double value) { settings.*member = static_cast<Value>(value); });
+  }
+}
+
+template <auto member>
+std::string writeNumber(const PictureSettings& settings) {
+  if constexpr (requires { (settings.*member).has_value(); }) {
+    return settings.*member ? number(*(settings.*member)) : std::string();
+  } else {
+    return number(settings.*member);
+  }
+}
+
+template <class T>
+struct Named {
+  Text name;
+  T value;
+};
+
+constexpr Named<frame::ToneMapper> toneMappers[] = {{"none", frame::ToneMapper::none},
+                                                    {"reinhard", frame::ToneMapper::reinhard},
+                                                    {"uncharted2", frame::ToneMapper::uncharted2},
+                                                    {"aces", frame::ToneMapper::aces},
+                                                    {"agx", frame::ToneMapper::agx},
+                                                    {"neutral", frame::ToneMapper::neutral}};
+
+constexpr Named<frame::Lights> lightChoices[] = {
+    {"scene", frame::Lights::scene}, {"none", frame::Lights::none}, {"demo", frame::Lights::demo}};
+
+constexpr Named<Text> channels[] = {{"final", ""},
+                                    {"normal", "normal"},
+                                    {"geometryNormal", "geometryNormal"},
+                                    {"tangent", "tangent"},
+                                    {"uv", "uv"},
+                                    {"baseColor", "baseColor"},
+                                    {"metallic", "metallic"},
+                                    {"roughness", "roughness"},
+                                    {"occlusion", "occlusion"},
+                                    {"emissive", "emissive"},
+                                    {"alpha", "alpha"}};
+
+template <const auto& choices, auto member>
+Result<void> parseName(Text text, PictureSettings& settings) {
+  std::vector<Text> names;
+  for (const auto& choice : choices) {
+    if (choice.name == text) return (settings.*member = choice.value), Result<void>();
+    names.push_back(choice.name);
+  }
+  return fail({}, {}, inQuotes(text) + " is not known", suggestion(text, names));
+}
+
+template <const auto& choices, auto member>
+std::string writeName(const PictureSettings& settings) {
+  for (const auto& choice : choices) {
+    if (settings.*member == choice.value) return std::string(choice.name);
+  }
+  return {};
+}
+
+template <auto member>
+Result<void> parseText(Text text, PictureSettings& settings) {
+  if (text.empty()) return fail({}, {}, "the value is empty", "give a name or leave the option out");
+  settings.*member = text;
+  return {};
+}
+
+template <auto member>
+std::string writeText(const PictureSettings& settings) {
+  return settings.*member;
+}
+
+// ---- Rows of their own kind -----------------------------------------------------------------------------------------
+
+Result<void> parseSize(Text text, PictureSettings& settings) {
+  const std::vector<Text> parts = split(text, 'x');
+  if (parts.size() != 2) return fail({}, {}, inQuotes(text) + " is not a size", "give WIDTHxHEIGHT such as 1280x720");
+  const Result<int> width = parseWhole(parts[0], 1, 16384), height = parseWhole(parts[1], 1, 16384);
+  if (!width) return tl::unexpected(width.error());
+  if (!height) return tl::unexpected(height.error());
+  settings.width = *width, settings.height = *height;
+  return {};
+}
+
+std::string writeSize(const PictureSettings& settings) {
+  return number(settings.width) + "x" + number(settings.height);
+}
+
+Result<void> parseOrbit(Text text, PictureSettings& settings) {
+  const std::vector<Text> parts = split(text, ',');
+  if (parts.size() != 2 && parts.size() != 3) {
+    return fail({}, {}, inQuotes(text) + " is not an orbit", "give THETA,PHI or THETA,PHI,RADIUS such as 25,75,0.4");
+  }
+  const Result<double> theta = parseNumber(parts[0], -36000, 36000), phi = parseNumber(parts[1], 0, 180);
+  if (!theta) return tl::unexpected(theta.error());
+  if (!phi) return tl::unexpected(phi.error());
+  frame::Orbit orbit{.thetaDeg = *theta, .phiDeg = *phi, .radius = {}};
+  if (parts.size() == 3) {
+    const Result<double> radius = parseNumber(parts[2], 1e-9, 1e9);
+    if (!radius) return tl::unexpected(radius.error());
+    orbit.radius = *radius;
+  }
+  settings.orbit = orbit;
+  return {};
+}
+
+std::string writeOrbit(const PictureSettings& settings) {
+  if (!settings.orbit) return {};
+  const std::string angles = number(settings.orbit->thetaDeg) + "," + number(settings.orbit->phiDeg);
+  return settings.orbit->radius ? angles + "," + number(*settings.orbit->radius) : angles;
+}
+
+Result<void> parseTarget(Text text, PictureSettings& settings) {
+  const std::vector<Text> parts = split(text, ',');
+  if (parts.size() != 3)
+    return fail({}, {}, inQuotes(text) + " is not a point", "give X,Y,Z in metres such as 0,1.5,0");
+  glm::dvec3 target;
+  for (int i = 0; i < 3; ++i) {
+    const Result<double> value = parseNumber(parts[static_cast<size_t>(i)], -1e9, 1e9);
+    if (!value) return tl::unexpected(value.error());
+    target[i] = *value;
+  }
+  settings.target = target;
+  return {};
+}
+
+std::string writeTarget(const PictureSettings& settings) {
+  if (!settings.target) return {};
+  return number(settings.target->x) + "," + number(settings.target->y) + "," + number(settings.target->z);
+}
+
+Result<void> parseScene(Text text, PictureSettings& settings) {
+  return parseNumberInto<&PictureSettings::scene, 0, 1'000'000>(text, settings);
+}
+
+std::string writeScene(const PictureSettings& settings) {
+  return settings.scene < 0 ? std::string() : number(settings.scene);
+}
+
+Result<void> parseBackground(Text text, PictureSettings& settings) {
+  if (text == "env" || text == "transparent") {
+    settings.background = text == "env" ? frame::Background::environment : frame::Background::transparent;
+    return {};
+  }
+  unsigned rgb = 0;
+  const bool color = text.size() == 7 && text[0] == '#' &&
+                     std::from_chars(text.data() + 1, text.data() + 7, rgb, 16).ptr == text.data() + 7;
+  if (!color) return fail({}, {}, inQuotes(text) + " is no background", "give env, transparent or a colour as #rrggbb");
+  settings.background = frame::Background::color;
+  for (int c = 0; c < 3; ++c) {
+    settings.backgroundColor[c] = static_cast<float>(linearFromSrgb(((rgb >> (16 - 8 * c)) & 255u) / 255.0));
+  }
+  return {};
+}
+
+std::string writeBackground(const PictureSettings& settings) {
+  if (settings.background != frame::Background::color) {
+    return settings.background == frame::Background::environment ? "env" : "transparent";
+  }
+  std::string text = "#";
+  for (int c = 0; c < 3; ++c) {
+    const double encoded = srgbFromLinear(glm::clamp<double>(settings.backgroundColor[c], 0, 1));
+    const auto byte = static_cast<unsigned>(std::lround(encoded * 255));
+    text += "0123456789abcdef"[byte >> 4];
+    text += "0123456789abcdef"[byte & 15];
+  }
+  return text;
+}
+
+// ---- The table ------------------------------------------------------------------------------------------------------
+
+using S = PictureSettings;
+
+constexpr PictureOption table[] = {
+    {"size", "WxH", "size in pixels (1024x1024)", parseSize, writeSize, 'x'},
+    {"orbit", "THETA,PHI,RADIUS", "camera around the target: degrees from +Z towards +X, degrees from +Y, metres",
+     parseOrbit, writeOrbit},
+    {"target", "X,Y,Z", "what the camera looks at, metres (the scene's centre)", parseTarget, writeTarget},
+    {"fov-y", "DEG", "vertical field of view (the camera's, else 45)", parseNumberInto<&S::fovYDeg, 1, 179>,
+     writeNumber<&S::fovYDeg>},
+    {"camera", "NAME|INDEX", "a camera of the file", parseText<&S::camera>, writeText<&S::camera>},
+    {"scene", "N", "index of the scene (the file's default)", parseScene, writeScene},
+    {"env", "FILE|builtin:NAME|none", "environment: .hdr, .exr, builtin:studio, builtin:sky, builtin:white",
+     parseText<&S::environment>, writeText<&S::environment>, ',', true},
+    {"env-rotation", "DEG", "turns the environment about +Y (0)",
+     parseNumberInto<&S::environmentRotationDeg, -36000, 36000>, writeNumber<&S::environmentRotationDeg>},
+    {"env-strength", "X", "factor on the environment's radiance (1)",
+     parseNumberInto<&S::environmentStrength, 0, 1'000'000>, writeNumber<&S::environmentStrength>},
+    {"background", "env|transparent|#rrggbb", "what is behind the model (env)", parseBackground, writeBackground},
+    {"lights", "scene|none|demo", "the file's lights, none, or four more (scene)", parseName<lightChoices, &S::lights>,
+     writeName<lightChoices, &S::lights>},
+    {"occlusion", "0..1", "scales the occlusion textures' strength (1)", parseNumberInto<&S::occlusion, 0, 1>,
+     writeNumber<&S::occlusion>},
+    {"exposure", "STOPS", "factor 2^STOPS before tone mapping (0)", parseNumberInto<&S::exposureStops, -32, 32>,
+     writeNumber<&S::exposureStops>},
+    {"tonemap", "NAME", "none, reinhard, uncharted2, aces, agx, neutral (neutral)",
+     parseName<toneMappers, &S::toneMapper>, writeName<toneMappers, &S::toneMapper>},
+    {"samples", "N", "samples a pixel (4)", parseNumberInto<&S::samples, 1, 64>, writeNumber<&S::samples>},
+    {"channel", "NAME",
+     "final, normal, geometryNormal, tangent, uv, baseColor, metallic, roughness, occlusion, emissive, alpha (final)",
+     parseName<channels, &S::channel>, writeName<channels, &S::channel>},
+    {"shader-dir", "DIR", "reads shaders from here instead of the embedded ones", parseText<&S::shaderDir>,
+     writeText<&S::shaderDir>, ',', true},
+};
+
+std::vector<Text> optionNames() {
+  std::vector<Text> names;
+  for (const PictureOption& option : table) names.push_back(option.name);
+  return names;
+}
+
+const PictureOption* find(Text name) {
+  for (const PictureOption& option : table) {
+    if (option.name == name) return &option;
+  }
+  return nullptr;
+}
+
+// ---- JSON -----------------------------------------------------------------------------------------------------------
+
+// A job's value as the command line would have it.
+Result<std::string> textOf(const nlohmann::json& value, const PictureOption& option) {
+  const auto numberText = [](const nlohmann::json& n) {
+    return n.is_number_float() ? number(n.get<double>()) : n.dump();
+  };
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_number()) return numberText(value);
+  std::string text;
+  for (const nlohmann::json& element : value.is_array() ? value : nlohmann::json::array({nullptr})) {
+    if (!element.is_number()) {
+      return fail({}, {}, "a " + std::string(value.type_name()) + " is no " + std::string(option.value),
+                  "give a text, a number or an array of numbers");
+    }
+    if (!text.empty()) text += option.separator;
+    text += numberText(element);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::span<const PictureOption> pictureOptions() { return table; }
+
+bool isPathValue(const PictureOption& option, Text text) {
+  return option.isPath && !text.empty() && text != "none" && !text.starts_with("builtin:");
+}
+
+void addPictureOptions(CLI::App& app, PictureArguments& arguments) {
+  for (const PictureOption& option : table) {
+    const auto keep = [&arguments, name = option.name](const std::string& text) { arguments[name] = text; };
+    app.add_option_function<std::string>("--" + std::string(option.name), keep, std::string(option.help))
+        ->type_name(std::string(option.value))
+        ->group("Picture");
+  }
+}
+
+Result<void> apply(const PictureArguments& arguments, PictureSettings& settings) {
+  for (const auto& [name, text] : arguments) {
+    const PictureOption* option = find(name);
+    if (!option) return fail({}, "--" + std::string(name), "there is no such option", suggestion(name, optionNames()));
+    if (auto parsed = option->parse(text, settings); !parsed) {
+      return fail({}, "--" + std::string(name), parsed.error().problem, parsed.error().remedy);
+    }
+  }
+  return checkTogether(settings);
+}
+
+Result<void> apply(const nlohmann::json& object, std::span<const Text> others, const std::string& folder,
+                   const std::string& file, const std::string& pointer, PictureSettings& settings) {
+  for (const auto& [key, value] : object.items()) {
+    if (std::find(others.begin(), others.end(), key) != others.end()) continue;
+    const std::string place = pointer + "/" + pointerToken(key);
+    const PictureOption* option = find(key);
+    if (!option) {
+      std::vector<Text> names = optionNames();
+      names.insert(names.end(), others.begin(), others.end());
+      return fail(file, place, "there is no such option", suggestion(key, names));
+    }
+    Result<std::string> text = textOf(value, *option);
+    if (text && isPathValue(*option, *text)) text = (std::filesystem::path(folder) / *text).string();
+    const Result<void> parsed = text ? option->parse(*text, settings) : tl::unexpected(text.error());
+    if (!parsed) return fail(file, place, parsed.error().problem, parsed.error().remedy);
+  }
+  return {};
+}
+
+Result<void> checkTogether(const PictureSettings& settings) {
+  if (settings.camera.empty() || (!settings.orbit && !settings.target)) return {};
+  return fail({}, settings.orbit ? "--orbit" : "--target", "the camera of the file has its own place",
+              "give either this or --camera");
+}
+
+std::string commandLine(const PictureSettings& settings, const std::string& model, const std::string& output) {
+  std::string line = output.empty() ? "facet" : "facet render";
+  if (!model.empty()) line += " " + shellWord(model);
+  if (!output.empty()) line += " -o " + shellWord(output);
+  const PictureSettings defaults;
+  for (const PictureOption& option : table) {
+    const std::string text = option.write(settings);
+    if (!text.empty() && text != option.write(defaults)) {
+      line += " --" + std::string(option.name) + " " + shellWord(text);
+    }
+  }
+  return line;
+}
+
+}  // namespace facet::commands

@@ -1,0 +1,61 @@
+#pragma once
+
+// The one table of a picture's options. Command line, job files, help and the panel's "copy command" are derived from
+// it.
+
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "base/error.hpp"
+#include "frame/settings.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace facet::commands {
+
+struct PictureOption {
+  std::string_view name;   // --NAME on the command line, "NAME" in a job
+  std::string_view value;  // what help calls the value
+  std::string_view help;
+  // Text to settings. The error holds problem and remedy; who calls knows file and place.
+  Result<void> (*parse)(std::string_view text, frame::PictureSettings& settings);
+  // The text that parse makes the same setting of; empty where nothing is set.
+  std::string (*write)(const frame::PictureSettings& settings);
+  char separator = ',';  // between the numbers where a job gives an array
+  bool isPath = false;   // in a job relative to the job file's folder
+};
+
+std::span<const PictureOption> pictureOptions();
+
+// "builtin:..." or "none": a name, not a file.
+bool isPathValue(const PictureOption& option, std::string_view text);
+
+// Names and texts of the options that were given.
+using PictureArguments = std::map<std::string_view, std::string>;
+
+// Registers the table's options; parsing fills `arguments`, which must live as long as app.
+void addPictureOptions(CLI::App& app, PictureArguments& arguments);
+
+// Sets what was given, leaves the rest. Errors name the option: "--samples: 0 is out of range; give ...".
+Result<void> apply(const PictureArguments& arguments, frame::PictureSettings& settings);
+
+// Sets what the object holds except the keys in `others`, which are the caller's. An option's value is its text, a
+// number, or an array of numbers: "orbit": [25, 75, 0.4], "size": "640x480", "exposure": -1. Relative paths are taken
+// below `folder`. `file` and `pointer` (of the object) lead the errors.
+Result<void> apply(const nlohmann::json& object, std::span<const std::string_view> others, const std::string& folder,
+                   const std::string& file, const std::string& pointer, frame::PictureSettings& settings);
+
+// Options that exclude each other: camera against orbit and target.
+Result<void> checkTogether(const frame::PictureSettings& settings);
+
+// The shortest command that shows (`facet MODEL ...`) or, with an output, renders (`facet render MODEL -o OUTPUT ...`)
+// the same picture; quoted for a POSIX shell. A background colour is rounded to 8 bit.
+std::string commandLine(const frame::PictureSettings& settings, const std::string& model,
+                        const std::string& output = {});
+
+}  // namespace facet::commands

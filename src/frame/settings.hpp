@@ -1,0 +1,48 @@
+#pragma once
+
+// What a picture is to look like: a plain struct, made from the command line, a job file or the panel by
+// commands/picture_options, read by every later step. A default that is "not given" leaves the choice to the reader.
+
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+
+namespace facet::frame {
+
+// Eye = target + radius (sin phi sin theta, cos phi, sin phi cos theta).
+struct Orbit {
+  double thetaDeg = 0;           // azimuth; 0 puts the eye on +Z, positive turns it towards +X
+  double phiDeg = 90;            // polar angle from +Y, [0, 180]
+  std::optional<double> radius;  // metres, > 0; not given: frames the scene's bounds
+};
+
+enum class Background { environment, transparent, color };
+enum class ToneMapper { none, reinhard, uncharted2, aces, agx, neutral };
+enum class Lights { scene, none, demo };  // the file's, no lights at all, the file's and four of ours
+
+struct PictureSettings {
+  int width = 1024, height = 1024;  // pixels, [1, 16384]
+
+  std::optional<Orbit> orbit;        // not given (and no camera): frames the scene's bounds
+  std::optional<glm::dvec3> target;  // metres; not given: the centre of the scene's bounds
+  std::optional<double> fovYDeg;     // vertical, [1, 179]; not given: the camera's, else 45
+  std::string camera;                // name or index of a camera in the file; empty: none. Excludes orbit and target.
+  int scene = -1;                    // index; -1: the file's default scene
+
+  std::string environment;           // "builtin:NAME", a path, "none"; empty: a built-in one is chosen
+  float environmentRotationDeg = 0;  // about +Y
+  float environmentStrength = 1;     // factor, [0, 1e6]
+  Background background = Background::environment;
+  glm::vec3 backgroundColor = glm::vec3(0);  // linear Rec. 709; Background::color only
+
+  Lights lights = Lights::scene;
+  float occlusion = 1;  // scales every material's occlusion strength, [0, 1]
+
+  float exposureStops = 0;  // factor 2^stops before tone mapping, [-32, 32]
+  ToneMapper toneMapper = ToneMapper::neutral;
+  int samples = 4;        // a pixel, [1, 64]; 1: no antialiasing
+  std::string channel;    // a debug view's name (commands/picture_options.cpp lists them); empty: the final picture
+  std::string shaderDir;  // shaders are read from here and reloaded on change; empty: the embedded ones
+};
+
+}  // namespace facet::frame
