@@ -9,15 +9,6 @@ namespace {
 
 double sin2FromCos(double cosine) { return std::max(0.0, (1 - cosine) * (1 + cosine)); }
 
-// Slope form: D cos^4 = P22(tan) = 1 / (pi alpha^2 (1 + tan^2 / alpha^2)^2). cos^2 is multiplied back inside the
-// square, so that the horizon is no exception.
-double D_fromSinCos(double sin2, double cos2, double alpha) {
-  if (alpha < smallestAlpha) return 0;
-  const double ratio = std::sqrt(sin2) / alpha;
-  const double stretched = cos2 + ratio * ratio;
-  return 1 / (pi * alpha * alpha * stretched * stretched);
-}
-
 // cosine * Lambda, finite everywhere: alpha / 2 at the horizon, 0 along the normal.
 double cosineLambda(double cosine, double alpha) {
   const double stretch = alpha * alpha * sin2FromCos(cosine);
@@ -29,9 +20,18 @@ double floored(double cosine) { return std::max(cosine, smallestCosine); }
 
 }  // namespace
 
+// Slope form: D cos^4 = P22(tan) = 1 / (pi alpha^2 (1 + tan^2 / alpha^2)^2). cos^2 is multiplied back inside the
+// square, so that the horizon is no exception.
+double D_GGXFromSin2(double sin2NoH, double alpha) {
+  if (alpha < smallestAlpha) return 0;
+  const double ratio = std::sqrt(sin2NoH) / alpha;
+  const double stretched = (1 - sin2NoH) + ratio * ratio;
+  return 1 / (pi * alpha * alpha * stretched * stretched);
+}
+
 double D_GGX(double NoH, double alpha) {
   if (NoH <= 0) return 0;
-  return D_fromSinCos(sin2FromCos(NoH), NoH * NoH, alpha);
+  return D_GGXFromSin2(sin2FromCos(NoH), alpha);
 }
 
 double D_GGX(const glm::dvec3& N, const glm::dvec3& H, double alpha) {
@@ -39,12 +39,12 @@ double D_GGX(const glm::dvec3& N, const glm::dvec3& H, double alpha) {
   const double lengths2 = glm::dot(N, N) * glm::dot(H, H);
   if (!(cosine > 0) || !(lengths2 > 0)) return 0;
   const glm::dvec3 cross = glm::cross(N, H);
-  return D_fromSinCos(glm::dot(cross, cross) / lengths2, cosine * cosine / lengths2, alpha);
+  return D_GGXFromSin2(std::min(1.0, glm::dot(cross, cross) / lengths2), alpha);
 }
 
 double D_GGX(const Angles& angles, double alpha) {
   if (angles.NoH <= 0) return 0;
-  return D_fromSinCos(angles.sin2NoH, 1 - angles.sin2NoH, alpha);
+  return D_GGXFromSin2(angles.sin2NoH, alpha);
 }
 
 double Lambda_GGX(double cosine, double alpha) {

@@ -27,6 +27,8 @@ inline constexpr double smallestCosine = 1e-100;
 double D_GGX(double NoH, double alpha);
 // The same from the vectors, sin^2 = |N x H|^2, exact near the peak. H need not be a unit vector.
 double D_GGX(const glm::dvec3& N, const glm::dvec3& H, double alpha);
+// The same from sin2NoH = 1 - NoH^2 in [0, 1], NoH >= 0.
+double D_GGXFromSin2(double sin2NoH, double alpha);
 
 // Heitz 2014 eq. 72: (-1 + sqrt(1 + alpha^2 tan^2)) / 2, rewritten without the cancellation. About alpha /
 // (2 cosine) at the horizon, capped at smallestCosine.

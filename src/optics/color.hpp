@@ -1,0 +1,38 @@
+#pragma once
+
+// Scene-linear radiance (Rec. 709) to display: tone mapping, then the sRGB transfer function.
+
+#include <array>
+#include <glm/glm.hpp>
+#include <string_view>
+
+namespace facet::optics {
+
+// IEC 61966-2-1. For negative values the straight part continues; no upper clamp.
+double encodeSRGB(double linear);
+double decodeSRGB(double encoded);
+glm::dvec3 encodeSRGB(const glm::dvec3& linear);
+glm::dvec3 decodeSRGB(const glm::dvec3& encoded);
+
+// Linear in, linear out in [0, 1] (encodeSRGB is the next step for all of them). Exposure comes before.
+enum class ToneMapper {
+  none,        // clamp
+  reinhard,    // Reinhard et al. 2002, eq. 3, per channel: c / (1 + c)
+  uncharted2,  // Hable 2010, "Filmic Tonemapping Operators": exposure bias 2, white 11.2
+  aces,        // Hill's fit of ACES' RRT + sRGB ODT (2016), without any exposure boost
+  agx,         // Sobotka's AgX, base look, as Wrensch's degree-6 polynomial with Rec. 709 matrices (2023); encoded
+               // for a 2.2 display and made linear by that power
+  pbrNeutral,  // Khronos PBR Neutral 1.0 (2024)
+};
+inline constexpr std::array<ToneMapper, 6> toneMappers = {ToneMapper::none,       ToneMapper::reinhard,
+                                                          ToneMapper::uncharted2, ToneMapper::aces,
+                                                          ToneMapper::agx,        ToneMapper::pbrNeutral};
+// "none", "reinhard", "uncharted2", "aces", "agx", "neutral".
+std::string_view nameOf(ToneMapper mapper);
+
+// Every result is in [0, 1] per channel: NaN and negative channels count as 0, values above largestRadiance (infinity
+// included) as largestRadiance, where every mapper has reached its limit to 1e-14.
+inline constexpr double largestRadiance = 1e15;
+glm::dvec3 toneMap(ToneMapper mapper, const glm::dvec3& radiance);
+
+}  // namespace facet::optics

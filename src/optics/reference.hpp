@@ -1,0 +1,49 @@
+#pragma once
+
+// What image-based light converges to: integrals over an environment map, to compare precomputed tables with.
+//
+// The map means its bilinear reconstruction in (u, v): texel values at texel centres, wrapping in longitude, constant
+// from the outermost rows to the poles. On each cell between four centres the lobe's moments against the four corner
+// weights are integrated by Gauss-Legendre in longitude and polar angle; cells are split until they are small against
+// the scale on which the lobe varies there, so that narrow lobes cost only logarithmically more.
+// All directions are unit vectors.
+
+#include <glm/glm.hpp>
+
+#include "optics/energy.hpp"
+#include "scene/environment.hpp"
+
+namespace facet::optics {
+
+// Bilinear radiance in a direction.
+glm::dvec3 radianceAt(const scene::Environment& environment, const glm::dvec3& direction);
+
+struct Reference {
+  glm::dvec3 value{0};
+  // Self-check: the lobe's own integral by the same nodes, over its closed form. |weight - 1| < 1e-4 is expected.
+  double weight = 1;
+};
+
+// Irradiance int L max(n.l, 0) dl, divided by weight: a constant map c gives pi c.
+Reference irradiance(const scene::Environment& environment, const glm::dvec3& n);
+
+// The split sum's prefiltered radiance, V = N = n: int L D w dl / int D w dl.
+enum class LobeWeight {
+  NoL,  // w = NoL, Karis 2013
+  G2,   // w = G2(NoV = 1, NoL): exact for the direction n = V with F constant
+};
+// alpha below 1e-9 (a lobe narrower than directions are resolved): radianceAt(n).
+Reference prefiltered(const scene::Environment& environment, const glm::dvec3& n, double alpha,
+                      LobeWeight weight = LobeWeight::NoL);
+
+// int L D V F NoL dl without any split: a and b belong to (1 - Fc) and Fc as in Dfg, so that the specular radiance
+// is f0 a + f90 b. Not normalised; `dfg` is the same integral for L = 1, to hold against integrateDfg (<= 2e-4 for
+// alpha >= 0.01 and NoV >= 0.05). NoV > 0. alpha below 1e-9: mirror.
+struct SpecularReference {
+  glm::dvec3 a{0}, b{0};
+  Dfg dfg;
+};
+SpecularReference specular(const scene::Environment& environment, const glm::dvec3& N, const glm::dvec3& V,
+                           double alpha);
+
+}  // namespace facet::optics
