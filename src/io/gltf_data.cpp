@@ -1,0 +1,162 @@
+// Buffers and images: the two sections whose bytes lie outside the JSON. They are read here and taken out of the text
+// that tinygltf gets, so that it never sees a file name, never copies a buffer and never decodes an image.
+
+#include <nlohmann/json.hpp>
+
+#include "io/accessors.hpp"
+#include "io/gltf_document.hpp"
+#include "io/uri.hpp"
+
+namespace facet::io {
+
+namespace {
+
+using Json = nlohmann::json;
+
+// The root's array of this name; an empty one where the key is missing.
+Result<Json> section(const Document& doc, std::string_view key) {
+  const JsonMember* member = doc.outline.find(key);
+  if (member == nullptr) return Json::array();
+  const std::string_view text = doc.json.substr(member->begin, member->end - member->begin);
+  Json value = Json::parse(text.begin(), text.end(), nullptr, false);
+  const std::string place = "/" + std::string(key);
+  if (value.is_discarded()) return doc.error(place, "is not valid JSON");
+  if (!value.is_array()) return doc.error(place, "is not an array");
+  for (size_t i = 0; i < value.size(); ++i) {
+    if (!value[i].is_object()) return doc.error(pointer(place, i), "is not an object");
+  }
+  return value;
+}
+
+// Null where the key is missing or holds something else than a string.
+const std::string* stringAt(const Json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? &found->get_ref<const std::string&>() : nullptr;
+}
+
+Result<std::filesystem::path> resolve(const Document& doc, const std::string& uri, const std::string& place) {
+  auto path = resolveBelow(doc.folder, uri);
+  if (!path) return doc.error(place, path.error().problem, path.error().remedy);
+  return path;
+}
+
+Result<std::span<const uint8_t>> fileBuffer(Document& doc, const std::string& uri, const std::string& place) {
+  const auto path = resolve(doc, uri, place);
+  if (!path) return tl::unexpected(path.error());
+  const uint64_t left = doc.limits.totalBytes - std::min(doc.bytesRead, doc.limits.totalBytes);
+  auto bytes = readRegularFile(*path, std::min(doc.limits.fileBytes, left));
+  if (!bytes) {
+    return doc.error(place, "the file " + inQuotes(uri) + ": " + bytes.error().problem,
+                     bytes.error().problem == "no such file" ? "put the file beside the model" : bytes.error().remedy);
+  }
+  doc.bytesRead += bytes->size;
+  doc.files.push_back(std::move(*bytes));
+  return doc.files.back().span();
+}
+
+Result<std::span<const uint8_t>> bufferBytes(Document& doc, const Json& buffer, size_t index,
+                                             const std::string& place) {
+  const std::string* uri = stringAt(buffer, "uri");
+  if (uri == nullptr) {
+    if (index == 0 && doc.hasBinary) return doc.binary;
+    return doc.error(place, "has no uri", "embed the buffer or name its file");
+  }
+  if (!isDataUri(*uri)) return fileBuffer(doc, *uri, place + "/uri");
+  auto bytes = decodeDataUri(*uri);
+  if (!bytes) return doc.error(place + "/uri", "the data: URI is malformed");
+  doc.bytesRead += bytes->size();
+  doc.embedded.push_back(std::move(*bytes));
+  return std::span<const uint8_t>(doc.embedded.back());
+}
+
+Result<void> readBuffer(Document& doc, const Json& buffer, size_t index) {
+  const std::string place = pointer("/buffers", index);
+  const auto length = buffer.find("byteLength");
+  if (length == buffer.end() || !length->is_number_unsigned()) {
+    return doc.error(place + "/byteLength", "is not a positive whole number");
+  }
+  const auto bytes = length->get<uint64_t>();
+  if (bytes == 0) return doc.error(place + "/byteLength", "the buffer has a length of zero");
+  const auto span = bufferBytes(doc, buffer, index, place);
+  if (!span) return tl::unexpected(span.error());
+  if (span->size() < bytes) {
+    return doc.error(place, "should have " + std::to_string(bytes) + " bytes and has " + std::to_string(span->size()),
+                     "copy or download the model again");
+  }
+  doc.buffers.push_back(span->first(bytes));
+  return {};
+}
+
+std::string lastPart(const std::string& uri) {
+  const std::string path = percentDecode(uri);
+  return path.substr(path.rfind('/') + 1);
+}
+
+Result<void> imageFromView(Document& doc, const Json& image, const std::string& place, scene::Image& result) {
+  const auto view = image.find("bufferView");
+  if (view == image.end() || !view->is_number_integer()) {
+    result.problem = "it has neither a file nor data";
+    return {};
+  }
+  const auto index = view->get<int64_t>();
+  const auto count = static_cast<int64_t>(doc.gltf.bufferViews.size());
+  if (index < 0 || index >= count) {
+    return doc.error(place + "/bufferView",
+                     "buffer view " + std::to_string(index) + " does not exist; there are " + std::to_string(count));
+  }
+  const auto bytes = viewBytes(doc, static_cast<int>(index));
+  result.encoded.assign(bytes.begin(), bytes.end());
+  return {};
+}
+
+Result<void> imageFromUri(Document& doc, const std::string& uri, const std::string& place, scene::Image& result) {
+  if (isDataUri(uri)) {
+    auto bytes = decodeDataUri(uri);
+    if (bytes) {
+      result.encoded = std::move(*bytes);
+    } else {
+      result.problem = "its data: URI is malformed";
+    }
+    return {};
+  }
+  const auto path = resolve(doc, uri, place + "/uri");
+  if (!path) return tl::unexpected(path.error());
+  std::error_code code;
+  if (!std::filesystem::exists(*path, code)) {
+    result.problem = "the file " + inQuotes(uri) + " does not exist";
+  } else if (!std::filesystem::is_regular_file(*path, code)) {
+    result.problem = inQuotes(uri) + " is not a regular file";
+  } else {
+    result.file = *path;
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> readBuffers(Document& doc) {
+  const auto buffers = section(doc, "buffers");
+  if (!buffers) return tl::unexpected(buffers.error());
+  for (size_t i = 0; i < buffers->size(); ++i) {
+    if (auto ok = readBuffer(doc, (*buffers)[i], i); !ok) return ok;
+  }
+  return {};
+}
+
+Result<void> readImages(Document& doc) {
+  const auto images = section(doc, "images");
+  if (!images) return tl::unexpected(images.error());
+  for (size_t i = 0; i < images->size(); ++i) {
+    const Json& image = (*images)[i];
+    const std::string place = pointer("/images", i);
+    const std::string *name = stringAt(image, "name"), *uri = stringAt(image, "uri");
+    scene::Image result;
+    result.name = name && !name->empty() ? *name : uri && !isDataUri(*uri) ? lastPart(*uri) : place.substr(1);
+    const auto ok = uri ? imageFromUri(doc, *uri, place, result) : imageFromView(doc, image, place, result);
+    if (!ok) return ok;
+    doc.model.images.push_back(std::move(result));
+  }
+  return {};
+}
+
+}  // namespace facet::io

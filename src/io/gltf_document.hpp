@@ -1,0 +1,84 @@
+#pragma once
+
+// What the readers of the single sections share while a model is read. Internal to io/: tinygltf ends here.
+
+#include <tiny_gltf.h>
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/error.hpp"
+#include "io/gltf.hpp"
+#include "io/json_scan.hpp"
+#include "io/safe_files.hpp"
+#include "scene/model.hpp"
+
+namespace facet::io {
+
+struct Document {
+  std::string name;              // for messages
+  std::filesystem::path folder;  // canonical; empty: no files may be named
+  Limits limits;
+  uint64_t bytesRead = 0;  // counts towards limits.totalBytes
+
+  std::string_view json;            // the whole text
+  std::span<const uint8_t> binary;  // a .glb's chunk
+  bool hasBinary = false;
+  JsonOutline outline;
+
+  tinygltf::Model gltf;                           // without buffers and images
+  std::vector<std::span<const uint8_t>> buffers;  // by index; into storage or binary
+  std::vector<FileBytes> files;                   // storage
+  std::vector<std::vector<uint8_t>> embedded;     // storage
+  scene::Model model;
+  Notes notes;
+
+  tl::unexpected<Error> error(std::string place, std::string problem,
+                              std::string remedy = "export the model again") const {
+    return fail(name, std::move(place), std::move(problem), std::move(remedy));
+  }
+  void info(std::string place, std::string text) {
+    notes.push_back({Note::Severity::info, std::move(place), std::move(text)});
+  }
+  void warning(std::string place, std::string text) {
+    notes.push_back({Note::Severity::warning, std::move(place), std::move(text)});
+  }
+};
+
+// "/meshes/3" from "/meshes", 3.
+inline std::string pointer(std::string_view path, size_t index) {
+  return std::string(path) + "/" + std::to_string(index);
+}
+
+// The one check for every index in the file. what: "buffer view", "node" and so on.
+Result<void> checkIndex(const Document& doc, int index, size_t count, const std::string& place, const char* what);
+
+// -- One function per section; each fills its part of doc.model. --
+
+// gltf_data.cpp: needs only the text. Buffers are read; images are found, not read.
+Result<void> readBuffers(Document& doc);
+Result<void> readImages(Document& doc);  // after tinygltf's buffer views
+
+// gltf_nodes.cpp
+Result<void> readNodes(Document& doc);  // and scenes
+// gltf_lights.cpp
+Result<void> readLights(Document& doc);
+Result<void> readCameras(Document& doc);
+// gltf_materials.cpp
+Result<void> readTextures(Document& doc);  // and samplers
+Result<void> readMaterials(Document& doc);
+// gltf_meshes.cpp: after checkAccessors
+Result<void> readMeshes(Document& doc);
+
+// -- Extensions (gltf_extensions.cpp) --
+
+// Errors: a required extension that is not supported. Notes those that are used and not supported.
+Result<void> checkExtensions(Document& doc);
+
+}  // namespace facet::io

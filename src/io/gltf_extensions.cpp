@@ -1,0 +1,60 @@
+#include <algorithm>
+
+#include "io/gltf_document.hpp"
+#include "io/uri.hpp"
+
+namespace facet::io {
+
+namespace {
+
+// Everything that is read; each name is listed here once.
+constexpr std::string_view supportedExtensions[] = {
+    "KHR_lights_punctual",              // gltf_lights.cpp
+    "KHR_texture_transform",            // gltf_materials.cpp
+    "KHR_materials_unlit",              // gltf_materials.cpp
+    "KHR_materials_emissive_strength",  // gltf_materials.cpp
+    "KHR_mesh_quantization",            // accessors.cpp: all component types are read anyway
+};
+
+// Where a required extension can be had without.
+struct Remedy {
+  std::string_view extension, remedy;
+};
+constexpr Remedy remedies[] = {
+    {"KHR_draco_mesh_compression", "export the model without Draco compression"},
+    {"EXT_meshopt_compression", "export the model without meshopt compression"},
+    {"KHR_meshopt_compression", "export the model without meshopt compression"},
+    {"EXT_texture_webp", "export the model with PNG or JPEG textures"},
+    {"KHR_texture_basisu", "export the model with PNG or JPEG textures"},
+};
+
+bool supported(std::string_view name) {
+  return std::find(std::begin(supportedExtensions), std::end(supportedExtensions), name) !=
+         std::end(supportedExtensions);
+}
+
+std::string remedyFor(std::string_view name) {
+  for (const auto& entry : remedies) {
+    if (entry.extension == name) return std::string(entry.remedy);
+  }
+  return "export the model without it";
+}
+
+}  // namespace
+
+Result<void> checkExtensions(Document& doc) {
+  for (size_t i = 0; i < doc.model.extensionsRequired.size(); ++i) {
+    const std::string& name = doc.model.extensionsRequired[i];
+    if (supported(name)) continue;
+    return doc.error(pointer("/extensionsRequired", i),
+                     "the model requires the extension " + inQuotes(name) + ", which is not supported",
+                     remedyFor(name));
+  }
+  for (size_t i = 0; i < doc.model.extensionsUsed.size(); ++i) {
+    const std::string& name = doc.model.extensionsUsed[i];
+    if (!supported(name)) doc.info(pointer("/extensionsUsed", i), name + " is not supported yet: shown without");
+  }
+  return {};
+}
+
+}  // namespace facet::io

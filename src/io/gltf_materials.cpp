@@ -1,0 +1,302 @@
+// Textures, samplers and materials; one function per extension.
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/gltf_document.hpp"
+#include "io/uri.hpp"
+
+namespace facet::io {
+
+namespace {
+
+using Value = tinygltf::Value;
+using Extensions = tinygltf::ExtensionMap;
+
+const Value* find(const Extensions& extensions, const char* name) {
+  const auto found = extensions.find(name);
+  return found == extensions.end() || !found->second.IsObject() ? nullptr : &found->second;
+}
+
+// A finite single-precision number; nothing if the key is missing.
+Result<std::optional<float>> number(const Document& doc, const Value& object, const char* key,
+                                    const std::string& place) {
+  const Value& value = object.Get(key);
+  if (value.Type() == tinygltf::NULL_TYPE) return std::nullopt;
+  if (!value.IsNumber()) return doc.error(place + "/" + key, "is not a number");
+  const auto result = static_cast<float>(value.GetNumberAsDouble());
+  if (!std::isfinite(result)) return doc.error(place + "/" + key, "is not finite in single precision");
+  return result;
+}
+
+// A factor of the core material: finite, brought to [low, high] with a warning.
+Result<float> factor(Document& doc, double value, float low, float high, const std::string& place) {
+  const auto single = static_cast<float>(value);
+  if (!std::isfinite(single)) return doc.error(place, "is not finite in single precision");
+  if (single < low || single > high) doc.warning(place, "is out of range: clamped");
+  return std::clamp(single, low, high);
+}
+
+constexpr float unbounded = std::numeric_limits<float>::max();
+
+// ---- Samplers and textures ------------------------------------------------------------------------------------------
+
+scene::Wrap wrap(Document& doc, int value, const std::string& place) {
+  switch (value) {
+    case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE:
+      return scene::Wrap::clampToEdge;
+    case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT:
+      return scene::Wrap::mirroredRepeat;
+    case TINYGLTF_TEXTURE_WRAP_REPEAT:
+      return scene::Wrap::repeat;
+    default:
+      doc.warning(place, std::to_string(value) + " is not a wrapping mode: repeat is used");
+      return scene::Wrap::repeat;
+  }
+}
+
+// -1, not given: the implementation chooses; we choose trilinear.
+void setMinFilter(Document& doc, int value, const std::string& place, scene::Sampler& sampler) {
+  using scene::Filter, scene::MipFilter;
+  const struct {
+    int value;
+    Filter filter;
+    MipFilter mip;
+  } table[] = {{-1, Filter::linear, MipFilter::linear},
+               {TINYGLTF_TEXTURE_FILTER_NEAREST, Filter::nearest, MipFilter::none},
+               {TINYGLTF_TEXTURE_FILTER_LINEAR, Filter::linear, MipFilter::none},
+               {TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST, Filter::nearest, MipFilter::nearest},
+               {TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_NEAREST, Filter::linear, MipFilter::nearest},
+               {TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR, Filter::nearest, MipFilter::linear},
+               {TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR, Filter::linear, MipFilter::linear}};
+  for (const auto& row : table) {
+    if (row.value != value) continue;
+    sampler.minFilter = row.filter;
+    sampler.mipFilter = row.mip;
+    return;
+  }
+  doc.warning(place, std::to_string(value) + " is not a filter: linear with mipmaps is used");
+}
+
+scene::Sampler readSampler(Document& doc, const tinygltf::Sampler& from, const std::string& place) {
+  scene::Sampler sampler;
+  sampler.wrapS = wrap(doc, from.wrapS, place + "/wrapS");
+  sampler.wrapT = wrap(doc, from.wrapT, place + "/wrapT");
+  setMinFilter(doc, from.minFilter, place + "/minFilter", sampler);
+  if (from.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST) {
+    sampler.magFilter = scene::Filter::nearest;
+  } else if (from.magFilter != -1 && from.magFilter != TINYGLTF_TEXTURE_FILTER_LINEAR) {
+    doc.warning(place + "/magFilter", std::to_string(from.magFilter) + " is not a filter: linear is used");
+  }
+  return sampler;
+}
+
+// Which image: extensions with formats of their own will be asked first.
+Result<int> textureImage(Document& doc, const tinygltf::Texture& from, const std::string& place) {
+  if (from.source != -1) {
+    if (auto ok = checkIndex(doc, from.source, doc.model.images.size(), place + "/source", "image"); !ok) {
+      return tl::unexpected(ok.error());
+    }
+    return from.source;
+  }
+  for (const char* extension : {"EXT_texture_webp", "KHR_texture_basisu"}) {
+    if (!find(from.extensions, extension)) continue;
+    doc.warning(place, std::string("its image is only given through ") + extension +
+                           ", which is not supported yet: a placeholder is shown");
+    return -1;
+  }
+  doc.warning(place, "has no image: a placeholder is shown");
+  return -1;
+}
+
+// ---- References to textures -----------------------------------------------------------------------------------------
+
+// KHR_texture_transform
+Result<void> readTextureTransform(Document& doc, const Value& extension, const std::string& place,
+                                  scene::TextureRef& ref) {
+  const auto pair = [&](const char* key, glm::vec2& target) -> Result<void> {
+    const Value& value = extension.Get(key);
+    if (value.Type() == tinygltf::NULL_TYPE) return {};
+    if (value.ArrayLen() != 2) return doc.error(place + "/" + key, "does not have two numbers");
+    for (int i = 0; i < 2; ++i) {
+      target[i] = static_cast<float>(value.Get(i).GetNumberAsDouble());
+      if (!value.Get(i).IsNumber() || !std::isfinite(target[i])) {
+        return doc.error(place + "/" + key, "does not have two finite numbers");
+      }
+    }
+    return {};
+  };
+  if (auto ok = pair("offset", ref.transform.offset); !ok) return ok;
+  if (auto ok = pair("scale", ref.transform.scale); !ok) return ok;
+  const auto rotation = number(doc, extension, "rotation", place);
+  if (!rotation) return tl::unexpected(rotation.error());
+  ref.transform.rotation = rotation->value_or(0.0f);
+  const Value& texCoord = extension.Get("texCoord");
+  if (texCoord.IsInt()) ref.texCoord = texCoord.GetNumberAsInt();
+  return {};
+}
+
+Result<scene::TextureRef> readRef(Document& doc, int index, int texCoord, const Extensions& extensions,
+                                  const std::string& place) {
+  scene::TextureRef ref;
+  if (index == -1) return ref;
+  if (auto ok = checkIndex(doc, index, doc.model.textures.size(), place + "/index", "texture"); !ok) {
+    return tl::unexpected(ok.error());
+  }
+  ref.texture = index;
+  ref.texCoord = texCoord;
+  if (const Value* extension = find(extensions, "KHR_texture_transform")) {
+    if (auto ok = readTextureTransform(doc, *extension, place + "/extensions/KHR_texture_transform", ref); !ok) {
+      return tl::unexpected(ok.error());
+    }
+  }
+  if (ref.texCoord < 0 || ref.texCoord >= scene::maxTexCoordSets) {
+    doc.warning(place + "/texCoord",
+                "TEXCOORD_" + std::to_string(ref.texCoord) + " is not supported: shown without this texture");
+    return scene::TextureRef();
+  }
+  return ref;
+}
+
+template <class Info>
+Result<void> readRef(Document& doc, const Info& info, const std::string& place, scene::TextureRef& target) {
+  const auto ref = readRef(doc, info.index, info.texCoord, info.extensions, place);
+  if (!ref) return tl::unexpected(ref.error());
+  target = *ref;
+  return {};
+}
+
+// ---- Materials ------------------------------------------------------------------------------------------------------
+
+Result<void> readCoreTextures(Document& doc, const tinygltf::Material& from, const std::string& place,
+                              scene::Material& material) {
+  const auto& pbr = from.pbrMetallicRoughness;
+  const std::string pbrPlace = place + "/pbrMetallicRoughness";
+  if (auto ok = readRef(doc, pbr.baseColorTexture, pbrPlace + "/baseColorTexture", material.baseColor); !ok) return ok;
+  if (auto ok = readRef(doc, pbr.metallicRoughnessTexture, pbrPlace + "/metallicRoughnessTexture",
+                        material.metallicRoughness);
+      !ok) {
+    return ok;
+  }
+  if (auto ok = readRef(doc, from.normalTexture, place + "/normalTexture", material.normal); !ok) return ok;
+  if (auto ok = readRef(doc, from.occlusionTexture, place + "/occlusionTexture", material.occlusion); !ok) return ok;
+  return readRef(doc, from.emissiveTexture, place + "/emissiveTexture", material.emissive);
+}
+
+Result<void> readCoreFactors(Document& doc, const tinygltf::Material& from, const std::string& place,
+                             scene::Material& material) {
+  const auto& pbr = from.pbrMetallicRoughness;
+  const std::string pbrPlace = place + "/pbrMetallicRoughness";
+  const struct {
+    double value;
+    float low, high;
+    std::string place;
+    float* target;
+  } factors[] = {
+      {pbr.baseColorFactor[0], 0, 1, pbrPlace + "/baseColorFactor/0", &material.baseColorFactor.r},
+      {pbr.baseColorFactor[1], 0, 1, pbrPlace + "/baseColorFactor/1", &material.baseColorFactor.g},
+      {pbr.baseColorFactor[2], 0, 1, pbrPlace + "/baseColorFactor/2", &material.baseColorFactor.b},
+      {pbr.baseColorFactor[3], 0, 1, pbrPlace + "/baseColorFactor/3", &material.baseColorFactor.a},
+      {pbr.metallicFactor, 0, 1, pbrPlace + "/metallicFactor", &material.metallicFactor},
+      {pbr.roughnessFactor, 0, 1, pbrPlace + "/roughnessFactor", &material.perceptualRoughnessFactor},
+      {from.emissiveFactor[0], 0, 1, place + "/emissiveFactor/0", &material.emissiveFactor.r},
+      {from.emissiveFactor[1], 0, 1, place + "/emissiveFactor/1", &material.emissiveFactor.g},
+      {from.emissiveFactor[2], 0, 1, place + "/emissiveFactor/2", &material.emissiveFactor.b},
+      {from.normalTexture.scale, -unbounded, unbounded, place + "/normalTexture/scale", &material.normalScale},
+      {from.occlusionTexture.strength, 0, 1, place + "/occlusionTexture/strength", &material.occlusionStrength},
+      {from.alphaCutoff, 0, unbounded, place + "/alphaCutoff", &material.alphaCutoff},
+  };
+  for (const auto& f : factors) {
+    const auto value = factor(doc, f.value, f.low, f.high, f.place);
+    if (!value) return tl::unexpected(value.error());
+    *f.target = *value;
+  }
+  return {};
+}
+
+void readAlphaMode(Document& doc, const tinygltf::Material& from, const std::string& place, scene::Material& material) {
+  if (from.alphaMode == "MASK") {
+    material.alphaMode = scene::AlphaMode::mask;
+  } else if (from.alphaMode == "BLEND") {
+    material.alphaMode = scene::AlphaMode::blend;
+  } else if (from.alphaMode != "OPAQUE") {
+    doc.warning(place + "/alphaMode", inQuotes(from.alphaMode) + " is not an alpha mode: shown opaque");
+  }
+}
+
+// KHR_materials_unlit
+Result<void> readUnlit(Document&, const Value&, const std::string&, scene::Material& material) {
+  material.unlit = true;
+  return {};
+}
+
+// KHR_materials_emissive_strength
+Result<void> readEmissiveStrength(Document& doc, const Value& extension, const std::string& place,
+                                  scene::Material& material) {
+  const auto strength = number(doc, extension, "emissiveStrength", place);
+  if (!strength) return tl::unexpected(strength.error());
+  const auto value = factor(doc, strength->value_or(1.0f), 0, unbounded, place + "/emissiveStrength");
+  if (!value) return tl::unexpected(value.error());
+  material.emissiveStrength = *value;
+  return {};
+}
+
+using ReadExtension = Result<void> (*)(Document&, const Value&, const std::string& place, scene::Material&);
+constexpr struct {
+  const char* name;
+  ReadExtension read;
+} materialExtensions[] = {
+    {"KHR_materials_unlit", readUnlit},
+    {"KHR_materials_emissive_strength", readEmissiveStrength},
+};
+
+Result<void> readMaterial(Document& doc, size_t index) {
+  const auto& from = doc.gltf.materials[index];
+  const std::string place = pointer("/materials", index);
+  scene::Material material;
+  material.name = from.name;
+  material.doubleSided = from.doubleSided;
+  readAlphaMode(doc, from, place, material);
+  if (auto ok = readCoreFactors(doc, from, place, material); !ok) return ok;
+  if (auto ok = readCoreTextures(doc, from, place, material); !ok) return ok;
+  for (const auto& extension : materialExtensions) {
+    const Value* value = find(from.extensions, extension.name);
+    if (value == nullptr) continue;
+    if (auto ok = extension.read(doc, *value, place + "/extensions/" + extension.name, material); !ok) return ok;
+  }
+  doc.model.materials.push_back(std::move(material));
+  return {};
+}
+
+}  // namespace
+
+Result<void> readTextures(Document& doc) {
+  std::vector<scene::Sampler> samplers;
+  for (size_t i = 0; i < doc.gltf.samplers.size(); ++i) {
+    samplers.push_back(readSampler(doc, doc.gltf.samplers[i], pointer("/samplers", i)));
+  }
+  for (size_t i = 0; i < doc.gltf.textures.size(); ++i) {
+    const auto& from = doc.gltf.textures[i];
+    const std::string place = pointer("/textures", i);
+    scene::Texture texture;
+    texture.name = from.name;
+    const auto image = textureImage(doc, from, place);
+    if (!image) return tl::unexpected(image.error());
+    texture.image = *image;
+    if (from.sampler != -1) {
+      if (auto ok = checkIndex(doc, from.sampler, samplers.size(), place + "/sampler", "sampler"); !ok) return ok;
+      texture.sampler = samplers[static_cast<size_t>(from.sampler)];
+    }
+    doc.model.textures.push_back(std::move(texture));
+  }
+  return {};
+}
+
+Result<void> readMaterials(Document& doc) {
+  for (size_t i = 0; i < doc.gltf.materials.size(); ++i) {
+    if (auto ok = readMaterial(doc, i); !ok) return ok;
+  }
+  return {};
+}
+
+}  // namespace facet::io

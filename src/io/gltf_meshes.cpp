@@ -1,0 +1,289 @@
+#include <atomic>
+#include <cmath>
+
+#include "base/parallel.hpp"
+#include "io/accessors.hpp"
+#include "io/gltf_document.hpp"
+#include "io/uri.hpp"
+#include "io/vertex_repair.hpp"
+
+namespace facet::io {
+
+namespace {
+
+struct Job {
+  const tinygltf::Primitive* from = nullptr;
+  std::string place;
+  scene::Primitive primitive;
+  Notes notes;
+  std::optional<Error> error;
+
+  void note(Note::Severity severity, std::string key, std::string text) {
+    notes.push_back({severity, place + key, std::move(text)});
+  }
+};
+
+// What each attribute that is read may look like.
+struct AttributeRule {
+  const char* name;
+  int minComponents, maxComponents;
+};
+constexpr AttributeRule attributeRules[] = {{"POSITION", 3, 3},   {"NORMAL", 3, 3},     {"TANGENT", 4, 4},
+                                            {"TEXCOORD_0", 2, 2}, {"TEXCOORD_1", 2, 2}, {"COLOR_0", 3, 4}};
+
+int components(const Document& doc, int accessor) {
+  const int type = doc.gltf.accessors[static_cast<size_t>(accessor)].type;
+  return type <= TINYGLTF_TYPE_VEC4 || type == TINYGLTF_TYPE_SCALAR
+             ? tinygltf::GetNumComponentsInType(static_cast<uint32_t>(type))
+             : 0;  // matrices
+}
+
+size_t count(const Document& doc, int accessor) { return doc.gltf.accessors[static_cast<size_t>(accessor)].count; }
+
+// Attributes of a primitive or of one of its morph targets: all exist and have as many elements as the positions.
+Result<void> checkAttributes(const Document& doc, const std::map<std::string, int>& attributes, size_t vertexCount,
+                             const std::string& place) {
+  for (const auto& [name, accessor] : attributes) {
+    const std::string at = place + "/" + name;
+    if (auto ok = checkIndex(doc, accessor, doc.gltf.accessors.size(), at, "accessor"); !ok) return ok;
+    if (count(doc, accessor) != vertexCount) {
+      return doc.error(at, "has " + std::to_string(count(doc, accessor)) + " elements, but there are " +
+                               std::to_string(vertexCount) + " positions");
+    }
+  }
+  return {};
+}
+
+Result<void> checkTypes(const Document& doc, const tinygltf::Primitive& primitive, const std::string& place) {
+  for (const auto& rule : attributeRules) {
+    const auto found = primitive.attributes.find(rule.name);
+    if (found == primitive.attributes.end()) continue;
+    const int n = components(doc, found->second);
+    if (n < rule.minComponents || n > rule.maxComponents) {
+      return doc.error(place + "/attributes/" + rule.name,
+                       "is not a vector of " + std::to_string(rule.minComponents) + " components");
+    }
+  }
+  return {};
+}
+
+Result<void> checkIndices(const Document& doc, const tinygltf::Primitive& primitive, const std::string& place) {
+  if (primitive.indices == -1) return {};
+  const std::string at = place + "/indices";
+  if (auto ok = checkIndex(doc, primitive.indices, doc.gltf.accessors.size(), at, "accessor"); !ok) return ok;
+  const auto& accessor = doc.gltf.accessors[static_cast<size_t>(primitive.indices)];
+  const int type = accessor.componentType;
+  if (accessor.type != TINYGLTF_TYPE_SCALAR ||
+      (type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE && type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
+       type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)) {
+    return doc.error(at, "indices are not unsigned integers");
+  }
+  return {};
+}
+
+// Everything that can be said without reading vertices. Sets `use` to whether there is something to read.
+Result<void> checkPrimitive(Document& doc, const tinygltf::Primitive& primitive, const std::string& place, bool& use) {
+  use = false;
+  if (primitive.mode < TINYGLTF_MODE_POINTS || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN) {
+    return doc.error(place + "/mode", std::to_string(primitive.mode) + " is not a primitive mode");
+  }
+  if (primitive.material != -1) {
+    if (auto ok = checkIndex(doc, primitive.material, doc.gltf.materials.size(), place + "/material", "material");
+        !ok) {
+      return ok;
+    }
+  }
+  const auto position = primitive.attributes.find("POSITION");
+  if (position == primitive.attributes.end()) {
+    doc.warning(place, "has no positions: not shown");
+    return {};
+  }
+  const std::string at = place + "/attributes";
+  if (auto ok = checkIndex(doc, position->second, doc.gltf.accessors.size(), at + "/POSITION", "accessor"); !ok)
+    return ok;
+  const size_t vertexCount = count(doc, position->second);
+  if (auto ok = checkAttributes(doc, primitive.attributes, vertexCount, at); !ok) return ok;
+  for (size_t i = 0; i < primitive.targets.size(); ++i) {
+    if (auto ok = checkAttributes(doc, primitive.targets[i], vertexCount, pointer(place + "/targets", i)); !ok)
+      return ok;
+  }
+  if (auto ok = checkTypes(doc, primitive, place); !ok) return ok;
+  if (auto ok = checkIndices(doc, primitive, place); !ok) return ok;
+  use = vertexCount > 0 && (primitive.indices == -1 || count(doc, primitive.indices) > 0);
+  if (!use) doc.info(place, "has no vertices: not shown");
+  return {};
+}
+
+uint64_t decodedBytes(const Document& doc, const tinygltf::Primitive& primitive) {
+  uint64_t bytes = primitive.indices == -1 ? 0 : count(doc, primitive.indices) * sizeof(uint32_t);
+  for (const auto& rule : attributeRules) {
+    const auto found = primitive.attributes.find(rule.name);
+    if (found != primitive.attributes.end()) {
+      bytes += count(doc, found->second) * sizeof(float) * static_cast<uint64_t>(rule.maxComponents);
+    }
+  }
+  return bytes;
+}
+
+// ---- Reading one primitive; runs on several threads, so it only writes to its job. ----
+
+int attribute(const Job& job, const char* name) {
+  const auto found = job.from->attributes.find(name);
+  return found == job.from->attributes.end() ? -1 : found->second;
+}
+
+template <class V>
+void readVectors(const Document& doc, int accessor, std::vector<V>& out, V initial, bool alwaysNormalized = false) {
+  if (accessor == -1) return;
+  out.assign(count(doc, accessor), initial);
+  readFloats(doc, accessor, V::length(), &out.data()->x, alwaysNormalized);
+}
+
+template <class V>
+bool isFinite(const V& v) {
+  float sum = 0;  // NaN and Inf survive a product with zero
+  for (int i = 0; i < V::length(); ++i) sum += v[i] * 0.0f;
+  return sum == 0.0f;
+}
+
+// Replaces vectors that are not finite; returns how many.
+template <class V>
+size_t replaceNonFinite(std::vector<V>& vectors, V by) {
+  size_t replaced = 0;
+  for (V& v : vectors) {
+    if (!isFinite(v)) v = by, ++replaced;
+  }
+  return replaced;
+}
+
+bool readPositions(const Document& doc, Job& job) {
+  const int accessor = attribute(job, "POSITION");
+  auto& primitive = job.primitive;
+  readVectors(doc, accessor, primitive.positions, glm::vec3(0));
+  glm::vec3 low(std::numeric_limits<float>::max()), high(-std::numeric_limits<float>::max());
+  for (size_t i = 0; i < primitive.positions.size(); ++i) {
+    const glm::vec3& p = primitive.positions[i];
+    if (!isFinite(p)) {
+      job.error = Error{doc.name, pointer("/accessors", static_cast<size_t>(accessor)),
+                        "the position of vertex " + std::to_string(i) + " is not finite", "export the model again"};
+      return false;
+    }
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  primitive.bounds.add(low);
+  primitive.bounds.add(high);
+  return true;
+}
+
+bool readPrimitiveIndices(const Document& doc, Job& job) {
+  if (job.from->indices == -1) return true;
+  auto& indices = job.primitive.indices;
+  indices = readIndices(doc, job.from->indices);
+  const size_t vertexCount = job.primitive.positions.size();
+  uint32_t largest = 0;
+  for (const uint32_t index : indices) largest = std::max(largest, index);
+  if (largest < vertexCount) return true;
+  size_t i = 0;
+  while (indices[i] < vertexCount) ++i;
+  job.error = Error{doc.name, job.place + "/indices",
+                    "index " + std::to_string(i) + " is " + std::to_string(indices[i]) + ", but there are " +
+                        std::to_string(vertexCount) + " vertices",
+                    "export the model again"};
+  return false;
+}
+
+void noteRepairs(Job& job, const char* key, const Repairs& repairs, const char* replacement) {
+  if (repairs.replaced > 0) {
+    job.note(Note::Severity::warning, key,
+             std::to_string(repairs.replaced) + " are zero or not finite: replaced by " + replacement);
+  }
+  if (repairs.normalised > 0) {
+    job.note(Note::Severity::info, key, std::to_string(repairs.normalised) + " were not of unit length: normalised");
+  }
+}
+
+void readFrames(const Document& doc, Job& job) {
+  auto& primitive = job.primitive;
+  readVectors(doc, attribute(job, "NORMAL"), primitive.normals, glm::vec3(0));
+  noteRepairs(job, "/attributes/NORMAL", repairNormals(primitive), "those of the triangles");
+  const int tangents = attribute(job, "TANGENT");
+  if (tangents == -1) return;
+  if (primitive.normals.empty()) {
+    job.note(Note::Severity::info, "/attributes/TANGENT", "there are no normals: ignored");
+    return;
+  }
+  readVectors(doc, tangents, primitive.tangents, glm::vec4(0));
+  noteRepairs(job, "/attributes/TANGENT", repairTangents(primitive), "a perpendicular of the normal");
+}
+
+void readSurfaceData(const Document& doc, Job& job) {
+  auto& primitive = job.primitive;
+  for (int set = 0; set < scene::maxTexCoordSets; ++set) {
+    const std::string name = "TEXCOORD_" + std::to_string(set);
+    auto& texCoords = primitive.texCoords[static_cast<size_t>(set)];
+    readVectors(doc, attribute(job, name.c_str()), texCoords, glm::vec2(0));
+    if (const size_t n = replaceNonFinite(texCoords, glm::vec2(0)); n > 0) {
+      job.note(Note::Severity::warning, "/attributes/" + name, std::to_string(n) + " are not finite: replaced by zero");
+    }
+  }
+  readVectors(doc, attribute(job, "COLOR_0"), primitive.colors, glm::vec4(1), true);
+  if (const size_t n = replaceNonFinite(primitive.colors, glm::vec4(1)); n > 0) {
+    job.note(Note::Severity::warning, "/attributes/COLOR_0", std::to_string(n) + " are not finite: replaced by white");
+  }
+}
+
+void readPrimitive(const Document& doc, Job& job) {
+  job.primitive.topology = static_cast<scene::Topology>(job.from->mode);
+  job.primitive.material = job.from->material;
+  if (!readPositions(doc, job) || !readPrimitiveIndices(doc, job)) return;
+  readFrames(doc, job);
+  readSurfaceData(doc, job);
+}
+
+// Exceptions must not leave a thread.
+void readPrimitiveSafely(const Document& doc, Job& job) {
+  try {
+    readPrimitive(doc, job);
+  } catch (const std::exception&) {
+    job.error = Error{doc.name, job.place, "there is not enough memory to read it", "use a smaller model"};
+  }
+}
+
+static_assert(static_cast<int>(scene::Topology::triangleFan) == TINYGLTF_MODE_TRIANGLE_FAN);
+
+}  // namespace
+
+Result<void> readMeshes(Document& doc) {
+  std::vector<Job> jobs;
+  std::vector<size_t> meshOf;
+  uint64_t bytes = 0;
+  for (size_t m = 0; m < doc.gltf.meshes.size(); ++m) {
+    const auto& mesh = doc.gltf.meshes[m];
+    doc.model.meshes.push_back({mesh.name, {}});
+    for (size_t p = 0; p < mesh.primitives.size(); ++p) {
+      std::string place = pointer(pointer("/meshes", m) + "/primitives", p);
+      bool use = false;
+      if (auto ok = checkPrimitive(doc, mesh.primitives[p], place, use); !ok) return ok;
+      if (!use) continue;
+      bytes += decodedBytes(doc, mesh.primitives[p]);
+      jobs.push_back({&mesh.primitives[p], std::move(place), {}, {}, {}});
+      meshOf.push_back(m);
+    }
+  }
+  if (bytes > doc.limits.geometryBytes) {
+    return doc.error("/meshes",
+                     "the geometry takes " + std::to_string(bytes) + " bytes, more than the limit of " +
+                         std::to_string(doc.limits.geometryBytes),
+                     "use a smaller model");
+  }
+  parallelFor(jobs.size(), [&](size_t i) { readPrimitiveSafely(doc, jobs[i]); });
+  for (size_t i = 0; i < jobs.size(); ++i) {
+    if (jobs[i].error) return tl::unexpected(*jobs[i].error);
+    doc.notes.insert(doc.notes.end(), jobs[i].notes.begin(), jobs[i].notes.end());
+    doc.model.meshes[meshOf[i]].primitives.push_back(std::move(jobs[i].primitive));
+  }
+  return {};
+}
+
+}  // namespace facet::io

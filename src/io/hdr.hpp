@@ -1,0 +1,19 @@
+#pragma once
+
+// Radiance pictures (.hdr, .pic): G. Ward, "Real Pixels", Graphics Gems II, 1991; Radiance file formats.
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "io/radiance.hpp"
+
+namespace facet::io {
+
+bool isHdr(std::span<const uint8_t> bytes);
+
+// EXPOSURE is divided out, so that values are watts per steradian and square metre again. Mantissas count as they are
+// (m / 256 * 2^(e - 128)), as in nearly all readers, not with Ward's half added. Errors name the byte.
+Result<RadianceImage> decodeHdr(std::span<const uint8_t> bytes, const std::string& name, const Limits& limits);
+
+}  // namespace facet::io
