@@ -10,30 +10,32 @@ struct Surface {
   vec3 N;
   vec3 V;
   float NoV;                  // clamped to [minNoV, 1]
-  vec3 diffuseColor;          // albedo of the diffuse part before the specular part takes its share
-  vec3 f0;                    // specular reflectance facing; f90 = 1
+  vec3 baseColor;             // albedo of the dielectric's diffuse part, f0 of the metal
+  float metallic;             // share of metal; the rest is dielectric (glTF 2.0, appendix B.2.1)
+  vec3 dielectricF0;
   float perceptualRoughness;
   float alpha;                // perceptualRoughness^2
-  vec2 dfg;                   // A, B of (NoV, perceptualRoughness)
+  vec3 dfg;                   // A, B and tilt of (NoV, perceptualRoughness), dfg_table.glsl
   float occlusion;            // share of distant light that reaches the point
 };
 
-// glTF 2.0, appendix B.2.2: dielectric f0 = 0.04, metals take f0 from the base colour.
 Surface makeSurface(vec3 N, vec3 V, vec3 baseColor, float metallic, float perceptualRoughness, float occlusion) {
   Surface s;
   s.N = N;
   s.V = V;
   s.NoV = clamp(dot(N, V), minNoV, 1.0);
-  s.diffuseColor = baseColor * (1.0 - metallic);
-  s.f0 = mix(vec3(0.04), baseColor, metallic);
+  s.baseColor = baseColor;
+  s.metallic = metallic;
+  s.dielectricF0 = vec3(0.04);
   s.perceptualRoughness = perceptualRoughness;
   s.alpha = perceptualRoughness * perceptualRoughness;
-  s.dfg = vec2(1.0, 0.0);
+  s.dfg = vec3(1.0, 0.0, 0.0);
   s.occlusion = occlusion;
   return s;
 }
 
-// f(V, L) NoL [1/sr]. Zero for lights below the horizon.
+// f(V, L) NoL [1/sr]: a mix of a metal and of a dielectric whose diffuse part gets what its specular part leaves. The two
+// are not one lobe of mixed f0: a half metal would then darken its own diffuse part. Zero for lights below the horizon.
 vec3 evaluateBsdf(Surface s, vec3 L) {
   float NoL = dot(s.N, L);
   if (NoL <= 0.0) return vec3(0.0);
@@ -41,10 +43,14 @@ vec3 evaluateBsdf(Surface s, vec3 L) {
   vec3 VL = s.V + L;
   float length2 = dot(VL, VL);
   vec3 H = length2 > 1e-12 ? VL * inversesqrt(length2) : s.N;  // L = -V leaves H undefined
+  float VoH = dot(s.V, H);
   float alpha = max(s.alpha, minAnalyticAlpha);
-  vec3 compensation = energyCompensation(s.f0, s.dfg);
-  vec3 specular = D_GGX(s.N, H, alpha) * V_SmithGGXCorrelated(s.NoV, NoL, alpha) *
-                  F_Schlick(dot(s.V, H), s.f0, 1.0) * compensation;
-  vec3 left = max(1.0 - singleScatterAlbedo(s.f0, s.dfg) * compensation, 0.0);
-  return (specular + s.diffuseColor * left * Fd_Lambert()) * NoL;
+  vec3 metalGain = energyCompensation(s.baseColor, s.dfg.xy);
+  vec3 dielectricGain = energyCompensation(s.dielectricF0, s.dfg.xy);
+  vec3 fresnel = mix(F_Schlick(VoH, s.dielectricF0, 1.0) * dielectricGain, F_Schlick(VoH, s.baseColor, 1.0) * metalGain,
+                     s.metallic);
+  vec3 specular = D_GGX(s.N, H, alpha) * V_SmithGGXCorrelated(s.NoV, NoL, alpha) * fresnel;
+  vec3 left = max(1.0 - singleScatterAlbedo(s.dielectricF0, s.dfg.xy) * dielectricGain, 0.0);
+  vec3 diffuse = s.baseColor * (1.0 - s.metallic) * left * Fd_Lambert();
+  return (specular + diffuse) * NoL;
 }

@@ -23,18 +23,24 @@ vec3 fetchLd(vec3 d, float perceptualRoughness) {
   return weight > 0.0 ? mix(low, fetchLd(d, layer + 1), weight) : low;
 }
 
-// Lagarde and de Rousiers 2014, section 4.9.3: the lobe's mean direction bends from the mirror direction to N.
-vec3 specularDominantDirection(vec3 N, vec3 R, float alpha) {
-  float smoothness = 1.0 - alpha;
-  return normalize(mix(N, R, smoothness * (sqrt(smoothness) + alpha)));
+// Where the lobe looks on average: from N by the table's tilt towards the mirror direction. At alpha = 0 that is the
+// mirror direction, at alpha = 1 nearly N.
+vec3 specularMeanDirection(Surface s) {
+  vec3 tangential = dot(s.N, s.V) * s.N - s.V;
+  float length2 = dot(tangential, tangential);
+  if (length2 < 1e-12) return s.N;
+  float t = s.dfg.z;
+  return t * inversesqrt(length2) * tangential + sqrt(max(0.0, 1.0 - t * t)) * s.N;
 }
 
+// The distant light's share: metal and dielectric as in evaluateBsdf.
 vec3 imageLight(Surface s) {
-  vec3 R = 2.0 * dot(s.N, s.V) * s.N - s.V;
-  vec3 ld = fetchLd(environmentFromWorld(specularDominantDirection(s.N, R, s.alpha)), s.perceptualRoughness);
+  vec3 ld = fetchLd(environmentFromWorld(specularMeanDirection(s)), s.perceptualRoughness);
   vec3 irradiance = textureLod(irradianceOverPi, environmentFromWorld(s.N), 0.0).rgb;
-  vec3 single = singleScatterAlbedo(s.f0, s.dfg);
-  vec3 multiple = multipleScatterAlbedo(s.f0, s.dfg);
-  vec3 diffuse = s.diffuseColor * (1.0 - single - multiple);
+  vec3 dielectricSingle = singleScatterAlbedo(s.dielectricF0, s.dfg.xy);
+  vec3 dielectricMultiple = multipleScatterAlbedo(s.dielectricF0, s.dfg.xy);
+  vec3 single = mix(dielectricSingle, singleScatterAlbedo(s.baseColor, s.dfg.xy), s.metallic);
+  vec3 multiple = mix(dielectricMultiple, multipleScatterAlbedo(s.baseColor, s.dfg.xy), s.metallic);
+  vec3 diffuse = s.baseColor * (1.0 - s.metallic) * (1.0 - dielectricSingle - dielectricMultiple);
   return (ld * single + irradiance * (multiple + diffuse)) * (frame.environmentScale.x * s.occlusion);
 }

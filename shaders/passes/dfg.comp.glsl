@@ -2,12 +2,12 @@
 // Fc = (1 - VoH)^5. Over visible normals (Heitz 2018) the integrand is G2 / G1 times the Fresnel part:
 //   int f NoL dw = int [D_v(H) / (4 VoH)] [G2 / G1] dw = mean over the unit square of G2 / G1,
 // where the square maps to half the disc of visible normals, the other half being its mirror image. nodes[i] = (position,
-// weight) of Gauss-Legendre on [0, 1].
+// weight) of Gauss-Legendre on [0, 1]. The weighted mean of L is where the lobe looks: stored is the sine of its angle to N.
 #include "layout.h"
 #include "microfacet.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(binding = 0, rg16f) writeonly uniform image2D table;
+layout(binding = 0, rgba16f) writeonly uniform image2D table;
 layout(std430, binding = computeInputBinding) readonly buffer NodeBlock { vec2 nodes[]; };
 
 // Half vector for the polar disc point (r, phi), Heitz 2018, section 3.
@@ -30,13 +30,16 @@ void main() {
   float NoV = max(uv.x * uv.x, 1e-6);
   float alpha = uv.y * uv.y;
   vec2 result;
+  float tilt;
   float m = 1.0 - uv.x * uv.x;
   float grazing = m * m * m * m * m;
   if (alpha < 1e-6) {
     result = vec2(1.0 - grazing, grazing);  // a mirror
+    tilt = sqrt(max(0.0, 1.0 - uv.x * uv.x * uv.x * uv.x));
   } else {
     vec3 V = vec3(0.0, sqrt(max(0.0, 1.0 - NoV * NoV)), NoV);
     result = vec2(0.0);
+    vec2 mean = vec2(0.0);
     for (int i = 0; i < nodes.length(); ++i)
       for (int j = 0; j < nodes.length(); ++j) {
         // r^2 uniform, phi over the half disc t1 > 0
@@ -48,7 +51,9 @@ void main() {
         float q = 1.0 - VoH;
         float fc = q * q * q * q * q;
         result += weight * vec2(1.0 - fc, fc);
+        mean += weight * vec2(V.y - 2.0 * VoH * H.y, NoL);
       }
+    tilt = mean.x / max(length(mean), 1e-12);
   }
-  imageStore(table, texel, vec4(result, 0.0, 0.0));
+  imageStore(table, texel, vec4(result, clamp(tilt, 0.0, 1.0), 0.0));
 }

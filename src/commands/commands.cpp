@@ -5,6 +5,16 @@ namespace facet::commands {
 namespace {
 
 constexpr Command table[] = {
+    {"render", "one picture, or many, without a window",
+     "  facet render builtin:spheres -o spheres.png\n"
+     "  facet render helmet.glb --env studio.hdr --orbit 30,75,3 --size 800x600 -o helmet.png\n"
+     "  facet render helmet.glb --background transparent --occlusion 0 -o helmet.exr --stats helmet.json\n"
+     "  facet render --jobs pictures.json --size 256x256",
+     addRender},
+    {"inspect", "what a file holds, what is wrong in it, what it needs and what it leaves out",
+     "  facet inspect helmet.glb\n"
+     "  facet inspect scene.gltf --json",
+     addInspect},
     {"compare", "measure how two pictures differ",
      "  facet compare before.png after.png\n"
      "  facet compare truth.exr mine.exr --mask-from-alpha --max-error 6\n"

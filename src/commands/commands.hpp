@@ -37,5 +37,7 @@ int badInput(const Error& error);
 
 // One per command, each in the file of its name.
 std::function<int()> addCompare(CLI::App& app);
+std::function<int()> addInspect(CLI::App& app);
+std::function<int()> addRender(CLI::App& app);
 
 }  // namespace facet::commands

@@ -88,11 +88,11 @@ Result<void> computeDfg(gl::Texture& table, ProgramStore& programs, const Method
   std::vector<glm::vec2> nodes;
   for (size_t i = 0; i < rule.nodes.size(); ++i) nodes.emplace_back(rule.nodes[i], rule.weights[i]);
   const gl::Buffer input = gl::Buffer::of(nodes, "DFG quadrature");
-  table = gl::Texture({.format = GL_RG16F, .width = method.dfgSize, .height = method.dfgSize}, "DFG table");
+  table = gl::Texture({.format = GL_RGBA16F, .width = method.dfgSize, .height = method.dfgSize}, "DFG table");
   table.filterLinear();
   glUseProgram((*program)->id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeInputBinding, input.id());
-  glBindImageTexture(0, table.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG16F);
+  glBindImageTexture(0, table.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16F);
   dispatchFaces(method.dfgSize, 1);
   return {};
 }
@@ -216,7 +216,7 @@ Result<Tables> computeTables(const scene::Environment* environment, const Needs&
   if (needs.dfg) {
     const uint64_t evaluations = static_cast<uint64_t>(method.dfgSize) * static_cast<uint64_t>(method.dfgSize) *
                                  static_cast<uint64_t>(method.dfgNodes) * static_cast<uint64_t>(method.dfgNodes);
-    const size_t bytes = static_cast<size_t>(method.dfgSize) * static_cast<size_t>(method.dfgSize) * 4;
+    const size_t bytes = static_cast<size_t>(method.dfgSize) * static_cast<size_t>(method.dfgSize) * 8;
     if (auto r = timed(booked, "DFG", bytes, evaluations, [&] { return computeDfg(tables.dfg, programs, method); }); !r)
       return tl::unexpected(r.error());
   }

@@ -42,7 +42,7 @@ struct TableStatistics {
 };
 
 struct Tables {
-  gl::Texture dfg;           // RG16F, A and B over (sqrt NoV, perceptual roughness)
+  gl::Texture dfg;           // RGBA16F, A, B and tilt over (sqrt NoV, perceptual roughness)
   gl::Texture irradiance;    // RGBA16F cube, irradiance / pi
   gl::Texture mirrorLayers;  // RGBA16F cube array, LD layers 0 and 1
   gl::Texture roughLayers;   // RGBA16F cube array with levels, the rest

@@ -1,0 +1,174 @@
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "base/log.hpp"
+#include "commands/commands.hpp"
+#include "frame/picture.hpp"
+#include "io/image.hpp"
+#include "io/sources.hpp"
+#include "report/left_out.hpp"
+#include "scene/geometry.hpp"
+
+namespace facet::commands {
+
+namespace {
+
+using json = nlohmann::ordered_json;
+
+struct InspectArguments {
+  std::string model;
+  int scene = -1;
+  bool asJson = false, strict = false;
+};
+
+struct Counts {
+  size_t primitives = 0, vertices = 0, triangles = 0;
+};
+
+Counts countGeometry(const scene::Model& model) {
+  Counts counts;
+  for (const scene::Mesh& mesh : model.meshes)
+    for (const scene::Primitive& p : mesh.primitives) {
+      ++counts.primitives;
+      counts.vertices += p.positions.size();
+      const size_t corners = p.indices.empty() ? p.positions.size() : p.indices.size();
+      if (p.topology == scene::Topology::triangles)
+        counts.triangles += corners / 3;
+      else if (scene::hasTriangles(p.topology) && corners > 2)
+        counts.triangles += corners - 2;
+    }
+  return counts;
+}
+
+json describeMaterials(const scene::Model& model, const frame::DrawList& list) {
+  json out = json::array();
+  for (const report::MaterialUsage& usage : report::materialUsage(model, list)) {
+    json material = {{"name", usage.name}, {"variants", usage.variants}, {"textures", usage.textures}};
+    if (usage.variants.empty()) material["leftOut"] = "not drawn in this scene";
+    if (!usage.variants.empty() && !usage.unusedTextures.empty()) material["unusedTextures"] = usage.unusedTextures;
+    out.push_back(material);
+  }
+  return out;
+}
+
+json describeLeftOut(const scene::Model& model, const frame::DrawList& list) {
+  json out = json::array();
+  const std::vector<bool> wanted = frame::missingImages(model, list, {});
+  size_t unused = 0, bytes = 0;
+  for (size_t i = 0; i < wanted.size(); ++i)
+    if (!wanted[i]) ++unused, bytes += model.images[i].encoded.size();
+  if (unused > 0)
+    out.push_back(std::to_string(unused) + " of " + std::to_string(wanted.size()) + " images are not decoded (" +
+                  std::to_string(bytes / 1024) + " KiB of embedded data): nothing that the scene draws reads them");
+  const ibl::Needs needs = list.needs(false);
+  if (!needs.dfg) out.push_back("no DFG table is computed: nothing is lit");
+  if (!needs.imageLight) out.push_back("no environment is filtered: nothing reflects one");
+  if (list.lights.empty()) out.push_back("no code for punctual lights is compiled: the scene has none");
+  if (list.blended.empty()) out.push_back("no blend pass is drawn: no drawn material asks for it");
+  return out;
+}
+
+json describeModel(const scene::Model& model, const Notes& notes, const frame::DrawList& list, int scene) {
+  json out;
+  const Counts counts = countGeometry(model);
+  out["file"] = model.name;
+  if (!model.generator.empty()) out["generator"] = model.generator;
+  if (!model.copyright.empty()) out["copyright"] = model.copyright;
+  out["scene"] = scene;
+  out["counts"] = {
+      {"scenes", model.scenes.size()},       {"nodes", model.nodes.size()},       {"meshes", model.meshes.size()},
+      {"primitives", counts.primitives},     {"vertices", counts.vertices},       {"triangles", counts.triangles},
+      {"materials", model.materials.size()}, {"textures", model.textures.size()}, {"images", model.images.size()},
+      {"lights", model.lights.size()},       {"cameras", model.cameras.size()}};
+  const auto corner = [](const glm::dvec3& v) { return json{v.x, v.y, v.z}; };
+  if (!list.bounds.empty()) out["bounds"] = {{"min", corner(list.bounds.min)}, {"max", corner(list.bounds.max)}};
+  out["extensionsUsed"] = model.extensionsUsed;
+  out["extensionsRequired"] = model.extensionsRequired;
+  out["drawCalls"] = list.opaque.size() + list.blended.size();
+  out["materials"] = describeMaterials(model, list);
+  out["leftOut"] = describeLeftOut(model, list);
+  json problems = json::array();
+  for (const Note& note : notes)
+    problems.push_back({{"severity", note.severity == Note::Severity::warning ? "warning" : "info"},
+                        {"place", note.place},
+                        {"text", note.text}});
+  out["notes"] = problems;
+  return out;
+}
+
+std::string joined(const json& list) {
+  std::string text;
+  for (const json& item : list) text += (text.empty() ? "" : ", ") + item.get<std::string>();
+  return text.empty() ? "none" : text;
+}
+
+void print(const json& out) {
+  std::cout << out["file"].get<std::string>() << "\n";
+  for (const char* key : {"generator", "copyright"})
+    if (out.contains(key)) std::cout << "  " << key << ": " << out[key].get<std::string>() << "\n";
+  std::cout << " ";
+  for (const auto& [name, count] : out["counts"].items()) std::cout << " " << count << " " << name;
+  std::cout << "\n";
+  if (out.contains("bounds"))
+    std::cout << "  bounds: " << out["bounds"]["min"] << " to " << out["bounds"]["max"] << " m\n";
+  std::cout << "  extensions used: " << joined(out["extensionsUsed"])
+            << "; required: " << joined(out["extensionsRequired"]) << "\n";
+  std::cout << "  draw calls: " << out["drawCalls"] << "\n\nMaterials and their shader variants\n";
+  for (const json& material : out["materials"]) {
+    std::cout << "  " << material["name"].get<std::string>() << "\n";
+    for (const json& variant : material["variants"]) std::cout << "    variant: " << variant.get<std::string>() << "\n";
+    if (material.contains("leftOut")) std::cout << "    left out: " << material["leftOut"].get<std::string>() << "\n";
+    if (material.contains("unusedTextures"))
+      std::cout << "    textures that change nothing: " << joined(material["unusedTextures"]) << "\n";
+  }
+  std::cout << "\nLeft out, because the scene does not need it\n";
+  for (const json& text : out["leftOut"]) std::cout << "  " << text.get<std::string>() << "\n";
+  if (out["leftOut"].empty()) std::cout << "  nothing\n";
+  std::cout << "\nNotes\n";
+  for (const json& note : out["notes"]) {
+    const std::string place = note["place"].get<std::string>();
+    std::cout << "  " << note["severity"].get<std::string>() << ": " << place << (place.empty() ? "" : ": ")
+              << note["text"].get<std::string>() << "\n";
+  }
+  if (out["notes"].empty()) std::cout << "  none\n";
+}
+
+// Images that a picture would decode are decoded here too, so that a corrupt one is told.
+void checkImages(const scene::Model& model, const frame::DrawList& list, Notes& notes) {
+  io::decodeImages(model, frame::missingImages(model, list, {}), notes);
+}
+
+int runInspect(const InspectArguments& arguments) {
+  Result<io::LoadedModel> loaded = io::loadModel(arguments.model);
+  if (!loaded) return badInput(loaded.error());
+  const scene::Model& model = loaded->model;
+  frame::PictureSettings settings;
+  settings.scene = arguments.scene;
+  const Result<int> scene = frame::chooseScene(settings, model);
+  if (!scene) return badInput(scene.error());
+  const frame::DrawList list = frame::buildDrawList(model, *scene, frame::drawOptions(settings, true));
+  checkImages(model, list, loaded->notes);
+  const json out = describeModel(model, loaded->notes, list, *scene);
+  if (arguments.asJson)
+    std::cout << out.dump(2, ' ', false, json::error_handler_t::replace) << std::endl;
+  else
+    print(out);
+  bool warned = false;
+  for (const Note& note : loaded->notes) warned = warned || note.severity == Note::Severity::warning;
+  return warned && arguments.strict ? exitBadInput : exitGood;
+}
+
+}  // namespace
+
+std::function<int()> addInspect(CLI::App& app) {
+  auto arguments = std::make_shared<InspectArguments>();
+  app.add_option("model", arguments->model, "a .gltf or .glb file, or builtin:NAME")->type_name("MODEL")->required();
+  app.add_option("--scene", arguments->scene, "index of the scene (the file's default)")->type_name("N");
+  app.add_flag("--json", arguments->asJson, "for scripts");
+  app.add_flag("--strict", arguments->strict, "any warning makes the exit status 2");
+  return [arguments] { return runInspect(*arguments); };
+}
+
+}  // namespace facet::commands

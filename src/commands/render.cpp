@@ -1,0 +1,181 @@
+#include <sys/resource.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "base/log.hpp"
+#include "commands/commands.hpp"
+#include "commands/jobs.hpp"
+#include "commands/picture_options.hpp"
+#include "frame/session.hpp"
+#include "report/left_out.hpp"
+
+namespace facet::commands {
+
+namespace {
+
+struct RenderArguments {
+  PictureArguments picture;
+  std::string model, output, stats, jobs;
+  bool strict = false, noCache = false, glDebug = false;
+  int repeat = 0;
+};
+
+bool isExr(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension == ".exr";
+}
+
+double peakMegabytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+nlohmann::ordered_json statsJson(const Job& job, const frame::Session& session, const frame::Picture& picture,
+                                 const Stages& stages, const Notes& notes) {
+  using json = nlohmann::ordered_json;
+  const frame::PictureStatistics& s = picture.statistics;
+  json out;
+  out["model"] = job.model;
+  out["environment"] = session.environmentName();
+  out["command"] = commandLine(job.settings, job.model, job.output.string());
+  out["opengl"] = {{"platform", session.context().platform},
+                   {"renderer", session.context().renderer},
+                   {"version", session.context().version}};
+  json times = json::object();
+  for (const Stage& stage : stages.all()) times[stage.name] = {{"wallMs", stage.wallMs}, {"cpuMs", stage.cpuMs}};
+  out["stages"] = times;
+  out["frameMs"] = s.frameMs;
+  out["peakMemoryMB"] = peakMegabytes();
+  out["gpuBytes"] = {{"textures", s.textureBytes}, {"geometry", s.geometryBytes}, {"tables", s.tableBytes}};
+  out["imagesDecoded"] = s.imagesDecoded;
+  out["programs"] = {{"compiled", s.programsCompiled}, {"fromDiskCache", s.programsFromDisk}};
+  json tables = json::array();
+  for (const ibl::TableStatistics& table : s.tables)
+    tables.push_back(
+        {{"name", table.name}, {"bytes", table.bytes}, {"fetches", table.fetches}, {"ms", table.milliseconds}});
+  out["tables"] = tables;
+  out["frame"] = {{"passes", s.frame.passes},
+                  {"draws", s.frame.draws},
+                  {"instances", s.frame.instances},
+                  {"triangles", s.frame.triangles}};
+  out["pixels"] = {{"clamped", s.clampedPixels}, {"nonFinite", s.nonFinitePixels}};
+  out["leftOut"] = report::leftOut(session.model()->model, s);
+  json list = json::array();
+  for (const Note& note : notes)
+    list.push_back({{"severity", note.severity == Note::Severity::warning ? "warning" : "info"},
+                    {"place", note.place},
+                    {"text", note.text}});
+  out["notes"] = list;
+  return out;
+}
+
+Result<void> writeOutput(const Job& job, const frame::Picture& picture) {
+  return isExr(job.output) ? io::writeExr(job.output, picture.radiance) : io::writePng(job.output, picture.display);
+}
+
+// What was repaired or is missing; true where there was a warning.
+bool tell(const std::string& model, const Notes& notes) {
+  bool warned = false;
+  for (const Note& note : notes) {
+    const std::string text = describe({model, note.place, note.text, {}});
+    if (note.severity == Note::Severity::warning)
+      log::warning(text), warned = true;
+    else
+      log::debug(text);
+  }
+  return warned;
+}
+
+struct JobResult {
+  bool warned = false;
+};
+
+Result<JobResult> runJob(const Job& job, int repeat, frame::Session& session, Stages stages) {
+  Notes notes;
+  const bool exr = isExr(job.output);
+  const frame::PictureRequest request{.radiance = exr, .display = !exr, .repeat = repeat};
+  Result<frame::Picture> picture = session.render(job.model, job.settings, request, notes, stages);
+  if (!picture) return tl::unexpected(picture.error());
+  if (picture->statistics.nonFinitePixels > 0)
+    notes.push_back(
+        {Note::Severity::warning, "", std::to_string(picture->statistics.nonFinitePixels) + " pixels are not finite"});
+  const bool warned = tell(job.model, notes);
+  if (Result<void> written = writeOutput(job, *picture); !written) return tl::unexpected(written.error());
+  stages.mark("write");
+  if (!job.stats.empty()) {
+    std::ofstream file(job.stats);
+    file << statsJson(job, session, *picture, stages, notes).dump(2) << "\n";
+    if (!file) return fail(job.stats.string(), "", "cannot be written", "check the folder");
+  }
+  return JobResult{warned};
+}
+
+Result<std::vector<Job>> listJobs(const RenderArguments& arguments) {
+  if (!arguments.jobs.empty()) {
+    if (!arguments.model.empty() || !arguments.output.empty())
+      return fail({}, "--jobs", "names models and outputs itself", "leave out MODEL and -o");
+    return readJobs(arguments.jobs, arguments.picture);
+  }
+  if (arguments.model.empty()) return fail({}, "MODEL", "is missing", "give a .gltf or .glb file or builtin:spheres");
+  if (arguments.output.empty()) return fail({}, "-o", "is missing", "give -o PICTURE.png or -o PICTURE.exr");
+  Job job{arguments.model, arguments.output, arguments.stats, {}};
+  if (Result<void> r = checkOutputName(job.output); !r) return tl::unexpected(r.error());
+  if (Result<void> r = apply(arguments.picture, job.settings); !r) return tl::unexpected(r.error());
+  if (Result<void> r = checkTogether(job.settings); !r) return tl::unexpected(r.error());
+  return std::vector<Job>{job};
+}
+
+int runRender(const RenderArguments& arguments) {
+  Stages stages;
+  const Result<std::vector<Job>> jobs = listJobs(arguments);
+  if (!jobs) return badInput(jobs.error());
+  const std::string shaderDir = jobs->empty() ? "" : jobs->front().settings.shaderDir;
+  Result<std::unique_ptr<frame::Session>> session =
+      frame::Session::create({.shaderDir = shaderDir, .diskCache = !arguments.noCache, .debug = arguments.glDebug});
+  if (!session) {
+    log::error(describe(session.error()));
+    return exitNoOpenGL;
+  }
+  stages.mark("context");
+  int status = exitGood;
+  for (size_t i = 0; i < jobs->size(); ++i) {
+    const Job& job = (*jobs)[i];
+    const Result<JobResult> result = runJob(job, arguments.repeat, **session, i == 0 ? stages : Stages());
+    if (!result) {
+      log::error(describe(result.error()));
+      status = exitBadInput;
+      continue;
+    }
+    if (result->warned && arguments.strict) status = exitBadInput;
+    log::info((jobs->size() > 1 ? std::to_string(i + 1) + "/" + std::to_string(jobs->size()) + " " : "") +
+              job.output.string());
+  }
+  return status;
+}
+
+}  // namespace
+
+std::function<int()> addRender(CLI::App& app) {
+  auto arguments = std::make_shared<RenderArguments>();
+  app.add_option("model", arguments->model, "a .gltf or .glb file, or builtin:NAME")->type_name("MODEL");
+  app.add_option("-o,--output", arguments->output, "the picture: .png (display) or .exr (scene-linear)")
+      ->type_name("FILE");
+  app.add_option("--jobs", arguments->jobs, "many pictures in one process: a JSON list of jobs")->type_name("FILE");
+  app.add_option("--stats", arguments->stats, "times, memory, work and what was left out, as JSON")->type_name("FILE");
+  app.add_option("--repeat", arguments->repeat, "draw N more frames, for timing")->type_name("N");
+  app.add_flag("--strict", arguments->strict, "any warning makes the exit status 2");
+  app.add_flag("--no-cache", arguments->noCache, "neither read nor write the cache of compiled shaders");
+  app.add_flag("--gl-debug", arguments->glDebug, "log OpenGL's debug messages");
+  addPictureOptions(app, arguments->picture);
+  return [arguments] { return runRender(*arguments); };
+}
+
+}  // namespace facet::commands

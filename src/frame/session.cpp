@@ -1,0 +1,65 @@
+#include "frame/session.hpp"
+
+#include "io/sources.hpp"
+
+namespace facet::frame {
+
+namespace {
+
+std::string driverName(const gl::ContextInfo& info) { return info.vendor + "\n" + info.renderer + "\n" + info.version; }
+
+}  // namespace
+
+Session::Session(gl::HeadlessContext context, const SessionOptions& options)
+    : context_(std::move(context)),
+      programs_(
+          shading::shaderReader(options.shaderDir),
+          options.diskCache && context_.info().programBinaries ? shading::userCacheFolder() : std::filesystem::path(),
+          driverName(context_.info())) {}
+
+Result<std::unique_ptr<Session>> Session::create(const SessionOptions& options) {
+  Result<gl::HeadlessContext> context = gl::HeadlessContext::create(options.debug);
+  if (!context) return tl::unexpected(context.error());
+  return std::unique_ptr<Session>(new Session(std::move(*context), options));
+}
+
+Result<void> Session::loadScene(const std::string& source, Notes& notes) {
+  if (scene_ && scene_->source == source) return {};
+  scene_.reset();  // frees the old one before the new one grows
+  Result<io::LoadedModel> loaded = io::loadModel(source);
+  if (!loaded) return tl::unexpected(loaded.error());
+  scene_ = std::make_unique<LoadedScene>(LoadedScene{source, std::move(*loaded), {}});
+  scene_->onGpu.model = &scene_->loaded.model;
+  notes.insert(notes.end(), scene_->loaded.notes.begin(), scene_->loaded.notes.end());
+  return {};
+}
+
+Result<LoadedEnvironment*> Session::findEnvironment(const std::string& source, Notes& notes) {
+  std::unique_ptr<LoadedEnvironment>& entry = environments_[source];
+  if (entry) return entry.get();
+  auto made = std::make_unique<LoadedEnvironment>();
+  if (source != "none") {
+    Result<scene::Environment> loaded = io::loadEnvironmentSource(source, notes);
+    if (!loaded) return tl::unexpected(loaded.error());
+    made->environment = std::move(*loaded);
+    made->onGpu.environment = &made->environment;
+  }
+  entry = std::move(made);
+  return entry.get();
+}
+
+Result<Picture> Session::render(const std::string& model, const PictureSettings& settings,
+                                const PictureRequest& request, Notes& notes, Stages& stages) {
+  if (Result<void> r = loadScene(model, notes); !r) return tl::unexpected(r.error());
+  stages.mark("read model");
+  const Result<int> scene = chooseScene(settings, scene_->loaded.model);
+  if (!scene) return tl::unexpected(scene.error());
+  environmentName_ = chooseEnvironment(settings, scene_->loaded.model, *scene);
+  Result<LoadedEnvironment*> environment = findEnvironment(environmentName_, notes);
+  if (!environment) return tl::unexpected(environment.error());
+  stages.mark("read environment");
+  return renderPicture(settings, request, scene_->onGpu, (*environment)->onGpu, programs_, context_.info(), notes,
+                       stages);
+}
+
+}  // namespace facet::frame

@@ -1,0 +1,60 @@
+#pragma once
+
+// Many pictures in one process: the context, the programs, environments with their tables and the current model are
+// shared, so that the second picture pays only for what is new.
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "frame/picture.hpp"
+#include "gl/context.hpp"
+#include "io/gltf.hpp"
+
+namespace facet::frame {
+
+struct LoadedEnvironment {
+  scene::Environment environment;
+  EnvironmentOnGpu onGpu;
+};
+
+struct LoadedScene {
+  std::string source;
+  io::LoadedModel loaded;
+  SceneOnGpu onGpu;
+};
+
+struct SessionOptions {
+  std::string shaderDir;  // empty: the embedded shaders
+  bool diskCache = true;  // program binaries
+  bool debug = false;     // KHR_debug
+};
+
+class Session {
+ public:
+  // Errors: no usable OpenGL.
+  static Result<std::unique_ptr<Session>> create(const SessionOptions& options);
+
+  // Loads what the picture names and is not there yet, then renders it. Notes: the model's (only when it was loaded by
+  // this call), the environment's, the picture's.
+  Result<Picture> render(const std::string& model, const PictureSettings& settings, const PictureRequest& request,
+                         Notes& notes, Stages& stages);
+
+  const gl::ContextInfo& context() const { return context_.info(); }
+  // The model of the last picture.
+  const io::LoadedModel* model() const { return scene_ ? &scene_->loaded : nullptr; }
+  std::string environmentName() const { return environmentName_; }
+
+ private:
+  explicit Session(gl::HeadlessContext context, const SessionOptions& options);
+  Result<void> loadScene(const std::string& source, Notes& notes);
+  Result<LoadedEnvironment*> findEnvironment(const std::string& source, Notes& notes);
+
+  gl::HeadlessContext context_;  // first: everything below is freed before it
+  shading::ProgramStore programs_;
+  std::map<std::string, std::unique_ptr<LoadedEnvironment>> environments_;
+  std::unique_ptr<LoadedScene> scene_;
+  std::string environmentName_;
+};
+
+}  // namespace facet::frame

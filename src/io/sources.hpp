@@ -1,0 +1,19 @@
+#pragma once
+
+// Models and environments by the names that people give: a file, or "builtin:NAME".
+
+#include <string>
+
+#include "base/error.hpp"
+#include "io/gltf.hpp"
+#include "scene/environment.hpp"
+
+namespace facet::io {
+
+// The file or built-in scene, geometry completed (scene::completeGeometry).
+Result<LoadedModel> loadModel(const std::string& source, const Limits& limits = {});
+
+// The file or built-in environment.
+Result<scene::Environment> loadEnvironmentSource(const std::string& source, Notes& notes, const Limits& limits = {});
+
+}  // namespace facet::io
