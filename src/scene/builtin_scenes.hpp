@@ -1,0 +1,33 @@
+#pragma once
+
+// Scenes that need no file. They are written as .glb in memory and take the loader's ordinary way.
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "base/error.hpp"
+#include "scene/camera.hpp"
+
+namespace facet::scene {
+
+struct BuiltinScene {
+  std::string_view name;
+  std::string_view description;  // one line
+  std::string_view environment;  // the one that it is made for, as --env takes it
+  OrbitCamera camera;            // frames it in a square or wider picture
+};
+std::span<const BuiltinScene> builtinScenes();
+
+// The row of that name, with or without "builtin:" before it; nullptr if there is none.
+const BuiltinScene* findBuiltinScene(std::string_view name);
+
+// A .glb. An error names the scenes that exist.
+//   spheres  7 x 7 spheres of one colour, roughness 0 ... 1 to the right, metallic 0 ... 1 upwards; four point lights.
+//   furnace  2 x 11 spheres, roughness 0 ... 1 to the right; white metal (F0 = 1) above, white dielectric below.
+//   poster   a polished trefoil among spheres of many materials on a stone turntable, whose vertex colours hold the
+//            occlusion of the sky by what stands on it.
+Result<std::vector<uint8_t>> builtinScene(std::string_view name);
+
+}  // namespace facet::scene

@@ -1,0 +1,120 @@
+#include "scene/glb_writer.hpp"
+
+#include <bit>
+#include <cstring>
+
+namespace facet::scene {
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "glTF is little-endian");
+
+constexpr int floatType = 5126, ushortType = 5123, uintType = 5125;
+constexpr int arrayBuffer = 34962, elementArrayBuffer = 34963;
+
+template <class T>
+int append(nlohmann::json& array, T&& value) {
+  array.push_back(std::forward<T>(value));
+  return int(array.size()) - 1;
+}
+
+template <class T>
+int addAccessor(GlbWriter& w, const std::vector<T>& values, int target, int componentType, const char* type) {
+  const size_t offset = w.binary.size(), bytes = values.size() * sizeof(T);
+  w.binary.resize(offset + (bytes + 3) / 4 * 4);
+  std::memcpy(w.binary.data() + offset, values.data(), bytes);
+  const int view =
+      append(w.gltf["bufferViews"],
+             nlohmann::json{{"buffer", 0}, {"byteOffset", offset}, {"byteLength", bytes}, {"target", target}});
+  return append(
+      w.gltf["accessors"],
+      nlohmann::json{{"bufferView", view}, {"componentType", componentType}, {"count", values.size()}, {"type", type}});
+}
+
+void putWord(std::vector<uint8_t>& bytes, uint32_t word) {
+  for (int i = 0; i < 4; ++i) bytes.push_back(uint8_t(word >> (8 * i)));
+}
+
+}  // namespace
+
+GlbWriter startGlb() {
+  GlbWriter w;
+  w.gltf = {{"asset", {{"version", "2.0"}, {"generator", "facet"}}},
+            {"scene", 0},
+            {"scenes", {{{"nodes", nlohmann::json::array()}}}}};
+  return w;
+}
+
+nlohmann::json addShape(GlbWriter& w, const Shape& shape) {
+  nlohmann::json primitive;
+  nlohmann::json& attributes = primitive["attributes"];
+  const int positions = addAccessor(w, shape.positions, arrayBuffer, floatType, "VEC3");
+  glm::vec3 low = shape.positions.front(), high = low;
+  for (const glm::vec3& p : shape.positions) low = glm::min(low, p), high = glm::max(high, p);
+  w.gltf["accessors"][size_t(positions)]["min"] = {low.x, low.y, low.z};
+  w.gltf["accessors"][size_t(positions)]["max"] = {high.x, high.y, high.z};
+  attributes["POSITION"] = positions;
+  attributes["NORMAL"] = addAccessor(w, shape.normals, arrayBuffer, floatType, "VEC3");
+  attributes["TEXCOORD_0"] = addAccessor(w, shape.texCoords, arrayBuffer, floatType, "VEC2");
+  if (!shape.colors.empty()) attributes["COLOR_0"] = addAccessor(w, shape.colors, arrayBuffer, floatType, "VEC4");
+  if (shape.positions.size() < 65536) {
+    const std::vector<uint16_t> narrow(shape.indices.begin(), shape.indices.end());
+    primitive["indices"] = addAccessor(w, narrow, elementArrayBuffer, ushortType, "SCALAR");
+  } else {
+    primitive["indices"] = addAccessor(w, shape.indices, elementArrayBuffer, uintType, "SCALAR");
+  }
+  return primitive;
+}
+
+int addMaterial(GlbWriter& w, const std::string& name, const glm::dvec3& baseColor, double metallic,
+                double perceptualRoughness) {
+  return append(w.gltf["materials"], nlohmann::json{{"name", name},
+                                                    {"pbrMetallicRoughness",
+                                                     {{"baseColorFactor", {baseColor.r, baseColor.g, baseColor.b, 1.0}},
+                                                      {"metallicFactor", metallic},
+                                                      {"roughnessFactor", perceptualRoughness}}}});
+}
+
+int addMesh(GlbWriter& w, const std::string& name, nlohmann::json primitive, int material) {
+  primitive["material"] = material;
+  return append(w.gltf["meshes"],
+                nlohmann::json{{"name", name}, {"primitives", nlohmann::json::array({std::move(primitive)})}});
+}
+
+int addNode(GlbWriter& w, nlohmann::json node) {
+  const int index = append(w.gltf["nodes"], std::move(node));
+  w.gltf["scenes"][0]["nodes"].push_back(index);
+  return index;
+}
+
+int addPointLight(GlbWriter& w, const std::string& name, const glm::dvec3& position, double candela) {
+  constexpr const char* extension = "KHR_lights_punctual";
+  w.gltf["extensionsUsed"] = {extension};
+  const int light = append(w.gltf["extensions"][extension]["lights"],
+                           nlohmann::json{{"name", name}, {"type", "point"}, {"intensity", candela}});
+  addNode(w, {{"name", name},
+              {"translation", {position.x, position.y, position.z}},
+              {"extensions", {{extension, {{"light", light}}}}}});
+  return light;
+}
+
+std::vector<uint8_t> glb(const GlbWriter& w) {
+  nlohmann::json gltf = w.gltf;
+  gltf["buffers"] = {{{"byteLength", w.binary.size()}}};
+  std::string text = gltf.dump();
+  text.resize((text.size() + 3) / 4 * 4, ' ');
+  std::vector<uint8_t> bytes;
+  bytes.reserve(28 + text.size() + w.binary.size());
+  putWord(bytes, 0x46546C67);  // "glTF"
+  putWord(bytes, 2);
+  putWord(bytes, uint32_t(28 + text.size() + w.binary.size()));
+  putWord(bytes, uint32_t(text.size()));
+  putWord(bytes, 0x4E4F534A);  // "JSON"
+  bytes.insert(bytes.end(), text.begin(), text.end());
+  putWord(bytes, uint32_t(w.binary.size()));
+  putWord(bytes, 0x004E4942);  // "BIN"
+  bytes.insert(bytes.end(), w.binary.begin(), w.binary.end());
+  return bytes;
+}
+
+}  // namespace facet::scene
