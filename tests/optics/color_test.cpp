@@ -48,6 +48,12 @@ TEST_CASE("Tone mappers: values from their publications") {
   // 0.5 in the display's 2.2 encoding (the fit: within 0.01).
   CHECK(std::pow(grey(ToneMapper::agx, 0.18), 1 / 2.2) == Approx(0.5).margin(0.01));
   CHECK(grey(ToneMapper::agx, 16.3) == Approx(1).margin(5e-3));  // 2^4.026: the top of the range
+  // Both matrix pairs keep grey: rows add up to 1 (AgX: within 1.4e-4). A slip in any one entry shows.
+  for (double x : {0.05, 0.18, 0.5, 1.0}) {
+    const glm::dvec3 aces = toneMap(ToneMapper::aces, glm::dvec3(x)), agx = toneMap(ToneMapper::agx, glm::dvec3(x));
+    CHECK(glm::length(aces - glm::dvec3(aces.y)) < 2e-5);
+    CHECK(glm::length(agx - glm::dvec3(agx.y)) < 3e-4);
+  }
   // Red becomes lighter in all channels towards the end, never pure.
   const glm::dvec3 hot = toneMap(ToneMapper::agx, {1000, 0, 0});
   CHECK(hot.x > 0.9);
