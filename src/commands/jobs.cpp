@@ -26,10 +26,13 @@ std::string lineAndColumn(std::string_view text, size_t byte) {
   return "line " + std::to_string(line) + ", column " + std::to_string(std::max<size_t>(column, 1));
 }
 
-// "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error while ...": only the last part.
-std::string parserProblem(const std::string& what) {
-  const size_t start = what.find(": ");
-  return "not JSON: " + (start == std::string::npos ? what : what.substr(start + 2));
+// "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error while ...": without what leads.
+std::string parserProblem(std::string_view what) {
+  for (const std::string_view lead : {"] ", ": "}) {
+    const size_t end = what.find(lead);
+    if (end != std::string_view::npos) what.remove_prefix(end + lead.size());
+  }
+  return "not JSON: " + std::string(what);
 }
 
 Result<json> parseJson(std::string_view text, const std::string& name) {
@@ -58,7 +61,7 @@ Result<std::string> textAt(const json& job, const char* key, const std::string& 
 Result<Job> parseJob(const json& object, const std::string& name, const std::string& pointer,
                      const std::filesystem::path& folder, const PictureArguments& overrides) {
   if (!object.is_object()) {
-    return fail(name, pointer, std::string("a job is an object, not a ") + object.type_name(),
+    return fail(name, pointer, std::string("a job is an object, this is of type ") + object.type_name(),
                 "write {\"model\": ..., \"output\": ...}");
   }
   const Result<std::string> model = textAt(object, "model", name, pointer, true);

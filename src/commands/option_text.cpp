@@ -22,7 +22,7 @@ std::string number(double value) { return shortest(value); }
 
 Result<double> parseNumber(std::string_view text, double min, double max) {
   const std::string remedy = "give a number from " + number(min) + " to " + number(max);
-  const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;
+  const std::string_view digits = text.starts_with('+') && !text.starts_with("+-") ? text.substr(1) : text;
   double value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (end != digits.data() + digits.size() || error == std::errc::invalid_argument || std::isnan(value)) {

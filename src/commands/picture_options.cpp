@@ -254,12 +254,14 @@ Result<std::string> textOf(const nlohmann::json& value, const PictureOption& opt
   };
   if (value.is_string()) return value.get<std::string>();
   if (value.is_number()) return numberText(value);
+  const auto wrong = [&](const nlohmann::json& found) {
+    return fail({}, {}, "a value of type " + std::string(found.type_name()) + " is no " + std::string(option.value),
+                "give a text, a number or an array of numbers");
+  };
+  if (!value.is_array()) return wrong(value);
   std::string text;
-  for (const nlohmann::json& element : value.is_array() ? value : nlohmann::json::array({nullptr})) {
-    if (!element.is_number()) {
-      return fail({}, {}, "a " + std::string(value.type_name()) + " is no " + std::string(option.value),
-                  "give a text, a number or an array of numbers");
-    }
+  for (const nlohmann::json& element : value) {
+    if (!element.is_number()) return wrong(element);
     if (!text.empty()) text += option.separator;
     text += numberText(element);
   }

@@ -1,0 +1,146 @@
+#include <catch2/catch.hpp>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "base/srgb.hpp"
+#include "io/image.hpp"
+#include "io/radiance.hpp"
+#include "support/command.hpp"
+#include "support/skip.hpp"
+
+using namespace facet;
+using test::Outcome;
+using test::runFacet;
+
+namespace {
+
+// 8 x 4 pictures of one grey, as PNG and as EXR.
+std::string png(const test::TemporaryFolder& folder, const std::string& name, uint8_t value) {
+  io::Pixels pixels;
+  pixels.width = 8, pixels.height = 4, pixels.channels = 3;
+  pixels.data.assign(8 * 4 * 3, value);
+  REQUIRE(io::writePng(folder.file(name), pixels));
+  return folder.file(name);
+}
+
+std::string exr(const test::TemporaryFolder& folder, const std::string& name, float value, int width = 8) {
+  const glm::vec4 color(value, value, value, 1);
+  const io::RadianceImage image{width, 4, std::vector<glm::vec4>(static_cast<size_t>(width) * 4, color)};
+  REQUIRE(io::writeExr(folder.file(name), image));
+  return folder.file(name);
+}
+
+}  // namespace
+
+TEST_CASE("compare: a PNG and an EXR of the same radiance do not differ") {
+  const test::TemporaryFolder folder;
+  const std::string a = png(folder, "a.png", 128),
+                    b = exr(folder, "b.exr", static_cast<float>(linearFromSrgb(128 / 255.)));
+  const Outcome outcome = runFacet({"compare", a, b, "--max-error", "0.001"});
+  CHECK(outcome.text ==
+        "dRMSE 0.00/255  relRMSE 0.0000  bias +0.00% +0.00% +0.00%  SSIM 1.0000  largest 0.0000 at 0,0  "
+        "above 0.01: 0.000%  (32 px)\n"
+        "within: drmse 0 <= 0.001\n");
+  CHECK(outcome.status == 0);
+}
+
+TEST_CASE("compare: each metric is limited by --max-error") {
+  const test::TemporaryFolder folder;
+  const std::string a = exr(folder, "a.exr", 0.5f), b = exr(folder, "b.exr", 0.4f);
+  const double shown = srgbFromLinear(0.5) - srgbFromLinear(0.4);
+  const double p = srgbFromLinear(0.5), q = srgbFromLinear(0.4), c1 = 1e-4;
+  struct Row {
+    std::string metric;
+    double value;
+  };
+  const Row row =
+      GENERATE_COPY(Row{"drmse", 255 * shown}, Row{"rel-rmse", 0.2}, Row{"bias", 0.2}, Row{"largest", shown},
+                    Row{"above", 1}, Row{"ssim", 1 - (2 * p * q + c1) / (p * p + q * q + c1)});
+  const auto statusAt = [&](double limit) {
+    return runFacet({"compare", a, b, "--metric", row.metric, "--max-error", std::to_string(limit)}).status;
+  };
+  CAPTURE(row.metric);
+  CHECK(statusAt(row.value * 1.001 + 2e-6) == 0);
+  CHECK(statusAt(row.value * 0.999 - 2e-6) == 1);
+}
+
+TEST_CASE("compare: JSON holds the figures") {
+  const test::TemporaryFolder folder;
+  const std::string a = exr(folder, "a.exr", 0.5f), b = exr(folder, "b.exr", 0.25f);
+  const Outcome outcome = runFacet({"compare", a, b, "--json", "--max-error", "3", "--tolerance", "0.5"});
+  CHECK(outcome.status == 1);
+  const nlohmann::json json = nlohmann::json::parse(outcome.text);
+  CHECK(json["reference"] == a);
+  CHECK(json["picture"] == b);
+  CHECK(json["pixels"] == 32);
+  CHECK(json["relRmse"] == 0.5);
+  CHECK(json["bias"] == nlohmann::json{-0.5, -0.5, -0.5});
+  CHECK(json["largest"]["difference"].get<double>() == Approx(srgbFromLinear(0.5) - srgbFromLinear(0.25)));
+  CHECK(json["shareAbove"] == 0);
+  CHECK(json["tolerance"] == 0.5);
+  CHECK(json["nonFinite"] == nlohmann::json{{"reference", 0}, {"picture", 0}});
+  CHECK(json["metric"] == "drmse");
+  CHECK(json["error"] == json["displayRmse"]);
+  CHECK(json["maxError"] == 3);
+  CHECK(json["passed"] == false);
+}
+
+TEST_CASE("compare: NaN fails whatever the limit, even without one") {
+  const test::TemporaryFolder folder;
+  const std::string a = exr(folder, "a.exr", 0.5f), b = exr(folder, "b.exr", std::numeric_limits<float>::quiet_NaN());
+  CHECK(runFacet({"compare", a, b}).status == 1);
+  const Outcome outcome = runFacet({"compare", b, b, "--max-error", "1000"});
+  CHECK(outcome.status == 1);
+  CHECK(outcome.text.find("differ: not finite are 32 pixels of the reference and 32 of the picture\n") !=
+        std::string::npos);
+}
+
+TEST_CASE("compare: the heat map is a PNG of the same size") {
+  const test::TemporaryFolder folder;
+  const std::string a = exr(folder, "a.exr", 0), b = exr(folder, "b.exr", 1);
+  CHECK(runFacet({"compare", a, b, "--diff", folder.file("d.png")}).status == 0);
+  const Result<io::Pixels> map = io::readImage(folder.file("d.png"));
+  REQUIRE(map);
+  CHECK(map->width == 8);
+  CHECK(map->height == 4);
+  CHECK(map->data[0] == 255);
+  const Outcome outcome = runFacet({"compare", a, b, "--diff", folder.file("none/d.png")});
+  CHECK(outcome.status == 2);
+  CHECK(outcome.text.find("none/d.png") != std::string::npos);
+}
+
+TEST_CASE("compare: bad input is told in a sentence, exit status 2") {
+  const test::TemporaryFolder folder;
+  const std::string a = exr(folder, "a.exr", 0.5f), wide = exr(folder, "wide.exr", 0.5f, 9);
+  const auto text = [](const std::vector<std::string>& words) {
+    const Outcome outcome = runFacet(words);
+    CHECK(outcome.status == 2);
+    return outcome.text;
+  };
+  CHECK(text({"compare", a, wide}) ==
+        "facet: error: " + a + " and " + wide + ": the sizes differ, 8x4 and 9x4; compare pictures of one size.\n");
+  CHECK(text({"compare", a, a, "--metric", "rmse"}) ==
+        "facet: error: --metric: 'rmse' is not known; perhaps drmse is meant.\n");
+  CHECK(text({"compare", a, a, "--max-error", "much"}) ==
+        "facet: error: --max-error: 'much' is not a number; give a number from 0 to 1e+09.\n");
+  CHECK(text({"compare", a, a, "--tolerance", "-1"}) ==
+        "facet: error: --tolerance: -1 is out of range; give a number from 0 to 1.\n");
+  CHECK(text({"compare", folder.file("no.png"), a}).find(folder.file("no.png")) != std::string::npos);
+  CHECK(text({"compare", a, folder.write("text.png", "hello")}).find("text.png") != std::string::npos);
+  CHECK(text({"compare", a, folder.path().string()}).find(folder.path().string()) != std::string::npos);
+}
+
+TEST_CASE("compare: figures of path-traced references agree with those of an independent script") {
+  const std::string plain = test::sharedFile("truth/plain/WaterBottle.vestibule_1k.exr");
+  const std::string full = test::sharedFile("truth/full/WaterBottle.vestibule_1k.exr");
+  if (plain.empty() || full.empty()) return;
+  const nlohmann::json json =
+      nlohmann::json::parse(runFacet({"compare", plain, full, "--mask-from-alpha", "--json"}).text);
+  CHECK(json["pixels"] == 34861);
+  CHECK(json["relRmse"].get<double>() == Approx(0.2252965278).epsilon(1e-4));
+  CHECK(json["bias"][0].get<double>() == Approx(-0.0158680766).epsilon(1e-4));
+  CHECK(json["bias"][1].get<double>() == Approx(-0.0142215380).epsilon(1e-4));
+  CHECK(json["bias"][2].get<double>() == Approx(-0.0131402710).epsilon(1e-4));
+  CHECK(json["ssim"].get<double>() == Approx(0.9175742721).epsilon(1e-5));
+  CHECK(json["displayRmse"].get<double>() == Approx(7.9610494352).epsilon(1e-4));
+}

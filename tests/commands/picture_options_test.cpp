@@ -1,0 +1,294 @@
+#include "commands/picture_options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "base/srgb.hpp"
+#include "commands/option_text.hpp"
+#include "support/command.hpp"
+
+using namespace facet;
+using commands::PictureArguments;
+using frame::PictureSettings;
+using nlohmann::json;
+
+namespace {
+
+constexpr std::string_view jobKeys[] = {"model", "output"};
+
+Result<PictureSettings> fromArguments(const PictureArguments& arguments) {
+  PictureSettings settings;
+  return commands::apply(arguments, settings).map([&] { return settings; });
+}
+
+Result<PictureSettings> fromJson(const json& object, const std::string& folder = "folder") {
+  PictureSettings settings;
+  return commands::apply(object, jobKeys, folder, "jobs.json", "/jobs/2", settings).map([&] { return settings; });
+}
+
+// Words -> CLI11 -> settings, as the window command and render do it.
+Result<PictureSettings> fromWords(std::vector<std::string> words, std::string* model = nullptr) {
+  CLI::App app;
+  PictureArguments arguments;
+  std::string ignored;
+  app.add_option("MODEL", model ? *model : ignored);
+  commands::addPictureOptions(app, arguments);
+  std::reverse(words.begin(), words.end());  // CLI11 takes them from the back
+  app.parse(words);
+  return fromArguments(arguments);
+}
+
+void checkEqual(const PictureSettings& a, const PictureSettings& b) {
+  for (const commands::PictureOption& option : commands::pictureOptions()) {
+    CAPTURE(option.name);
+    CHECK(option.write(a) == option.write(b));
+  }
+}
+
+// Everything away from its default.
+PictureSettings unusual() {
+  PictureSettings s;
+  s.width = 640, s.height = 1;
+  s.orbit = frame::Orbit{.thetaDeg = -30.25, .phiDeg = 0.1, .radius = 0.0105};
+  s.target = glm::dvec3(0.0027, -1e-7, 12345678.9);
+  s.fovYDeg = 33.3;
+  s.scene = 3;
+  s.environment = "it's here/a b.hdr";
+  s.environmentRotationDeg = -0.1f, s.environmentStrength = 1e-3f;
+  s.background = frame::Background::color;
+  for (int c = 0; c < 3; ++c) s.backgroundColor[c] = static_cast<float>(linearFromSrgb((16 * c + 7) / 255.0));
+  s.lights = frame::Lights::demo;
+  s.occlusion = 0;
+  s.exposureStops = -2.5f;
+  s.toneMapper = frame::ToneMapper::uncharted2;
+  s.samples = 16;
+  s.channel = "geometryNormal";
+  s.shaderDir = "my $HOME";
+  return s;
+}
+
+}  // namespace
+
+TEST_CASE("each option sets its own field") {
+  const auto set = [](std::string_view name, const std::string& text) {
+    const Result<PictureSettings> settings = fromArguments({{name, text}});
+    INFO(name << " " << text << ": " << (settings ? "" : describe(settings.error())));
+    REQUIRE(settings);
+    return *settings;
+  };
+  CHECK(set("size", "640x480").width == 640);
+  CHECK(set("size", "640x480").height == 480);
+  CHECK(set("orbit", "-25,75.5,0.4").orbit->thetaDeg == -25);
+  CHECK(set("orbit", "-25,75.5,0.4").orbit->phiDeg == 75.5);
+  CHECK(set("orbit", "-25,75.5,0.4").orbit->radius == 0.4);
+  CHECK_FALSE(set("orbit", "+90,180").orbit->radius);
+  CHECK(set("target", "1,-2.5,3e2").target == glm::dvec3(1, -2.5, 300));
+  CHECK(set("fov-y", "30").fovYDeg == 30);
+  CHECK(set("camera", "Main camera").camera == "Main camera");
+  CHECK(set("scene", "2").scene == 2);
+  CHECK(set("env", "builtin:sky").environment == "builtin:sky");
+  CHECK(set("env-rotation", "-90").environmentRotationDeg == -90);
+  CHECK(set("env-strength", "0").environmentStrength == 0);
+  CHECK(set("background", "transparent").background == frame::Background::transparent);
+  CHECK(set("background", "env").background == frame::Background::environment);
+  CHECK(set("background", "#ff0080").background == frame::Background::color);
+  CHECK(set("background", "#ff0080").backgroundColor ==
+        glm::vec3(1, 0, static_cast<float>(linearFromSrgb(128 / 255.0))));
+  CHECK(set("lights", "none").lights == frame::Lights::none);
+  CHECK(set("occlusion", "0.5").occlusion == 0.5f);
+  CHECK(set("exposure", "-1.5").exposureStops == -1.5f);
+  CHECK(set("tonemap", "agx").toneMapper == frame::ToneMapper::agx);
+  CHECK(set("samples", "1").samples == 1);
+  CHECK(set("channel", "baseColor").channel == "baseColor");
+  CHECK(set("channel", "final").channel == "");
+  CHECK(set("shader-dir", "shaders").shaderDir == "shaders");
+}
+
+TEST_CASE("every way to be wrong has its sentence") {
+  struct Row {
+    std::string_view name;
+    std::string text, message;
+  };
+  const Row row = GENERATE(values<Row>({
+      {"size", "640", "--size: '640' is not a size; give WIDTHxHEIGHT such as 1280x720."},
+      {"size", "1x2x3", "--size: '1x2x3' is not a size; give WIDTHxHEIGHT such as 1280x720."},
+      {"size", "0x5", "--size: 0 is out of range; give a whole number from 1 to 16384."},
+      {"size", "5x16385", "--size: 16385 is out of range; give a whole number from 1 to 16384."},
+      {"size", "x5", "--size: '' is not a whole number; give a whole number from 1 to 16384."},
+      {"size", "99999999999x5", "--size: 99999999999 is out of range; give a whole number from 1 to 16384."},
+      {"orbit", "25", "--orbit: '25' is not an orbit; give THETA,PHI or THETA,PHI,RADIUS such as 25,75,0.4."},
+      {"orbit", "25,181,1", "--orbit: 181 is out of range; give a number from 0 to 180."},
+      {"orbit", "25,75,0", "--orbit: 0 is out of range; give a number from 1e-09 to 1e+09."},
+      {"orbit", "a,75", "--orbit: 'a' is not a number; give a number from -36000 to 36000."},
+      {"orbit", "nan,75", "--orbit: 'nan' is not a number; give a number from -36000 to 36000."},
+      {"target", "1,2", "--target: '1,2' is not a point; give X,Y,Z in metres such as 0,1.5,0."},
+      {"target", "1,2,inf", "--target: inf is out of range; give a number from -1e+09 to 1e+09."},
+      {"target", "1,2,", "--target: '' is not a number; give a number from -1e+09 to 1e+09."},
+      {"fov-y", "0", "--fov-y: 0 is out of range; give a number from 1 to 179."},
+      {"fov-y", "45deg", "--fov-y: '45deg' is not a number; give a number from 1 to 179."},
+      {"camera", "", "--camera: the value is empty; give a name or leave the option out."},
+      {"scene", "-1", "--scene: -1 is out of range; give a whole number from 0 to 1000000."},
+      {"scene", "1.5", "--scene: '1.5' is not a whole number; give a whole number from 0 to 1000000."},
+      {"env", "", "--env: the value is empty; give a name or leave the option out."},
+      {"env-rotation", "1e9", "--env-rotation: 1e9 is out of range; give a number from -36000 to 36000."},
+      {"env-strength", "-1", "--env-strength: -1 is out of range; give a number from 0 to 1e+06."},
+      {"background", "red", "--background: 'red' is no background; give env, transparent or a colour as #rrggbb."},
+      {"background", "#12345",
+       "--background: '#12345' is no background; give env, transparent or a colour as #rrggbb."},
+      {"background", "#12345g",
+       "--background: '#12345g' is no background; give env, transparent or a colour as #rrggbb."},
+      {"lights", "secne", "--lights: 'secne' is not known; perhaps scene is meant."},
+      {"lights", "all", "--lights: 'all' is not known; choose one of scene, none, demo."},
+      {"occlusion", "1.01", "--occlusion: 1.01 is out of range; give a number from 0 to 1."},
+      {"exposure", "1e999", "--exposure: 1e999 is out of range; give a number from -32 to 32."},
+      {"exposure", "", "--exposure: '' is not a number; give a number from -32 to 32."},
+      {"exposure", "+-1", "--exposure: '+-1' is not a number; give a number from -32 to 32."},
+      {"tonemap", "filmic",
+       "--tonemap: 'filmic' is not known; choose one of none, reinhard, uncharted2, aces, agx, neutral."},
+      {"tonemap", "ACES", "--tonemap: 'ACES' is not known; perhaps aces is meant."},
+      {"samples", "0", "--samples: 0 is out of range; give a whole number from 1 to 64."},
+      {"channel", "normals", "--channel: 'normals' is not known; perhaps normal is meant."},
+      {"shader-dir", "", "--shader-dir: the value is empty; give a name or leave the option out."},
+      {"exposrue", "1", "--exposrue: there is no such option; perhaps exposure is meant."},
+  }));
+  CAPTURE(row.name, row.text);
+  const Result<PictureSettings> settings = fromArguments({{row.name, row.text}});
+  REQUIRE_FALSE(settings);
+  CHECK(describe(settings.error()) == row.message);
+}
+
+TEST_CASE("every option of the table has a row above: its parser refuses something") {
+  for (const commands::PictureOption& option : commands::pictureOptions()) {
+    PictureSettings settings;
+    CAPTURE(option.name);
+    CHECK_FALSE(option.parse("", settings));
+    checkEqual(settings, PictureSettings());
+  }
+}
+
+TEST_CASE("a camera of the file excludes a place of one's own") {
+  CHECK(describe(fromArguments({{"camera", "0"}, {"orbit", "0,90"}}).error()) ==
+        "--orbit: the camera of the file has its own place; give either this or --camera.");
+  CHECK(describe(fromArguments({{"camera", "0"}, {"target", "0,0,0"}}).error()) ==
+        "--target: the camera of the file has its own place; give either this or --camera.");
+  CHECK(fromArguments({{"camera", "0"}, {"fov-y", "20"}}));
+}
+
+TEST_CASE("what write gives, parse reads back") {
+  const PictureSettings settings = unusual();
+  PictureSettings read;
+  for (const commands::PictureOption& option : commands::pictureOptions()) {
+    const std::string text = option.write(settings);
+    CAPTURE(option.name, text);
+    if (option.name == "camera") continue;  // excluded by the orbit
+    REQUIRE_FALSE(text.empty());
+    CHECK(text != option.write(PictureSettings()));
+    REQUIRE(option.parse(text, read));
+    CHECK(option.write(read) == text);
+  }
+  CHECK(read.target == settings.target);
+  CHECK(read.backgroundColor == settings.backgroundColor);
+  CHECK(read.environmentRotationDeg == settings.environmentRotationDeg);
+  CHECK(read.orbit->radius == settings.orbit->radius);
+}
+
+TEST_CASE("the command line names only what differs from the defaults") {
+  CHECK(commands::commandLine({}, "a.glb") == "facet a.glb");
+  CHECK(commands::commandLine({}, "") == "facet");
+  CHECK(commands::commandLine({}, "a b.glb", "o'c.png") == "facet render 'a b.glb' -o 'o'\\''c.png'");
+  PictureSettings settings;
+  settings.exposureStops = 1.5f, settings.width = 640, settings.background = frame::Background::transparent;
+  CHECK(commands::commandLine(settings, "a.glb") ==
+        "facet a.glb --size 640x1024 --background transparent --exposure 1.5");
+}
+
+TEST_CASE("a command line goes through a shell and the parser and comes back the same") {
+  PictureSettings settings = GENERATE(PictureSettings(), unusual());
+  const bool ofTheFile = GENERATE(false, true);
+  if (ofTheFile) settings.orbit.reset(), settings.target.reset(), settings.camera = "-- $(date) \"Kamera\" 1;2 `x`";
+  const std::string model = "dir with space/it's.glb";
+  const std::string line = commands::commandLine(settings, model);
+  CAPTURE(line);
+  REQUIRE(line.starts_with("facet "));
+  const test::Outcome outcome = test::runShell("printf '%s\\n' " + line.substr(6));
+  std::vector<std::string> words;
+  std::istringstream stream(outcome.text);
+  for (std::string word; std::getline(stream, word);) words.push_back(word);
+  std::string readModel;
+  const Result<PictureSettings> read = fromWords(words, &readModel);
+  REQUIRE(read);
+  CHECK(readModel == model);
+  checkEqual(*read, settings);
+  CHECK(commands::commandLine(*read, readModel) == line);
+}
+
+TEST_CASE("negative values and equals signs pass through the command line") {
+  const Result<PictureSettings> settings =
+      fromWords({"--exposure", "-2", "--orbit=-25,75,0.4", "--target", "-1,-2,-3"});
+  REQUIRE(settings);
+  CHECK(settings->exposureStops == -2);
+  CHECK(settings->orbit->thetaDeg == -25);
+  CHECK(settings->target == glm::dvec3(-1, -2, -3));
+}
+
+TEST_CASE("JSON: numbers, arrays and texts mean the same") {
+  const Result<PictureSettings> numbers = fromJson({{"model", 0},
+                                                    {"size", {640, 480}},
+                                                    {"orbit", {25, 75, 0.4}},
+                                                    {"target", {0.5, 0, -1}},
+                                                    {"exposure", -1.5},
+                                                    {"samples", 8},
+                                                    {"env-rotation", 30},
+                                                    {"camera", "2"}});
+  const Result<PictureSettings> texts = fromJson({{"size", "640x480"},
+                                                  {"orbit", "25,75,0.4"},
+                                                  {"target", "0.5,0,-1"},
+                                                  {"exposure", "-1.5"},
+                                                  {"samples", "8"},
+                                                  {"env-rotation", "30"},
+                                                  {"camera", 2}});
+  REQUIRE(numbers);
+  REQUIRE(texts);
+  CHECK(numbers->width == 640);
+  CHECK(numbers->height == 480);
+  CHECK(numbers->orbit->radius == 0.4);
+  CHECK(numbers->target == glm::dvec3(0.5, 0, -1));
+  CHECK(numbers->exposureStops == -1.5f);
+  CHECK(numbers->samples == 8);
+  CHECK(numbers->camera == "2");
+  checkEqual(*numbers, *texts);
+}
+
+TEST_CASE("JSON: paths are taken below the folder, names are not") {
+  CHECK(fromJson({{"env", "maps/a.hdr"}})->environment == "folder/maps/a.hdr");
+  CHECK(fromJson({{"env", "/maps/a.hdr"}})->environment == "/maps/a.hdr");
+  CHECK(fromJson({{"env", "builtin:sky"}})->environment == "builtin:sky");
+  CHECK(fromJson({{"env", "none"}})->environment == "none");
+  CHECK(fromJson({{"shader-dir", "s"}})->shaderDir == "folder/s");
+  CHECK(fromJson({{"env", "a.hdr"}}, "")->environment == "a.hdr");
+}
+
+TEST_CASE("JSON: an error leads with file and pointer") {
+  const auto message = [](const json& object) { return describe(fromJson(object).error()); };
+  CHECK(message({{"exposure", 99}}) ==
+        "jobs.json: /jobs/2/exposure: 99 is out of range; give a number from -32 to 32.");
+  CHECK(message({{"size", {1, 2, 3}}}) ==
+        "jobs.json: /jobs/2/size: '1x2x3' is not a size; give WIDTHxHEIGHT such as 1280x720.");
+  CHECK(message({{"samples", true}}) ==
+        "jobs.json: /jobs/2/samples: a value of type boolean is no N; give a text, a number or an array of numbers.");
+  CHECK(message({{"samples", nullptr}}) ==
+        "jobs.json: /jobs/2/samples: a value of type null is no N; give a text, a number or an array of numbers.");
+  CHECK(message({{"orbit", {25, "75", 1}}}) ==
+        "jobs.json: /jobs/2/orbit: a value of type string is no THETA,PHI,RADIUS; give a text, a number or an array of "
+        "numbers.");
+  CHECK(message({{"orbit", json::array()}}) ==
+        "jobs.json: /jobs/2/orbit: '' is not an orbit; give THETA,PHI or THETA,PHI,RADIUS such as 25,75,0.4.");
+  CHECK(message({{"expo/sure~", 1}}) ==
+        "jobs.json: /jobs/2/expo~1sure~0: there is no such option; perhaps exposure is meant.");
+  CHECK(message({{"ouptut", "a.png"}}) ==
+        "jobs.json: /jobs/2/ouptut: there is no such option; perhaps output is meant.");
+  CHECK(message({{"samples", uint64_t{18446744073709551615u}}}) ==
+        "jobs.json: /jobs/2/samples: 18446744073709551615 is out of range; give a whole number from 1 to 64.");
+}

@@ -1,0 +1,49 @@
+#include "support/command.hpp"
+
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <stdexcept>
+
+#include "commands/option_text.hpp"
+
+namespace facet::test {
+
+Outcome runShell(const std::string& line) {
+  Outcome outcome;
+  std::string grouped = "{ ";
+  grouped.append(line).append("\n} 2>&1");
+  FILE* pipe = popen(grouped.c_str(), "r");
+  if (!pipe) throw std::runtime_error("no shell");
+  char buffer[4096];
+  for (size_t n = 0; (n = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;) outcome.text.append(buffer, n);
+  const int status = pclose(pipe);
+  if (WIFEXITED(status)) outcome.status = WEXITSTATUS(status);
+  return outcome;
+}
+
+Outcome runFacet(const std::vector<std::string>& words) {
+  std::string line = commands::shellWord(FACET_EXECUTABLE);
+  for (const std::string& word : words) line.append(" ").append(commands::shellWord(word));
+  return runShell(line);
+}
+
+TemporaryFolder::TemporaryFolder() {
+  std::string pattern = (std::filesystem::temp_directory_path() / "facet_test_XXXXXX").string();
+  if (!mkdtemp(pattern.data())) throw std::runtime_error("no temporary folder");
+  path_ = pattern;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+std::string TemporaryFolder::write(const std::string& name, const std::string& content) const {
+  std::ofstream(path_ / name, std::ios::binary) << content;
+  return file(name);
+}
+
+}  // namespace facet::test
