@@ -145,7 +145,7 @@ std::string incompleteSection(const Document& doc) {
                                                      {"scenes", g.scenes.size()},
                                                      {"materials", g.materials.size()},
                                                      {"textures", g.textures.size()},
-                                                     {"animations", g.animations.size()},
+
                                                      {"skins", g.skins.size()},
                                                      {"samplers", g.samplers.size()},
                                                      {"cameras", g.cameras.size()}};

@@ -154,6 +154,7 @@ Result<void> readImages(Document& doc) {
     result.name = name && !name->empty() ? *name : uri && !isDataUri(*uri) ? lastPart(*uri) : place.substr(1);
     const auto ok = uri ? imageFromUri(doc, *uri, place, result) : imageFromView(doc, image, place, result);
     if (!ok) return ok;
+    if ((!name || name->empty()) && !result.file.empty()) result.name = result.file.filename().string();
     doc.model.images.push_back(std::move(result));
   }
   return {};
