@@ -12,9 +12,11 @@ namespace {
 
 std::atomic<int> debugErrors = 0;
 
-void onDebugMessage(GLenum, GLenum type, GLuint, GLenum severity, GLsizei length, const GLchar* message, const void*) {
+void onDebugMessage(GLenum source, GLenum type, GLuint, GLenum severity, GLsizei length, const GLchar* message, const void*) {
   const std::string text = "OpenGL: " + std::string(message, static_cast<size_t>(length));
-  if (type == GL_DEBUG_TYPE_ERROR) {
+  if (source == GL_DEBUG_SOURCE_SHADER_COMPILER) {
+    log::debug(text);  // Program::build reports the whole log
+  } else if (type == GL_DEBUG_TYPE_ERROR) {
     ++debugErrors;
     log::error(text);
   } else if (severity == GL_DEBUG_SEVERITY_HIGH || severity == GL_DEBUG_SEVERITY_MEDIUM) {

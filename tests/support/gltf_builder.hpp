@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "support/temporary_folder.hpp"
+
 namespace facet::test {
 
 // componentType values of glTF.
@@ -57,22 +59,5 @@ std::string dataUri(std::span<const uint8_t> bytes, const std::string& mime = "a
 
 // A valid PNG: channels 1 to 4, bits 8 or 16 (samples big-endian in data), stored without compression.
 std::vector<uint8_t> pngBytes(uint32_t width, uint32_t height, int channels, int bits, std::span<const uint8_t> data);
-
-// A fresh folder that is removed with everything in it.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-  // Folders on the way are made.
-  std::filesystem::path write(const std::string& name, std::span<const uint8_t> bytes) const;
-  std::filesystem::path write(const std::string& name, const std::string& text) const;
-
- private:
-  std::filesystem::path path_;
-};
 
 }  // namespace facet::test
