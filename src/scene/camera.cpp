@@ -45,7 +45,7 @@ double nearPlane(const Bounds& scene, const glm::dvec3& eye, double lookedAt) {
   constexpr double smallest = 1e-18;
   if (scene.empty()) return std::max(share * lookedAt, smallest);
   const double radius = scene.radius() > 0 ? std::min(scene.radius(), lookedAt) : lookedAt;
-  return std::max({0.5 * distanceToBox(scene, eye), share * radius, smallest});
+  return std::max({0.01 * distanceToBox(scene, eye), share * radius, smallest});
 }
 
 void place(View& view, const glm::dvec3& eye, const glm::dvec3& right, const glm::dvec3& up,

@@ -39,9 +39,9 @@ glm::dmat4 perspective(double fovY, double aspect, double zNear, double zFar);
 // Reversed orthographic; half sizes in metres, zNear < zFar, both finite.
 glm::dmat4 orthographic(double halfWidth, double halfHeight, double zNear, double zFar);
 
-// Near follows the scene's bounds: half way to their box when the eye is outside, and at least a millionth of what the
-// camera looks at (orbit's or scene's radius, the smaller). Far is infinite. At the poles up is where it comes from
-// continuously: at phi = 0 the picture's top is -Z for theta = 0.
+// Near follows the scene's bounds: a hundredth of the way to their box when the eye is outside (animated geometry may
+// leave it), and at least a millionth of what the camera looks at (orbit's or scene's radius, the smaller). Far is
+// infinite. At the poles up is where it comes from continuously: at phi = 0 the picture's top is -Z for theta = 0.
 View orbitView(const OrbitCamera& orbit, double aspect, const Bounds& scene);
 
 // The glTF camera at a node. Scale and shear of the node are ignored (glTF 2.0, 3.10.2), a mirrored node doesn't mirror

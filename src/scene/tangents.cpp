@@ -177,27 +177,36 @@ void buildGroups(Builder& b) {
     if (!b.faces[c / 3].degenerate && !b.faces[c / 3].anyGroup && b.groupOf[c] == none) growGroup(b, c, open);
 }
 
-glm::dvec3 inPlane(const glm::dvec3& v, const glm::dvec3& n) { return unitOrZero(v - n * glm::dot(n, v)); }
+// Direction of v in the plane of the unit vector n; 0 where v is perpendicular to the plane up to rounding.
+glm::dvec3 inPlane(const glm::dvec3& v, const glm::dvec3& n) {
+  const glm::dvec3 projected = v - n * glm::dot(n, v);
+  return glm::length(projected) > 1e-12 * glm::length(v) ? glm::normalize(projected) : glm::dvec3(0);
+}
 
 // Unit, perpendicular to n; +X where that is possible.
-glm::vec3 anyTangent(const glm::dvec3& n) {
+glm::vec3 anyTangent(const glm::vec3& normal) {
+  const glm::dvec3 n = unitOrZero(normal);
   const glm::dvec3 t = inPlane(std::abs(n.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0), n);
   return t == glm::dvec3(0) ? glm::vec3(1, 0, 0) : glm::vec3(t);
 }
 
 // Mean of the faces' directions in the vertex' tangent plane, weighted by the corner's angle in that plane.
 glm::vec4 groupTangent(const Builder& b, const Group& group) {
-  const glm::dvec3 n = b.p.normals[group.vertex];
+  const glm::dvec3 n = unitOrZero(b.p.normals[group.vertex]);  // unit in double precision too
   glm::dvec3 sum(0);
+  double angles = 0;
   for (size_t m = group.begin; m < group.end; ++m) {
     const uint32_t c = b.members[m];
     const Face& face = b.faces[c / 3];
     if (face.anyGroup) continue;
     const glm::dvec3 here = b.position(c);
     const glm::dvec3 e1 = inPlane(b.position(previous(c)) - here, n), e2 = inPlane(b.position(next(c)) - here, n);
-    sum += inPlane(face.s, n) * std::acos(std::clamp(glm::dot(e1, e2), -1.0, 1.0));
+    const double angle = std::acos(std::clamp(glm::dot(e1, e2), -1.0, 1.0));
+    sum += inPlane(face.s, n) * angle;
+    angles += angle;
   }
-  const glm::dvec3 tangent = unitOrZero(sum);
+  // Directions that cancel leave rounding, which points anywhere.
+  const glm::dvec3 tangent = glm::length(sum) > 1e-9 * angles ? inPlane(sum, n) : glm::dvec3(0);
   return glm::vec4(tangent == glm::dvec3(0) ? anyTangent(n) : glm::vec3(tangent), group.preserves ? -1.0f : 1.0f);
 }
 
