@@ -358,7 +358,7 @@ TEST_CASE("A key hidden behind escapes is still taken out", "[io][gltf]") {
   const auto path =
       folder.write("m.gltf", R"({"asset":{"version":"2.0"},"buf\u0066ers":[{"byteLength":4,"uri":"../x"}]})");
   CHECK(outcome(io::loadGltf(path)) ==
-        path +
+        path.string() +
             ": /buffers/0/uri: the URI \"../x\" leads out of the model's folder; put the file below that "
             "folder and name it by a relative path.");
 }
@@ -435,7 +435,7 @@ TEST_CASE("Files that are no files are refused", "[io][gltf]") {
   io::Limits limits;
   limits.fileBytes = 99;
   CHECK(outcome(io::loadGltf(large, limits)) ==
-        large + ": has 100 bytes, more than the limit of 99; use a smaller file.");
+        large.string() + ": has 100 bytes, more than the limit of 99; use a smaller file.");
 }
 
 TEST_CASE("A buffer's file stays below the model's folder", "[io][gltf]") {
