@@ -15,6 +15,7 @@
 #include <iterator>
 #include <limits>
 
+#include "io/exr.hpp"
 #include "support/gltf_builder.hpp"
 #include "support/skip.hpp"
 
@@ -322,7 +323,7 @@ TEST_CASE("A truncated or damaged EXR never crashes", "[io][radiance]") {
   writeChannels(files.path, {"R", "G", "B"}, box(0, 0, 15, 15), box(0, 0, 15, 15));
   const Bytes good = bytesOf(files.path);
   for (size_t length = 0; length < good.size(); length += 3) {
-    CHECK_FALSE(files.read("", Bytes(good.begin(), good.begin() + static_cast<std::ptrdiff_t>(length))));
+    CHECK_FALSE(io::decodeExr(std::span(good).first(length), "e", {}));
   }
   uint32_t state = 3;
   const auto random = [&] { return (state = state * 1664525u + 1013904223u) >> 8; };
@@ -332,7 +333,7 @@ TEST_CASE("A truncated or damaged EXR never crashes", "[io][radiance]") {
     Bytes bytes = good;
     for (int change = 0; change < 1 + round % 3; ++change)
       bytes[random() % bytes.size()] = static_cast<uint8_t>(random());
-    const auto image = files.read("", bytes, limits);
+    const auto image = io::decodeExr(bytes, "e", limits);
     if (image) CHECK(image->pixels.size() == static_cast<size_t>(image->width) * static_cast<size_t>(image->height));
   }
 }
