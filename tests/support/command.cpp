@@ -3,8 +3,6 @@
 #include <sys/wait.h>
 
 #include <cstdio>
-#include <cstdlib>
-#include <fstream>
 #include <stdexcept>
 
 #include "commands/option_text.hpp"
@@ -28,22 +26,6 @@ Outcome runFacet(const std::vector<std::string>& words) {
   std::string line = commands::shellWord(FACET_EXECUTABLE);
   for (const std::string& word : words) line.append(" ").append(commands::shellWord(word));
   return runShell(line);
-}
-
-TemporaryFolder::TemporaryFolder() {
-  std::string pattern = (std::filesystem::temp_directory_path() / "facet_test_XXXXXX").string();
-  if (!mkdtemp(pattern.data())) throw std::runtime_error("no temporary folder");
-  path_ = pattern;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
-
-std::string TemporaryFolder::write(const std::string& name, const std::string& content) const {
-  std::ofstream(path_ / name, std::ios::binary) << content;
-  return file(name);
 }
 
 }  // namespace facet::test
