@@ -16,7 +16,7 @@ namespace facet::view {
 
 namespace {
 
-constexpr float panelEms = 24;  // width in font sizes
+constexpr float panelEms = 21;  // width in font sizes
 
 bool section(const char* name, bool open = true) {
   return ImGui::CollapsingHeader(name, open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
@@ -91,7 +91,7 @@ void lightsSection(ViewerState& state) {
 }
 
 void materialSection(ViewerState& state) {
-  if (!section("Material")) return;
+  if (!section("Material", state.material.on)) return;
   MaterialChoice& material = state.material;
   ImGui::Checkbox("one for everything", &material.on);
   if (!material.on) return;
@@ -173,6 +173,9 @@ void keysSection() {
 void header(ViewerState& state, PanelResult& result) {
   ImGui::TextUnformatted(state.shown.model.empty() ? "facet" : shortName(state.shown.model).c_str());
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", state.shown.model.c_str());
+  ImGui::SameLine();
+  ImGui::TextDisabled("%s triangles, %.0f ms", grouped(state.shown.statistics.frame.triangles).c_str(),
+                      state.shown.statistics.gpuMs);
   if (ImGui::Button("copy command")) {
     const std::string command = commands::commandLine(commandSettings(state), state.shown.model);
     ImGui::SetClipboardText(command.c_str());
@@ -227,7 +230,7 @@ PanelResult drawPanel(ViewerState& state) {
     ImGui::SetNextWindowPos({0, 0});
     ImGui::SetNextWindowSize({std::min(panelEms * ImGui::GetFontSize(), screen.x), screen.y - below});
     if (ImGui::Begin("panel", nullptr, fixedWindow)) {
-      ImGui::PushItemWidth(-8 * ImGui::GetFontSize());
+      ImGui::PushItemWidth(-7.5f * ImGui::GetFontSize());
       header(state, result);
       environmentSection(state);
       pictureSection(state);

@@ -48,7 +48,9 @@ std::string byteText(uint64_t bytes) {
 
 void statisticsSection(const ViewerState& state) {
   if (!ImGui::CollapsingHeader("Statistics", ImGuiTreeNodeFlags_DefaultOpen)) return;
-  if (!ImGui::BeginTable("statistics", 2, ImGuiTableFlags_SizingFixedFit)) return;
+  if (!ImGui::BeginTable("statistics", 2)) return;
+  ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed);
+  ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
   const ViewerStatistics& s = state.shown.statistics;
   row("GPU time", s.gpuMs > 0 ? milliseconds(s.gpuMs) : "\xe2\x80\x93");
   row("CPU time", milliseconds(s.cpuMs));

@@ -55,13 +55,14 @@ void applyStyle(float scale) {
   style.ScrollbarRounding = 3;
   style.ScrollbarSize = 10;
   style.WindowPadding = {12, 10};
-  style.FramePadding = {7, 4};
-  style.ItemSpacing = {8, 5};
+  style.FramePadding = {6, 3};
+  style.ItemSpacing = {7, 5};
+  style.ItemInnerSpacing = {6, 4};
   style.ScaleAllSizes(scale);
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   std::error_code ignored;
   for (const char* font : fonts)
-    if (std::filesystem::is_regular_file(font, ignored) && atlas.AddFontFromFileTTF(font, 14.5f * scale)) return;
+    if (std::filesystem::is_regular_file(font, ignored) && atlas.AddFontFromFileTTF(font, 14 * scale)) return;
   ImFontConfig config;
   config.SizePixels = 13 * scale;
   atlas.AddFontDefault(&config);
