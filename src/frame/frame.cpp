@@ -28,10 +28,17 @@ bool skyVisible(const FrameInput& in) {
   return in.settings.background == Background::environment && in.tables.background && in.list.features.channel == 0;
 }
 
-// Point i of the R2 sequence (Roberts 2018), which fills the square evenly for any count; i = 0 is the centre.
-glm::dvec2 jitter(int i) {
-  return glm::fract(glm::dvec2(0.5) + static_cast<double>(i) * glm::dvec2(0.7548776662466927, 0.5698402909980532)) -
-         0.5;
+// Offsets within the pixel: the R2 sequence (Roberts 2018), which fills the square evenly for any count, shifted so that
+// the offsets' mean is the pixel's centre.
+std::vector<glm::dvec2> jitter(int count) {
+  std::vector<glm::dvec2> offsets;
+  glm::dvec2 mean(0);
+  for (int i = 0; i < count; ++i) {
+    offsets.push_back(glm::fract(0.5 + static_cast<double>(i) * glm::dvec2(0.7548776662466927, 0.5698402909980532)));
+    mean += offsets.back() / static_cast<double>(count);
+  }
+  for (glm::dvec2& offset : offsets) offset -= mean;
+  return offsets;
 }
 
 layout::FrameUniforms frameUniforms(const FrameInput& in, const glm::dvec2& offsetPixels) {
@@ -273,8 +280,9 @@ Result<FrameStatistics> drawFrame(const FrameInput& in, const Targets& targets, 
     const glm::vec4 zero(0);
     glClearNamedFramebufferfv(targets.gathered.id(), GL_COLOR, 0, &zero.x);
   }
+  const std::vector<glm::dvec2> offsets = jitter(draws);
   for (int i = 0; i < draws; ++i) {
-    Result<FrameStatistics> drawn = drawScene(in, targets, draws > 1 ? jitter(i) : glm::dvec2(0), programs);
+    Result<FrameStatistics> drawn = drawScene(in, targets, offsets[static_cast<size_t>(i)], programs);
     if (!drawn) return drawn;
     if (i == 0) statistics = std::move(*drawn);
     if (targets.sum)

@@ -19,15 +19,15 @@ TemporaryFolder::~TemporaryFolder() {
   fs::remove_all(path_, ignored);
 }
 
-std::string TemporaryFolder::write(const std::string& name, std::span<const uint8_t> bytes) const {
+fs::path TemporaryFolder::write(const std::string& name, std::span<const uint8_t> bytes) const {
   const fs::path file = path_ / name;
   fs::create_directories(file.parent_path());
   std::ofstream out(file, std::ios::binary);
   out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  return file.string();
+  return file;
 }
 
-std::string TemporaryFolder::write(const std::string& name, const std::string& text) const {
+fs::path TemporaryFolder::write(const std::string& name, const std::string& text) const {
   return write(name, std::span(reinterpret_cast<const uint8_t*>(text.data()), text.size()));
 }
 

@@ -18,8 +18,8 @@ class TemporaryFolder {
   const std::filesystem::path& path() const { return path_; }
   std::string file(const std::string& name) const { return (path_ / name).string(); }
   // Folders on the way are made; return the file's path.
-  std::string write(const std::string& name, std::span<const uint8_t> bytes) const;
-  std::string write(const std::string& name, const std::string& text) const;
+  std::filesystem::path write(const std::string& name, std::span<const uint8_t> bytes) const;
+  std::filesystem::path write(const std::string& name, const std::string& text) const;
 
  private:
   std::filesystem::path path_;
