@@ -30,10 +30,20 @@ void editColor(const char* label, glm::vec3& linear) {
   for (int c = 0; c < 3; ++c) linear[c] = static_cast<float>(linearFromSrgb(encoded[c]));
 }
 
+// Ends with ImGui::EndCombo where true. Escape closes the list.
+bool beginList(const char* label, const std::string& chosen) {
+  if (!ImGui::BeginCombo(label, chosen.c_str(), ImGuiComboFlags_HeightLarge)) return false;
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) ImGui::CloseCurrentPopup();
+  return true;
+}
+
 template <class Enum, size_t N>
 void chooseEnum(const char* label, Enum& value, const char* const (&names)[N]) {
-  int index = static_cast<int>(value);
-  if (ImGui::Combo(label, &index, names, static_cast<int>(N))) value = static_cast<Enum>(index);
+  const auto current = static_cast<size_t>(value);
+  if (!beginList(label, names[current])) return;
+  for (size_t i = 0; i < N; ++i)
+    if (ImGui::Selectable(names[i], i == current)) value = static_cast<Enum>(i);
+  ImGui::EndCombo();
 }
 
 std::string shortName(const std::string& source) {
@@ -45,7 +55,7 @@ void environmentSection(ViewerState& state) {
   if (!section("Environment")) return;
   frame::PictureSettings& settings = state.settings;
   const std::string& wanted = settings.environment.empty() ? state.shown.environment : settings.environment;
-  if (ImGui::BeginCombo("map", shortName(wanted).c_str())) {
+  if (beginList("map", shortName(wanted))) {
     for (const std::string& source : state.environments) {
       ImGui::PushID(source.c_str());
       if (ImGui::Selectable(shortName(source).c_str(), source == wanted)) settings.environment = source;
@@ -70,12 +80,12 @@ void pictureSection(ViewerState& state) {
   chooseEnum("tone mapper", settings.toneMapper, toneMappers);
   const int channel = std::max(0, shading::channelIndex(settings.channel));
   const auto label = [](int i) { return i == 0 ? "final picture" : shading::channelNames[i]; };
-  if (ImGui::BeginCombo("show", label(channel), ImGuiComboFlags_HeightLarge)) {
+  if (beginList("show", label(channel))) {
     for (int i = 0; i < static_cast<int>(std::size(shading::channelNames)); ++i)
       if (ImGui::Selectable(label(i), i == channel)) settings.channel = shading::channelNames[i];
     ImGui::EndCombo();
   }
-  if (ImGui::BeginCombo("samples", std::to_string(settings.samples).c_str())) {
+  if (beginList("samples", std::to_string(settings.samples))) {
     for (const int samples : {1, 2, 4, 8, 16, 64})
       if (ImGui::Selectable(std::to_string(samples).c_str(), samples == settings.samples)) settings.samples = samples;
     ImGui::EndCombo();
@@ -103,7 +113,7 @@ void materialSection(ViewerState& state) {
 void cameraChoice(ViewerState& state, PanelResult& result) {
   std::string& chosen = state.settings.camera;
   if (state.shown.cameras.empty()) return;
-  if (!ImGui::BeginCombo("camera", chosen.empty() ? "orbit" : chosen.c_str())) return;
+  if (!beginList("camera", chosen.empty() ? "orbit" : chosen)) return;
   if (ImGui::Selectable("orbit", chosen.empty())) result.leaveFileCamera = true;
   for (const CameraName& camera : state.shown.cameras) {
     ImGui::PushID(&camera);
@@ -117,7 +127,7 @@ void sceneChoice(ViewerState& state) {
   const std::vector<std::string>& scenes = state.shown.scenes;
   if (scenes.size() < 2) return;
   const auto current = static_cast<size_t>(state.shown.scene);
-  if (!ImGui::BeginCombo("scene", current < scenes.size() ? scenes[current].c_str() : "")) return;
+  if (!beginList("scene", current < scenes.size() ? scenes[current] : "")) return;
   for (size_t i = 0; i < scenes.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
     if (ImGui::Selectable(scenes[i].c_str(), i == current)) {
@@ -174,8 +184,7 @@ void header(ViewerState& state, PanelResult& result) {
   ImGui::TextUnformatted(state.shown.model.empty() ? "facet" : shortName(state.shown.model).c_str());
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", state.shown.model.c_str());
   ImGui::SameLine();
-  ImGui::TextDisabled("%s triangles, %.0f ms", grouped(state.shown.statistics.frame.triangles).c_str(),
-                      state.shown.statistics.gpuMs);
+  if (state.shown.statistics.gpuMs > 0) ImGui::TextDisabled("%.3g ms", state.shown.statistics.gpuMs);
   if (ImGui::Button("copy command")) {
     const std::string command = commands::commandLine(commandSettings(state), state.shown.model);
     ImGui::SetClipboardText(command.c_str());

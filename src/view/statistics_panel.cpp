@@ -56,7 +56,8 @@ void statisticsSection(const ViewerState& state) {
   row("CPU time", milliseconds(s.cpuMs));
   row("picture", std::to_string(state.settings.width) + " x " + std::to_string(state.settings.height));
   row("triangles", grouped(s.frame.triangles));
-  row("draws", grouped(static_cast<uint64_t>(s.frame.draws)) + ", " + grouped(s.frame.instances) + " instances");
+  row("draws", grouped(static_cast<uint64_t>(s.frame.draws)) + " of " + grouped(s.frame.instances) +
+                   (s.frame.instances == 1 ? " instance" : " instances"));
   row("variants", std::to_string(s.variants));
   row("programs", std::to_string(s.programsCompiled) + " compiled, " + std::to_string(s.programsFromDisk) + " cached");
   row("images", std::to_string(s.imagesDecoded) + " of " + std::to_string(s.images) + " decoded");

@@ -33,7 +33,7 @@ void applyColors(ImGuiStyle& style) {
   c[ImGuiCol_Header] = grey(0.155f);
   c[ImGuiCol_HeaderHovered] = grey(0.22f);
   c[ImGuiCol_HeaderActive] = grey(0.26f);
-  c[ImGuiCol_SliderGrab] = accent;
+  c[ImGuiCol_SliderGrab] = {accent.x, accent.y, accent.z, 0.75f};
   c[ImGuiCol_SliderGrabActive] = strong;
   c[ImGuiCol_CheckMark] = strong;
   c[ImGuiCol_Separator] = grey(0.24f);
@@ -52,6 +52,7 @@ void applyStyle(float scale) {
   style.WindowRounding = 0;
   style.WindowBorderSize = 0;
   style.FrameRounding = style.GrabRounding = style.PopupRounding = 3;
+  style.GrabMinSize = 7;
   style.ScrollbarRounding = 3;
   style.ScrollbarSize = 10;
   style.WindowPadding = {12, 10};

@@ -12,7 +12,8 @@
 
 namespace facet::view {
 
-// One material for everything, in place of the file's.
+// One material for everything, in place of the file's. What has no normals, because its own material is unlit, stays
+// unlit.
 struct MaterialChoice {
   bool on = false;
   glm::vec3 baseColor = glm::vec3(0.8f);  // linear Rec. 709

@@ -139,7 +139,7 @@ void applyPanel(const PanelResult& panel, Viewport& viewport, ViewerState& state
   input.panels = panel.areas;
   const ImGuiIO& io = ImGui::GetIO();
   input.mouseTaken = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
-  input.keyboardTaken = io.WantTextInput || io.WantCaptureKeyboard;
+  input.keyboardTaken = io.WantTextInput || io.WantCaptureKeyboard || input.mouseTaken;
 }
 
 void takeLoaded(Viewport& viewport, ViewerState& state, Loader& loader) {
