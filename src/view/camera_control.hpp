@@ -24,8 +24,8 @@ scene::OrbitCamera panned(scene::OrbitCamera camera, const glm::dvec2& dragPixel
 // One step nearer is a factor of 0.9 on the radius.
 scene::OrbitCamera zoomed(scene::OrbitCamera camera, double steps, const RadiusLimits& limits);
 
-// Turns the head: the eye stays, the target moves around it. A drag to the right looks to the right; across the window's
-// height it turns by the vertical field of view.
+// Turns the head: the eye stays, the target moves around it. A drag to the right looks to the right; across the
+// window's height it turns by the vertical field of view.
 scene::OrbitCamera looked(scene::OrbitCamera camera, const glm::dvec2& dragPixels, double windowHeight);
 
 // Moves eye and target along the camera's right, up and forward, metres.

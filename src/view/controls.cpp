@@ -94,8 +94,7 @@ Result<FileKind> fileKind(std::string_view path) {
   std::ranges::transform(extension, extension.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
   if (extension == ".gltf" || extension == ".glb") return FileKind::model;
   if (extension == ".hdr" || extension == ".exr") return FileKind::environment;
-  return fail(std::string(path), "", "neither a model nor an environment",
-              "drop a .gltf or .glb, or a .hdr or .exr");
+  return fail(std::string(path), "", "neither a model nor an environment", "drop a .gltf or .glb, or a .hdr or .exr");
 }
 
 Actions control(const Input& input, const Flight& flight, const std::optional<scene::View>& view, double windowHeight,

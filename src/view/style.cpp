@@ -9,10 +9,12 @@ namespace facet::view {
 namespace {
 
 // Debian, Fedora, Arch; the first that exists.
-constexpr const char* fonts[] = {
-    "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf", "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
-    "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf", "/usr/share/fonts/noto/NotoSans-Regular.ttf",
-    "/usr/share/fonts/TTF/DejaVuSans.ttf", "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf"};
+constexpr const char* fonts[] = {"/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
+                                 "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
+                                 "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf",
+                                 "/usr/share/fonts/noto/NotoSans-Regular.ttf",
+                                 "/usr/share/fonts/TTF/DejaVuSans.ttf",
+                                 "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf"};
 
 ImVec4 grey(float value, float alpha = 1) { return {value, value, value * 1.04f, alpha}; }
 

@@ -47,8 +47,8 @@ ListRequest listRequest(const ViewerState& state, int scene, bool hasEnvironment
   return request;
 }
 
-std::string environmentFor(const frame::PictureSettings& settings, const std::string& source,
-                           const scene::Model& model, int scene) {
+std::string environmentFor(const frame::PictureSettings& settings, const std::string& source, const scene::Model& model,
+                           int scene) {
   if (!settings.environment.empty()) return settings.environment;
   if (const scene::BuiltinScene* builtin = builtinOf(source)) return std::string(builtin->environment);
   return frame::chooseEnvironment(settings, model, scene);

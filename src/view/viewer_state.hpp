@@ -87,8 +87,8 @@ frame::DrawOptions drawOptions(const ViewerState& state, bool hasEnvironment);
 
 // The environment to show the model in: the one that was chosen, else what a built-in scene is made for, else what
 // suits the model.
-std::string environmentFor(const frame::PictureSettings& settings, const std::string& source,
-                           const scene::Model& model, int scene);
+std::string environmentFor(const frame::PictureSettings& settings, const std::string& source, const scene::Model& model,
+                           int scene);
 
 // The first view of a scene: what the settings say, else what a built-in scene is made for, else all of the bounds.
 scene::OrbitCamera firstCamera(const frame::PictureSettings& settings, const std::string& source,

@@ -24,9 +24,7 @@ void complain(ViewerState& state, const Error& error) {
   log::error(state.status.text);
 }
 
-SceneSlot* wantedScene(const Viewport& viewport) {
-  return viewport.next ? viewport.next.get() : viewport.scene.get();
-}
+SceneSlot* wantedScene(const Viewport& viewport) { return viewport.next ? viewport.next.get() : viewport.scene.get(); }
 
 EnvironmentSlot* findEnvironment(const Viewport& viewport, const std::string& source) {
   for (const auto& slot : viewport.environments)
@@ -147,7 +145,8 @@ void show(Viewport& viewport, ViewerState& state, EnvironmentSlot* environment, 
   say(state, "model: " + state.shown.model);
   for (const std::string& warning : state.shown.warnings) log::warning(warning);
   if (warnings > 0)
-    state.status = {state.shown.model + ": " + std::to_string(warnings) + (warnings > 1 ? " warnings" : " warning"), true};
+    state.status = {state.shown.model + ": " + std::to_string(warnings) + (warnings > 1 ? " warnings" : " warning"),
+                    true};
 }
 
 // Gives up what cannot be drawn and returns to what is shown.
@@ -277,10 +276,26 @@ std::optional<scene::View> currentView(const Viewport& viewport, ViewerState& st
   return viewOf(state, viewport.scene->loaded->model, viewport.list).value();
 }
 
+void reloadShaders(Viewport& viewport, ViewerState& state) {
+  glUseProgram(0);  // else the one in use lives on as a name that can no longer be used
+  viewport.programs.reload();
+  viewport.failed.reset();
+  const std::optional<scene::View> view = currentView(viewport, state);
+  if (!view) return;
+  const Result<void> compiled =
+      frame::preparePrograms({viewport.scene->loaded->model, viewport.list, viewport.scene->onGpu.gpu,
+                              viewport.environment->onGpu.tables, *view, state.settings},
+                             viewport.programs);
+  viewport.shadersBroken = !compiled;
+  if (!compiled) return complain(state, compiled.error());
+  viewport.drawn.reset();
+  say(state, "shaders reloaded");
+}
+
 bool drawViewport(Viewport& viewport, ViewerState& state) {
   if (const std::optional<double> gpuMs = viewport.clock.poll()) state.shown.statistics.gpuMs = *gpuMs;
   const std::optional<scene::View> view = currentView(viewport, state);
-  if (!view) return false;
+  if (!view || viewport.shadersBroken) return false;
   DrawnFrame wanted{state.settings, state.camera, viewport.listNumber};
   wanted.settings.environment.clear();  // the list's number stands for what is loaded
   wanted.settings.scene = -1;

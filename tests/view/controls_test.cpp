@@ -138,8 +138,8 @@ TEST_CASE("controls: dropped files are told apart by their ending") {
   CHECK(state.settings.environment == "/skies/dawn.hdr");
   drop(state, "/skies/dusk.EXR");
   drop(state, "/skies/dawn.hdr");
-  const std::vector<std::string> offered = {
-      "builtin:studio", "builtin:sky", "builtin:white", "/skies/dawn.hdr", "/skies/dusk.EXR", "none"};
+  const std::vector<std::string> offered = {"builtin:studio",  "builtin:sky",     "builtin:white",
+                                            "/skies/dawn.hdr", "/skies/dusk.EXR", "none"};
   CHECK(state.environments == offered);
   CHECK_FALSE(state.status.isError);
   drop(state, "notes.txt");

@@ -1,11 +1,10 @@
-#include "view/viewport.hpp"
-
 #include <catch2/catch.hpp>
 #include <thread>
 
 #include "support/gltf_builder.hpp"
 #include "support/gpu.hpp"
 #include "support/temporary_folder.hpp"
+#include "view/viewport.hpp"
 
 using namespace facet;
 
