@@ -1,6 +1,6 @@
 // Distant light by filtered importance sampling at every pixel (Krivanek and Colbert 2008): the specular integral
 // itself, without the split sum. Visible normals (Dupuy and Benyoub 2023) on a golden-ratio lattice; each sample reads
-// the level whose texels are as large as its share of the lobe.
+// the level whose texels are as large as its share of the lobe, counting all samples that the pixel will get.
 #include "bsdf.glsl"
 #include "mapping.glsl"
 #include "frame.glsl"
@@ -26,23 +26,22 @@ vec3 imageLight(Surface s) {
   float texelSolidAngle = 4.0 * PI / (6.0 * faceSize * faceSize);
   float alpha = max(s.alpha, 1e-5);
   vec3 specular = vec3(0.0);
-  for (int i = 0; i < IMAGE_LIGHT_SAMPLES; ++i) {
+  // Every draw of the pixel continues the same sequence (Roberts 2018, R2).
+  int first = int(frame.options.y) * IMAGE_LIGHT_SAMPLES;
+  float total = float(IMAGE_LIGHT_SAMPLES) * frame.options.z;
+  for (int i = first; i < first + IMAGE_LIGHT_SAMPLES; ++i) {
     vec2 u = fract(vec2(0.5) + float(i) * vec2(0.7548776662466927, 0.5698402909980532));
     vec3 H = sampleVisibleNormal(V, alpha, u);
     float VoH = max(dot(V, H), 1e-6);
     vec3 L = 2.0 * VoH * H - V;
     if (L.z <= 0.0) continue;
     float pdf = G1_GGX(V.z, alpha) * D_GGX(vec3(0.0, 0.0, 1.0), H, alpha) / (4.0 * V.z);
-    float level = 0.5 * log2(max(1.0 / (float(IMAGE_LIGHT_SAMPLES) * pdf * texelSolidAngle), 1.0));
+    float level = 0.5 * log2(max(1.0 / (total * pdf * texelSolidAngle), 1.0));
     float weight = V_SmithGGXCorrelated(V.z, L.z, alpha) * 4.0 * V.z * L.z / G1_GGX(V.z, alpha);
     vec3 fresnel = mix(F_Schlick(VoH, s.dielectricF0, 1.0), F_Schlick(VoH, s.baseColor, 1.0), s.metallic);
     specular += fresnel * weight * textureLod(environmentCube, environmentFromWorld(worldFromLocal * L), level).rgb;
   }
   specular /= float(IMAGE_LIGHT_SAMPLES);
   vec3 irradiance = textureLod(irradianceOverPi, environmentFromWorld(s.N), 0.0).rgb;
-  vec3 dielectricSingle = singleScatterAlbedo(s.dielectricF0, s.dfg.xy);
-  vec3 dielectricMultiple = multipleScatterAlbedo(s.dielectricF0, s.dfg.xy);
-  vec3 multiple = mix(dielectricMultiple, multipleScatterAlbedo(s.baseColor, s.dfg.xy), s.metallic);
-  vec3 diffuse = s.baseColor * (1.0 - s.metallic) * (1.0 - dielectricSingle - dielectricMultiple);
-  return (specular + irradiance * (multiple + diffuse)) * (frame.environmentScale.x * s.occlusion);
+  return (specular + irradiance * irradianceAlbedo(s)) * (frame.environmentScale.x * s.occlusion);
 }

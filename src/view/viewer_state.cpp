@@ -39,6 +39,7 @@ ListRequest listRequest(const ViewerState& state, int scene, bool hasEnvironment
   request.environment = options.features.environment;
   request.occlusion = options.features.occlusion;
   request.channel = options.features.channel;
+  request.imageLightSamples = options.features.imageLightSamples;
   request.sceneLights = options.sceneLights;
   request.demoLights = options.demoLights;
   request.skyVisible =

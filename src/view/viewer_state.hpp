@@ -75,7 +75,7 @@ struct ViewerState {
 struct ListRequest {
   int scene = 0;
   bool environment = false, occlusion = true;
-  int channel = 0;
+  int channel = 0, imageLightSamples = 0;
   bool sceneLights = true, demoLights = false;
   bool skyVisible = false;
   MaterialChoice material;

@@ -83,8 +83,8 @@ void measureMemory(const Viewport& viewport, ViewerStatistics& statistics) {
   statistics.imagesDecoded = gpu.imagesDecoded;
   statistics.textureBytes = gpu.textureBytes();
   statistics.geometryBytes = gpu.geometryBytes();
-  statistics.tableBytes =
-      bytesOf({&tables.dfg, &tables.irradiance, &tables.mirrorLayers, &tables.roughLayers, &tables.background});
+  statistics.tableBytes = bytesOf(
+      {&tables.dfg, &tables.irradiance, &tables.mirrorLayers, &tables.roughLayers, &tables.background, &tables.cube});
   statistics.targetBytes = bytesOf({&t.multisample, &t.depth, &t.color, &t.sum, &t.display});
   statistics.programsCompiled = viewport.programs.statistics().compiled;
   statistics.programsFromDisk = viewport.programs.statistics().fromDisk;
@@ -102,13 +102,12 @@ void showEnvironment(Viewport& viewport, EnvironmentSlot* slot) {
 Result<void> putOnGpu(Viewport& viewport, SceneSlot& scene, EnvironmentSlot& environment, const frame::DrawList& list,
                       const ListRequest& request, const ViewerState& state) {
   const scene::Model& model = scene.loaded->model;
-  frame::upload(scene.onGpu.gpu, model, list, std::exchange(scene.pixels, {}), viewport.context);
-  std::vector<ibl::TableStatistics> computed;
-  if (Result<void> r =
-          frame::ensureTables(environment.onGpu, list.needs(request.skyVisible), viewport.programs, computed);
-      !r)
+  frame::upload(scene.onGpu.gpu, model, list, std::exchange(scene.pixels, {}));
+  ibl::Tables& tables = environment.onGpu.tables;
+  const ibl::Needs needs = list.needs(request.skyVisible);
+  if (Result<void> r = ibl::computeTables(tables, environment.environment.get(), needs, viewport.programs); !r)
     return r;
-  for (const ibl::TableStatistics& table : computed)
+  for (const ibl::TableStatistics& table : tables.statistics)
     log::debug("table computed: " + table.name + ", " + std::to_string(std::lround(table.milliseconds)) + " ms");
   const scene::View view = scene::orbitView(state.camera, 1, list.bounds);
   return frame::preparePrograms({model, list, scene.onGpu.gpu, environment.onGpu.tables, view, state.settings},
@@ -301,14 +300,15 @@ bool drawViewport(Viewport& viewport, ViewerState& state) {
   wanted.settings.scene = -1;
   if (viewport.drawn == wanted) return false;
   const frame::PictureSettings& s = state.settings;
-  const int samples = std::min(s.samples, viewport.context.maxSamples);
   frame::Targets& targets = viewport.targets;
-  const bool gather = s.samples > samples;
+  const bool gather = s.samples > frame::convergedAbove;
+  const int samples = gather ? 1 : std::min(s.samples, viewport.context.maxSamples);
   if (targets.width != s.width || targets.height != s.height || targets.samples != samples ||
       static_cast<bool>(targets.sum) != gather) {
     targets = {};  // the old ones go first
     targets = frame::createTargets(s.width, s.height, samples, gather);
   }
+  frame::setTextureDetail(viewport.scene->onGpu.gpu, frame::gatheredDraws(s, targets), viewport.context);
   const scene::Model& model = viewport.scene->loaded->model;
   const frame::FrameInput input{
       model, viewport.list, viewport.scene->onGpu.gpu, viewport.environment->onGpu.tables, *view, s};
