@@ -86,7 +86,7 @@ void pictureSection(ViewerState& state) {
     ImGui::EndCombo();
   }
   if (beginList("samples", std::to_string(settings.samples))) {
-    for (const int samples : {1, 2, 4, 8, 16, 64})
+    for (const int samples : {1, 2, 4, 16, 64})
       if (ImGui::Selectable(std::to_string(samples).c_str(), samples == settings.samples)) settings.samples = samples;
     ImGui::EndCombo();
   }

@@ -275,10 +275,26 @@ std::optional<scene::View> currentView(const Viewport& viewport, ViewerState& st
   return viewOf(state, viewport.scene->loaded->model, viewport.list).value();
 }
 
+void reloadShaders(Viewport& viewport, ViewerState& state) {
+  glUseProgram(0);  // else the one in use lives on as a name that can no longer be used
+  viewport.programs.reload();
+  viewport.failed.reset();
+  const std::optional<scene::View> view = currentView(viewport, state);
+  if (!view) return;
+  const Result<void> compiled =
+      frame::preparePrograms({viewport.scene->loaded->model, viewport.list, viewport.scene->onGpu.gpu,
+                              viewport.environment->onGpu.tables, *view, state.settings},
+                             viewport.programs);
+  viewport.shadersBroken = !compiled;
+  if (!compiled) return complain(state, compiled.error());
+  viewport.drawn.reset();
+  say(state, "shaders reloaded");
+}
+
 bool drawViewport(Viewport& viewport, ViewerState& state) {
   if (const std::optional<double> gpuMs = viewport.clock.poll()) state.shown.statistics.gpuMs = *gpuMs;
   const std::optional<scene::View> view = currentView(viewport, state);
-  if (!view) return false;
+  if (!view || viewport.shadersBroken) return false;
   DrawnFrame wanted{state.settings, state.camera, viewport.listNumber};
   wanted.settings.environment.clear();  // the list's number stands for what is loaded
   wanted.settings.scene = -1;

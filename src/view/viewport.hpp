@@ -74,6 +74,7 @@ struct Viewport {
   frame::Targets targets;
   std::optional<DrawnFrame> drawn;
   FrameClock clock;
+  bool shadersBroken = false;  // as they are in the file now; the last good frame stays
 };
 
 // These tell state.status what failed; what is shown then stays.
@@ -83,6 +84,9 @@ void takeImages(Viewport& viewport, ViewerState& state, ImagesDecoded decoded);
 // Asks the loader for what the state wants and is not there yet, and shows it as soon as everything is there. True
 // where the draw list is new.
 bool bringUp(Viewport& viewport, ViewerState& state, Loader& loader);
+
+// After a change of the shaders' files: compiles anew what is drawn. Where that fails, the last good frame stays.
+void reloadShaders(Viewport& viewport, ViewerState& state);
 
 // The view of what is shown now; nothing where nothing is shown yet or the file has no such camera (which is told).
 std::optional<scene::View> currentView(const Viewport& viewport, ViewerState& state);

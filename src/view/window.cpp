@@ -18,6 +18,7 @@
 #include "view/input.hpp"
 #include "view/panel.hpp"
 #include "view/screenshot.hpp"
+#include "view/shader_watch.hpp"
 #include "view/style.hpp"
 #include "view/viewport.hpp"
 
@@ -54,6 +55,7 @@ struct Loop {
   Input input;
   int framesToDraw = settlingFrames;
   std::chrono::steady_clock::time_point last = std::chrono::steady_clock::now();
+  ShaderWatch shaders;
 };
 
 float contentScale(GLFWwindow* window) {
@@ -70,16 +72,17 @@ glm::dvec3 flightDirection(const Loop& loop) {
   return {axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_PAGE_UP, GLFW_KEY_PAGE_DOWN), axis(GLFW_KEY_W, GLFW_KEY_S)};
 }
 
-// Sleeps until there is something to do; seconds since the last time, at most a tenth, for flight.
+// Sleeps until there is something to do; seconds since the last time, at most a quarter, for flight.
 double waitForEvents(Loop& loop, const Loader& loader, const FrameClock& clock) {
+  const double idle = loop.shaders.folder.empty() ? idleWait : shaderWatchSeconds;
   if (loop.framesToDraw > 0 || flightDirection(loop) != glm::dvec3(0))
     glfwPollEvents();
   else
-    glfwWaitEventsTimeout(loader.running() ? busyWait : clock.waiting() ? timerWait : idleWait);
+    glfwWaitEventsTimeout(loader.running() ? busyWait : clock.waiting() ? timerWait : idle);
   const auto now = std::chrono::steady_clock::now();
   const double seconds = std::chrono::duration<double>(now - loop.last).count();
   loop.last = now;
-  return std::min(seconds, 0.1);
+  return std::min(seconds, 0.25);
 }
 
 void followFramebuffer(GLFWwindow* window, frame::PictureSettings& settings) {
@@ -176,7 +179,9 @@ bool turn(Loop& loop, Viewport& viewport, ViewerState& state, Loader& loader, st
   if (!actions.model.empty()) startModel(loader, model = actions.model);
   const bool wasLoading = loader.running() || viewport.clock.waiting();
   takeLoaded(viewport, state, loader);
-  if (input.any || flight.rightUpForward != glm::dvec3(0)) loop.framesToDraw = settlingFrames;
+  const bool reloaded = shadersChanged(loop.shaders, loop.last);
+  if (reloaded) reloadShaders(viewport, state);
+  if (input.any || reloaded || flight.rightUpForward != glm::dvec3(0)) loop.framesToDraw = settlingFrames;
   if (wasLoading) loop.framesToDraw = std::max(loop.framesToDraw, 1);
 
   if (loop.framesToDraw > 0) {
@@ -198,8 +203,8 @@ bool turn(Loop& loop, Viewport& viewport, ViewerState& state, Loader& loader, st
 }
 
 std::string openGLText(const gl::ContextInfo& info) {
-  const std::string least = info.minor < 6 ? " (4.5 with extensions)" : "";
-  return std::to_string(info.major) + "." + std::to_string(info.minor) + " core" + least + ", " + info.renderer;
+  const std::string extended = info.major == 4 && info.minor < 6 ? " with extensions" : "";
+  return std::to_string(info.major) + "." + std::to_string(info.minor) + " core" + extended + ", " + info.renderer;
 }
 
 Viewport createViewport(const gl::ContextInfo& info, const WindowOptions& options) {
@@ -225,7 +230,8 @@ Result<Start> prepareStart(const WindowOptions& options) {
     startEnvironment(loader, frame::chooseEnvironment(settings, options.model, model, *index));
   if (!settings.camera.empty()) {
     const frame::DrawList list = frame::buildDrawList(model, *index, frame::drawOptions(settings, false));
-    if (Result<scene::View> view = frame::chooseView(settings, options.model, model, list); !view) return tl::unexpected(view.error());
+    if (Result<scene::View> view = frame::chooseView(settings, options.model, model, list); !view)
+      return tl::unexpected(view.error());
   }
   EnvironmentLoaded environment = *loader.environment.take(true);
   if (!environment.environment) return tl::unexpected(environment.environment.error());
@@ -240,6 +246,7 @@ Result<void> runWindow(const WindowOptions& options, Start start) {
   glfwSwapInterval(1);
   Loop loop;
   loop.window = context->window();
+  loop.shaders = watchShaders(options.settings.shaderDir);
   listen(loop.window, loop.input);
   const ImGuiSession imgui(loop.window, contentScale(loop.window));
 

@@ -26,3 +26,15 @@ TEST_CASE("A compiler message names the chunk and its line") {
   REQUIRE_FALSE(out);
   CHECK_THAT(out.error().problem, Catch::Contains("shaders/broken.glsl:2:"));
 }
+
+TEST_CASE("A message about a fragment shader names the fragment shader's chunk") {
+  const auto reader = [](const std::string& path) -> std::optional<std::string> {
+    if (path == "broken.frag.glsl") return "out vec4 color;\nvoid main() { color = nothing; }\n";
+    return shading::shaderReader()(path);
+  };
+  shading::ProgramStore programs(reader, {}, "");
+  const auto program = programs.render("passes/fullscreen.vert.glsl", "broken.frag.glsl");
+  REQUIRE_FALSE(program);
+  CHECK(program.error().place == "fragment shader");
+  CHECK_THAT(program.error().problem, Catch::StartsWith("shaders/broken.frag.glsl:2:"));
+}

@@ -1,8 +1,8 @@
 #!/bin/bash
 # Drives the viewer as a hand would, under a virtual X server: open, orbit, switch the environment, take pictures, quit.
-# drive_window.sh FACET; exit status 77 and a line "skipped: REASON" where the tools for it are missing.
+# drive_window.sh FACET SHADERS; exit status 77 and a line "skipped: REASON" where the tools for it are missing.
 set -u
-facet=$1
+facet=$1 shaders=$2
 
 for tool in Xvfb xdotool; do
   command -v $tool >/dev/null || { echo "skipped: $tool is not installed"; exit 77; }
@@ -41,7 +41,8 @@ unset WAYLAND_DISPLAY
 "$facet" missing.glb >missing 2>&1
 [ $? = 2 ] || fail "exit status of a missing model is not 2: $(cat missing)"
 
-"$facet" builtin:spheres --size 480x360 --samples 1 --gl-debug --log-level debug >log 2>&1 &
+cp -r "$shaders" shaders || fail "no copy of the shaders"
+"$facet" builtin:spheres --size 480x360 --samples 1 --shader-dir shaders --gl-debug --log-level debug >log 2>&1 &
 viewer=$!
 
 # Waits until the line has been logged more often than before; at most 20 s.
@@ -101,6 +102,18 @@ xdotool key h
 screenshot panel
 same sky panel
 
+# A shader is edited: a slip is told and leaves the picture, its correction is taken.
+cp shaders/passes/display.frag.glsl good.glsl
+echo "slip" >>shaders/passes/display.frag.glsl
+await "error: .*fragment shader: shaders/passes/display.frag.glsl:[0-9]*: .*error" 1
+screenshot slip
+same sky slip
+sleep 0.1 # a newer time on any file system
+cp good.glsl shaders/passes/display.frag.glsl
+await "shaders reloaded" 1
+screenshot corrected
+same sky corrected
+
 xdotool key Escape
 for _ in $(seq 200); do kill -0 $viewer 2>/dev/null || break; sleep 0.05; done
 kill -0 $viewer 2>/dev/null && fail "Escape does not end the viewer"
@@ -108,5 +121,5 @@ wait $viewer
 status=$?
 viewer=
 [ $status = 0 ] || fail "exit status $status"
-grep -q "error: " log && fail "errors in the log"
+grep -q "\(error\|warning\): OpenGL: " log && fail "OpenGL complains"
 echo "passed"

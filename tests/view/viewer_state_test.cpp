@@ -74,6 +74,8 @@ TEST_CASE("viewer state: only what the draw list reads asks for a new one") {
   CHECK(changes([](view::ViewerState& s) { s.settings.lights = frame::Lights::demo; }));
   CHECK(changes([](view::ViewerState& s) { s.settings.background = frame::Background::transparent; }));
   CHECK(changes([](view::ViewerState& s) { s.material.on = true; }));
+  CHECK(changes([](view::ViewerState& s) { s.settings.samples = 16; }));
+  CHECK_FALSE(changes([](view::ViewerState& s) { s.settings.samples = 2; }));
   CHECK(view::listRequest(state, 1, true) != before);
   CHECK(view::listRequest(state, 0, false) != before);
 }
