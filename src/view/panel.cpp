@@ -184,7 +184,7 @@ void header(ViewerState& state, PanelResult& result) {
   ImGui::TextUnformatted(state.shown.model.empty() ? "facet" : shortName(state.shown.model).c_str());
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", state.shown.model.c_str());
   ImGui::SameLine();
-  if (state.shown.statistics.gpuMs > 0) ImGui::TextDisabled("%.3g ms", state.shown.statistics.gpuMs);
+  if (state.shown.statistics.gpuMs > 0) ImGui::TextDisabled("%s", milliseconds(state.shown.statistics.gpuMs).c_str());
   if (ImGui::Button("copy command")) {
     const std::string command = commands::commandLine(commandSettings(state), state.shown.model);
     ImGui::SetClipboardText(command.c_str());

@@ -15,12 +15,6 @@ void row(const char* name, const std::string& value) {
   ImGui::TextWrapped("%s", value.c_str());
 }
 
-std::string milliseconds(double ms) {
-  char text[32];
-  std::snprintf(text, sizeof text, ms < 10 ? "%.2f ms" : "%.0f ms", ms);
-  return text;
-}
-
 std::string passText(const frame::FrameStatistics& frame) {
   std::string text;
   for (const std::string& pass : frame.passes) text += (text.empty() ? "" : ", ") + pass;
@@ -28,6 +22,12 @@ std::string passText(const frame::FrameStatistics& frame) {
 }
 
 }  // namespace
+
+std::string milliseconds(double ms) {
+  char text[32];
+  std::snprintf(text, sizeof text, ms < 10 ? "%.2f ms" : "%.0f ms", ms);
+  return text;
+}
 
 std::string grouped(uint64_t count) {
   const std::string digits = std::to_string(count);

@@ -42,6 +42,7 @@ unset WAYLAND_DISPLAY
 [ $? = 2 ] || fail "exit status of a missing model is not 2: $(cat missing)"
 
 cp -r "$shaders" shaders || fail "no copy of the shaders"
+: >log
 "$facet" builtin:spheres --size 480x360 --samples 1 --shader-dir shaders --gl-debug --log-level debug >log 2>&1 &
 viewer=$!
 

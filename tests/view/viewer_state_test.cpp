@@ -100,6 +100,8 @@ TEST_CASE("viewer state: numbers for people") {
   CHECK(view::grouped(999) == "999");
   CHECK(view::grouped(1000) == "1 000");
   CHECK(view::grouped(1234567) == "1 234 567");
+  CHECK(view::milliseconds(3.254) == "3.25 ms");
+  CHECK(view::milliseconds(5555.4) == "5555 ms");
   CHECK(view::byteText(999) == "999 B");
   CHECK(view::byteText(1000) == "1.0 kB");
   CHECK(view::byteText(9960) == "10 kB");
