@@ -1,3 +1,10 @@
+#include <malloc.h>
+
 #include "commands/commands.hpp"
 
-int main(int argc, char** argv) { return facet::commands::run(argc, argv); }
+int main(int argc, char** argv) {
+  // Decoded images and the like return to the system as soon as they are freed; by default the C library would learn to
+  // keep them.
+  mallopt(M_MMAP_THRESHOLD, 1 << 20);
+  return facet::commands::run(argc, argv);
+}

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <sys/resource.h>
+
 #include <chrono>
 #include <ctime>
 #include <string>
@@ -7,10 +9,11 @@
 
 namespace facet {
 
-// Where the time of a task went: wall milliseconds and CPU milliseconds of the whole process, by named stage.
+// Where the time of a task went: wall and CPU milliseconds of the whole process by named stage, and how far its memory
+// had grown at the stage's end.
 struct Stage {
   std::string name;
-  double wallMs = 0, cpuMs = 0;
+  double wallMs = 0, cpuMs = 0, peakMB = 0;
 };
 
 class Stages {
@@ -22,10 +25,17 @@ class Stages {
     Stage& stage = find(name);
     stage.wallMs += std::chrono::duration<double, std::milli>(now - wall_).count();
     stage.cpuMs += cpu - cpu_;
+    stage.peakMB = peakMegabytes();
     wall_ = now;
     cpu_ = cpu;
   }
   const std::vector<Stage>& all() const { return stages_; }
+
+  static double peakMegabytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) / 1024;
+  }
 
  private:
   static double cpuMilliseconds() {
@@ -36,7 +46,7 @@ class Stages {
   Stage& find(const std::string& name) {
     for (Stage& stage : stages_)
       if (stage.name == name) return stage;
-    return stages_.emplace_back(Stage{name, 0, 0});
+    return stages_.emplace_back(Stage{name, 0, 0, 0});
   }
 
   std::chrono::steady_clock::time_point wall_ = std::chrono::steady_clock::now();

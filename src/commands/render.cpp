@@ -1,5 +1,3 @@
-#include <sys/resource.h>
-
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <fstream>
@@ -32,12 +30,6 @@ bool isExr(const std::filesystem::path& path) {
   return extension == ".exr";
 }
 
-double peakMegabytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024;
-}
-
 nlohmann::ordered_json statsJson(const Job& job, const frame::Session& session, const frame::Picture& picture,
                                  const Stages& stages, const Notes& notes) {
   using json = nlohmann::ordered_json;
@@ -50,10 +42,11 @@ nlohmann::ordered_json statsJson(const Job& job, const frame::Session& session, 
                    {"renderer", session.context().renderer},
                    {"version", session.context().version}};
   json times = json::object();
-  for (const Stage& stage : stages.all()) times[stage.name] = {{"wallMs", stage.wallMs}, {"cpuMs", stage.cpuMs}};
+  for (const Stage& stage : stages.all())
+    times[stage.name] = {{"wallMs", stage.wallMs}, {"cpuMs", stage.cpuMs}, {"peakMB", stage.peakMB}};
   out["stages"] = times;
   out["frameMs"] = s.frameMs;
-  out["peakMemoryMB"] = peakMegabytes();
+  out["peakMemoryMB"] = Stages::peakMegabytes();
   out["gpuBytes"] = {{"textures", s.textureBytes}, {"geometry", s.geometryBytes}, {"tables", s.tableBytes}};
   out["imagesDecoded"] = s.imagesDecoded;
   out["programs"] = {{"compiled", s.programsCompiled}, {"fromDiskCache", s.programsFromDisk}};
@@ -63,6 +56,7 @@ nlohmann::ordered_json statsJson(const Job& job, const frame::Session& session, 
         {{"name", table.name}, {"bytes", table.bytes}, {"fetches", table.fetches}, {"ms", table.milliseconds}});
   out["tables"] = tables;
   out["frame"] = {{"passes", s.frame.passes},
+                  {"bands", s.bands},
                   {"draws", s.frame.draws},
                   {"instances", s.frame.instances},
                   {"triangles", s.frame.triangles}};
@@ -98,10 +92,10 @@ struct JobResult {
   bool warned = false;
 };
 
-Result<JobResult> runJob(const Job& job, int repeat, frame::Session& session, Stages stages) {
+Result<JobResult> runJob(const Job& job, int repeat, bool last, frame::Session& session, Stages stages) {
   Notes notes;
   const bool exr = isExr(job.output);
-  const frame::PictureRequest request{.radiance = exr, .display = !exr, .repeat = repeat};
+  const frame::PictureRequest request{.radiance = exr, .display = !exr, .repeat = repeat, .last = last};
   Result<frame::Picture> picture = session.render(job.model, job.settings, request, notes, stages);
   if (!picture) return tl::unexpected(picture.error());
   if (picture->statistics.nonFinitePixels > 0)
@@ -148,7 +142,8 @@ int runRender(const RenderArguments& arguments) {
   int status = exitGood;
   for (size_t i = 0; i < jobs->size(); ++i) {
     const Job& job = (*jobs)[i];
-    const Result<JobResult> result = runJob(job, arguments.repeat, **session, i == 0 ? stages : Stages());
+    const Result<JobResult> result =
+        runJob(job, arguments.repeat, i + 1 == jobs->size(), **session, i == 0 ? stages : Stages());
     if (!result) {
       log::error(describe(result.error()));
       status = exitBadInput;

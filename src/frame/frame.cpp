@@ -208,7 +208,7 @@ Result<FrameStatistics> drawScene(const FrameInput& in, const Targets& targets, 
   const std::vector<layout::FrameUniforms> uniforms = {frameUniforms(in, draw, draws, offsetPixels)};
   const gl::Buffer frameBuffer = gl::Buffer::of(uniforms, "frame");
   glBindFramebuffer(GL_FRAMEBUFFER, targets.drawn.id());
-  glViewport(0, 0, targets.width, targets.height);
+  glViewport(0, -in.firstRow, in.settings.width, in.settings.height);
   clearTargets(in, targets);
   glBindBufferBase(GL_UNIFORM_BUFFER, layout::frameBinding, frameBuffer.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::instanceBinding, in.gpu.instances.id());

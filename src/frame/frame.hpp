@@ -43,6 +43,7 @@ struct FrameInput {
   const ibl::Tables& tables;
   const scene::View& view;
   const PictureSettings& settings;
+  int firstRow = 0;  // the targets hold the picture's rows from here on, counted from the bottom
 };
 
 // How many draws a picture gathers: one, or one for each sample.

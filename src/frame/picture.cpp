@@ -4,6 +4,7 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <thread>
 
 #include "scene/builtin_scenes.hpp"
 
@@ -36,6 +37,48 @@ Result<scene::PlacedCamera> findCamera(const std::string& wanted, const scene::M
 
 const scene::BuiltinScene* builtinOf(const std::string& source) {
   return source.starts_with("builtin:") ? scene::findBuiltinScene(source) : nullptr;
+}
+
+// Rows of a band. Bands save memory and cost the geometry once more each: a few for scenes of little geometry, for
+// others only where the targets of a large picture could not be had otherwise. A sample takes 12 bytes (RGBA16F and
+// depth).
+int bandRows(const PictureSettings& settings, const DrawList& list, const gl::ContextInfo& context) {
+  size_t corners = 0;
+  for (const std::vector<Draw>* draws : {&list.opaque, &list.blended})
+    for (const Draw& draw : *draws)
+      corners += std::max(draw.primitive->indices.size(), draw.primitive->positions.size()) * draw.instanceCount;
+  const size_t budget = corners < 300'000 ? size_t{4} << 20 : size_t{1} << 30;
+  const int samples = std::min(settings.samples, context.maxSamples);
+  const size_t rows = budget / (static_cast<size_t>(settings.width) * static_cast<size_t>(samples) * 12) / 16 * 16;
+  return static_cast<int>(std::clamp<size_t>(rows, 16, static_cast<size_t>(std::max(16, settings.height))));
+}
+
+// A band's pixels into the picture; firstRow counts from the bottom, data from the top.
+template <class T>
+void placeBand(std::vector<T>& picture, const std::vector<T>& band, size_t rowLength, int height, int firstRow) {
+  const auto rows = static_cast<int>(band.size() / rowLength);
+  const int kept = std::min(rows, height - firstRow);  // the last band may reach above the picture
+  std::copy(band.end() - static_cast<ptrdiff_t>(static_cast<size_t>(kept) * rowLength), band.end(),
+            picture.begin() + static_cast<ptrdiff_t>(static_cast<size_t>(height - firstRow - kept) * rowLength));
+}
+
+void readBand(Picture& picture, const PictureRequest& request, const Targets& targets, const PictureSettings& settings,
+              int firstRow) {
+  const auto width = static_cast<size_t>(settings.width), height = static_cast<size_t>(settings.height);
+  if (request.radiance) {
+    io::RadianceImage band = readRadiance(targets);
+    picture.radiance.width = settings.width, picture.radiance.height = settings.height;
+    picture.radiance.pixels.resize(width * height);
+    placeBand(picture.radiance.pixels, band.pixels, width, settings.height, firstRow);
+  }
+  if (request.display) {
+    io::Pixels band = readDisplay(targets, settings.background == Background::transparent);
+    picture.display.width = settings.width, picture.display.height = settings.height;
+    picture.display.channels = band.channels;
+    const size_t rowLength = width * static_cast<size_t>(band.channels);
+    picture.display.data.resize(rowLength * height);
+    placeBand(picture.display.data, band.data, rowLength, settings.height, firstRow);
+  }
 }
 
 void countExtremes(const io::RadianceImage& image, PictureStatistics& statistics) {
@@ -118,59 +161,95 @@ std::string chooseEnvironment(const PictureSettings& settings, const std::string
   return list.needs(false).irradiance ? "builtin:studio" : "none";
 }
 
-Targets createTargets(const PictureSettings& settings, const gl::ContextInfo& context) {
+Targets createTargets(const PictureSettings& settings, const gl::ContextInfo& context, int rows) {
   const bool gather = settings.samples > convergedAbove;
-  return createTargets(settings.width, settings.height, gather ? 1 : std::min(settings.samples, context.maxSamples),
-                       gather);
+  return createTargets(settings.width, rows > 0 ? rows : settings.height,
+                       gather ? 1 : std::min(settings.samples, context.maxSamples), gather);
 }
 
-Result<Picture> renderPicture(const PictureSettings& settings, const PictureRequest& request, SceneOnGpu& scene,
-                              EnvironmentOnGpu& environment, shading::ProgramStore& programs,
-                              const gl::ContextInfo& context, Notes& notes, Stages& stages) {
+namespace {
+
+// A few images at a time, so that never more of them than the machine decodes at once are in memory twice.
+void decodeAndUpload(GpuScene& gpu, const scene::Model& model, const DrawList& list, Notes& notes, Stages& stages) {
+  const size_t atOnce = std::max(2u, std::thread::hardware_concurrency());
+  const std::vector<bool> missing = missingImages(model, list, gpu);
+  size_t image = 0;
+  do {
+    std::vector<bool> some(missing.size(), false);
+    for (size_t count = 0; image < missing.size() && count < atOnce; ++image)
+      if (missing[image]) some[image] = true, ++count;
+    std::vector<io::Pixels> pixels = io::decodeImages(model, some, notes);
+    stages.mark("decode");
+    upload(gpu, model, list, std::move(pixels));
+    stages.mark("upload");
+  } while (image < missing.size());
+}
+
+}  // namespace
+
+Result<PreparedPicture> preparePicture(const PictureSettings& settings, SceneOnGpu& scene,
+                                       EnvironmentOnGpu& environment, shading::ProgramStore& programs, Notes& notes,
+                                       Stages& stages) {
   const scene::Model& model = *scene.model;
-  Picture picture;
-  PictureStatistics& statistics = picture.statistics;
   const Result<int> sceneIndex = chooseScene(settings, model);
   if (!sceneIndex) return tl::unexpected(sceneIndex.error());
-  const DrawList list = buildDrawList(model, *sceneIndex, drawOptions(settings, environment.environment != nullptr));
+  PreparedPicture prepared;
+  const bool lit = environment.environment != nullptr;
+  prepared.list = buildDrawList(model, *sceneIndex, drawOptions(settings, lit));
+  const DrawList& list = prepared.list;
   const Result<scene::View> view = chooseView(settings, scene.source, model, list);
   if (!view) return tl::unexpected(view.error());
-  const bool skyVisible = settings.background == Background::environment && environment.environment != nullptr &&
-                          list.features.channel == 0;
+  prepared.view = *view;
+  const bool skyVisible = settings.background == Background::environment && lit && list.features.channel == 0;
   const ibl::Needs needs = list.needs(skyVisible);
   noteUnlit(settings, list, needs, notes);
   stages.mark("prepare");
 
-  const int decodedBefore = scene.gpu.imagesDecoded;
-  std::vector<io::Pixels> pixels = io::decodeImages(model, missingImages(model, list, scene.gpu), notes);
-  stages.mark("decode");
-  upload(scene.gpu, model, list, std::move(pixels));
-  statistics.imagesDecoded = scene.gpu.imagesDecoded - decodedBefore;
-  stages.mark("upload");
-
   const shading::ProgramStatistics before = programs.statistics();
+  PictureStatistics& statistics = prepared.statistics;
   if (Result<void> r = ibl::computeTables(environment.tables, environment.environment, needs, programs); !r)
     return tl::unexpected(r.error());
   statistics.tables = environment.tables.statistics;
   stages.mark("precompute");
 
-  const FrameInput input{model, list, scene.gpu, environment.tables, *view, settings};
+  const int decodedBefore = scene.gpu.imagesDecoded;
+  decodeAndUpload(scene.gpu, model, list, notes, stages);
+  statistics.imagesDecoded = scene.gpu.imagesDecoded - decodedBefore;
+
+  const FrameInput input{model, list, scene.gpu, environment.tables, prepared.view, settings};
   if (Result<void> r = preparePrograms(input, programs); !r) return tl::unexpected(r.error());
   statistics.programsCompiled = programs.statistics().compiled - before.compiled;
   statistics.programsFromDisk = programs.statistics().fromDisk - before.fromDisk;
   stages.mark("compile");
+  return prepared;
+}
 
-  const Targets targets = createTargets(settings, context);
+Result<Picture> drawPicture(const PictureSettings& settings, const PictureRequest& request, PreparedPicture prepared,
+                            const SceneOnGpu& scene, const EnvironmentOnGpu& environment,
+                            shading::ProgramStore& programs, const gl::ContextInfo& context, Stages& stages) {
+  Picture picture;
+  picture.statistics = std::move(prepared.statistics);
+  PictureStatistics& statistics = picture.statistics;
+  const DrawList& list = prepared.list;
+  FrameInput input{*scene.model, list, scene.gpu, environment.tables, prepared.view, settings};
+  const int rows = bandRows(settings, list, context);
+  const Targets targets = createTargets(settings, context, std::min(rows, settings.height));
+  statistics.bands = (settings.height + targets.height - 1) / targets.height;
   setTextureDetail(scene.gpu, gatheredDraws(settings, targets), context);
   for (int i = 0; i <= request.repeat; ++i) {
-    const auto start = std::chrono::steady_clock::now();
-    Result<FrameStatistics> drawn = drawFrame(input, targets, programs);
-    if (!drawn) return tl::unexpected(drawn.error());
-    glFinish();
-    statistics.frameMs.push_back(
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
-    statistics.frame = std::move(*drawn);
-    stages.mark(i == 0 ? "first frame" : "repeated frames");
+    double frameMs = 0;
+    for (input.firstRow = 0; input.firstRow < settings.height; input.firstRow += targets.height) {
+      const auto start = std::chrono::steady_clock::now();
+      Result<FrameStatistics> drawn = drawFrame(input, targets, programs);
+      if (!drawn) return tl::unexpected(drawn.error());
+      glFinish();
+      frameMs += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+      statistics.frame = std::move(*drawn);
+      stages.mark(i == 0 ? "first frame" : "repeated frames");
+      if (i == request.repeat) readBand(picture, request, targets, settings, input.firstRow);
+      stages.mark("read back");
+    }
+    statistics.frameMs.push_back(frameMs);
   }
   statistics.textureBytes = scene.gpu.textureBytes();
   statistics.geometryBytes = scene.gpu.geometryBytes();
@@ -179,12 +258,7 @@ Result<Picture> renderPicture(const PictureSettings& settings, const PictureRequ
         &environment.tables.roughLayers, &environment.tables.background, &environment.tables.cube})
     if (*t) statistics.tableBytes += t->bytes();
 
-  if (request.radiance) {
-    picture.radiance = readRadiance(targets);
-    countExtremes(picture.radiance, statistics);
-  }
-  if (request.display) picture.display = readDisplay(targets, settings.background == Background::transparent);
-  stages.mark("read back");
+  if (request.radiance) countExtremes(picture.radiance, statistics);
   return picture;
 }
 

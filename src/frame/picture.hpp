@@ -47,10 +47,12 @@ std::string chooseEnvironment(const PictureSettings& settings, const std::string
                               int scene);
 
 // Targets for one draw of settings.samples, or for gathering that many draws.
-Targets createTargets(const PictureSettings& settings, const gl::ContextInfo& context);
+// rows: of the picture that they hold at once; 0: all.
+Targets createTargets(const PictureSettings& settings, const gl::ContextInfo& context, int rows = 0);
 
 struct PictureStatistics {
-  FrameStatistics frame;
+  FrameStatistics frame;  // of one band
+  int bands = 1;
   int imagesDecoded = 0;
   int programsCompiled = 0, programsFromDisk = 0;
   std::vector<ibl::TableStatistics> tables;
@@ -69,10 +71,26 @@ struct Picture {
 struct PictureRequest {
   bool radiance = false, display = false;
   int repeat = 0;  // further frames, for timing
+  // Nothing is rendered after this: what is on the GPU is freed elsewhere (Session).
+  bool last = false;
 };
 
-Result<Picture> renderPicture(const PictureSettings& settings, const PictureRequest& request, SceneOnGpu& scene,
-                              EnvironmentOnGpu& environment, shading::ProgramStore& programs,
-                              const gl::ContextInfo& context, Notes& notes, Stages& stages);
+// What a picture is drawn from, all of it on the GPU.
+struct PreparedPicture {
+  DrawList list;
+  scene::View view;
+  PictureStatistics statistics;
+};
+
+// Builds the draw list, computes the tables, decodes and uploads: afterwards neither encoded images nor the
+// environment's texels are needed any more.
+Result<PreparedPicture> preparePicture(const PictureSettings& settings, SceneOnGpu& scene,
+                                       EnvironmentOnGpu& environment, shading::ProgramStore& programs, Notes& notes,
+                                       Stages& stages);
+
+// Compiles what is missing, draws, reads back. Band by band where the targets of the whole would be large.
+Result<Picture> drawPicture(const PictureSettings& settings, const PictureRequest& request, PreparedPicture prepared,
+                            const SceneOnGpu& scene, const EnvironmentOnGpu& environment,
+                            shading::ProgramStore& programs, const gl::ContextInfo& context, Stages& stages);
 
 }  // namespace facet::frame

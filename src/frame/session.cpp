@@ -1,5 +1,7 @@
 #include "frame/session.hpp"
 
+#include <malloc.h>
+
 #include "io/sources.hpp"
 
 namespace facet::frame {
@@ -58,9 +60,18 @@ Result<Picture> Session::render(const std::string& model, const PictureSettings&
   environmentName_ = chooseEnvironment(settings, model, scene_->loaded.model, *scene);
   Result<LoadedEnvironment*> environment = findEnvironment(environmentName_, notes);
   if (!environment) return tl::unexpected(environment.error());
+  malloc_trim(0);  // what was needed only while reading goes back to the system
   stages.mark("read environment");
-  return renderPicture(settings, request, scene_->onGpu, (*environment)->onGpu, programs_, context_.info(), notes,
-                       stages);
+  Result<PreparedPicture> prepared =
+      preparePicture(settings, scene_->onGpu, (*environment)->onGpu, programs_, notes, stages);
+  if (!prepared) return tl::unexpected(prepared.error());
+  if (request.last) {
+    (*environment)->environment.radiance = {};
+    for (scene::Image& image : scene_->loaded.model.images) image.encoded = {};
+  }
+  malloc_trim(0);
+  return drawPicture(settings, request, std::move(*prepared), scene_->onGpu, (*environment)->onGpu, programs_,
+                     context_.info(), stages);
 }
 
 }  // namespace facet::frame

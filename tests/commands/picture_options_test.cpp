@@ -290,5 +290,5 @@ TEST_CASE("JSON: an error leads with file and pointer") {
   CHECK(message({{"ouptut", "a.png"}}) ==
         "jobs.json: /jobs/2/ouptut: there is no such option; perhaps output is meant.");
   CHECK(message({{"samples", uint64_t{18446744073709551615u}}}) ==
-        "jobs.json: /jobs/2/samples: 18446744073709551615 is out of range; give a whole number from 1 to 64.");
+        "jobs.json: /jobs/2/samples: 18446744073709551615 is out of range; give a whole number from 1 to 4096.");
 }
