@@ -29,6 +29,21 @@ float radianceScaleFor(const scene::Environment& environment) {
   return largest > largestStored ? std::exp2(std::ceil(std::log2(largest / largestStored))) : 1.0f;
 }
 
+// Mean over the sphere of the brightest channel; rows count by their share of it.
+double meanRadiance(const scene::Environment& environment) {
+  double sum = 0, weights = 0;
+  for (int row = 0; row < environment.height; ++row) {
+    double rowSum = 0;
+    const glm::vec3* texels = &environment.radiance[static_cast<size_t>(row) * static_cast<size_t>(environment.width)];
+    for (int column = 0; column < environment.width; ++column)
+      rowSum += static_cast<double>(std::max({texels[column].x, texels[column].y, texels[column].z}));
+    const double weight = std::sin(std::numbers::pi * (row + 0.5) / environment.height);
+    sum += weight * rowSum;
+    weights += weight * environment.width;
+  }
+  return sum / weights;
+}
+
 gl::Texture uploadEquirect(const scene::Environment& environment, GLenum format, float scale, std::string_view label) {
   gl::Texture texture({.format = format, .width = environment.width, .height = environment.height}, label);
   texture.filterLinear();
@@ -105,11 +120,16 @@ Result<gl::Texture> environmentCube(const scene::Environment& environment, float
   const auto toMip = programs.compute("passes/cube_mip.comp.glsl");
   if (!toMip) return tl::unexpected(toMip.error());
   const bool tooWide = environment.width > method.equirectWidth;
-  const gl::Texture equirect = uploadEquirect(tooWide ? reduceEquirect(environment, method.equirectWidth) : environment,
-                                              GL_RGBA32F, scale, "equirectangular source");
+  scene::Environment reduced;
+  if (tooWide) reduced = reduceEquirect(environment, method.equirectWidth);
+  const scene::Environment& source = tooWide ? reduced : environment;
+  const gl::Texture equirect = uploadEquirect(source, GL_RGBA32F, scale, "equirectangular source");
+  const double steep = method.steepness * meanRadiance(source) / static_cast<double>(scale);
   gl::Texture cube = cubeTexture(GL_RGBA32F, mirrorSize, gl::mipLevels(mirrorSize, mirrorSize), "environment cube");
   glUseProgram((*toCube)->id());
   (*toCube)->set(0, method.cubeTaps);
+  (*toCube)->set(1, method.steepTaps);
+  (*toCube)->set(2, static_cast<float>(steep));
   equirect.bind(layout::equirectUnit);
   glBindImageTexture(0, cube.id(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA32F);
   dispatchFaces(mirrorSize);

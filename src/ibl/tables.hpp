@@ -26,6 +26,8 @@ struct Needs {
 // How the tables are made. Work is counted in texture fetches.
 struct Method {
   int cubeTaps = 4;          // equirect -> cube: taps per texel along each axis
+  int steepTaps = 16;        // where the taps differ by more than steepness times the map's mean radiance: suns, lamps.
+  double steepness = 16;     // At most a sixteenth of the sphere is that bright, so the cost is bounded
   int equirectWidth = 1024;  // a wider map is first reduced, texels weighted by solid angle
   int irradianceSize = 16;   // face of the irradiance map; summed over a 32^2 level
   int dfgSize = 64;
