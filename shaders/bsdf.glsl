@@ -54,3 +54,12 @@ vec3 evaluateBsdf(Surface s, vec3 L) {
   vec3 diffuse = s.baseColor * (1.0 - s.metallic) * left * Fd_Lambert();
   return (specular + diffuse) * NoL;
 }
+
+// What of irradiance / pi leaves towards the viewer: light that left the microsurface after several bounces, which is
+// taken as diffuse, and the dielectric's diffuse part.
+vec3 irradianceAlbedo(Surface s) {
+  vec3 dielectricSingle = singleScatterAlbedo(s.dielectricF0, s.dfg.xy);
+  vec3 dielectricMultiple = multipleScatterAlbedo(s.dielectricF0, s.dfg.xy);
+  vec3 multiple = mix(dielectricMultiple, multipleScatterAlbedo(s.baseColor, s.dfg.xy), s.metallic);
+  return multiple + s.baseColor * (1.0 - s.metallic) * (1.0 - dielectricSingle - dielectricMultiple);
+}

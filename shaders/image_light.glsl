@@ -37,10 +37,6 @@ vec3 specularMeanDirection(Surface s) {
 vec3 imageLight(Surface s) {
   vec3 ld = fetchLd(environmentFromWorld(specularMeanDirection(s)), s.perceptualRoughness);
   vec3 irradiance = textureLod(irradianceOverPi, environmentFromWorld(s.N), 0.0).rgb;
-  vec3 dielectricSingle = singleScatterAlbedo(s.dielectricF0, s.dfg.xy);
-  vec3 dielectricMultiple = multipleScatterAlbedo(s.dielectricF0, s.dfg.xy);
-  vec3 single = mix(dielectricSingle, singleScatterAlbedo(s.baseColor, s.dfg.xy), s.metallic);
-  vec3 multiple = mix(dielectricMultiple, multipleScatterAlbedo(s.baseColor, s.dfg.xy), s.metallic);
-  vec3 diffuse = s.baseColor * (1.0 - s.metallic) * (1.0 - dielectricSingle - dielectricMultiple);
-  return (ld * single + irradiance * (multiple + diffuse)) * (frame.environmentScale.x * s.occlusion);
+  vec3 single = mix(singleScatterAlbedo(s.dielectricF0, s.dfg.xy), singleScatterAlbedo(s.baseColor, s.dfg.xy), s.metallic);
+  return (ld * single + irradiance * irradianceAlbedo(s)) * (frame.environmentScale.x * s.occlusion);
 }

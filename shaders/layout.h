@@ -42,6 +42,7 @@ LAYOUT_CONST irradianceUnit = 9;
 LAYOUT_CONST mirrorLayersUnit = 10;  // LD layers 0 and 1
 LAYOUT_CONST roughLayersUnit = 11;   // LD layers 2 and up
 LAYOUT_CONST equirectUnit = 12;
+LAYOUT_CONST environmentCubeUnit = 14;
 LAYOUT_CONST sourceUnit = 13;  // input of a full-screen or compute pass
 
 // The LD chain: layer i holds perceptual roughness ldKnot(i) (environment_layers.glsl); how many cubes of which size.
@@ -55,7 +56,7 @@ struct FrameUniforms {
   vec4 towardsEye;            // orthographic: unit direction to the viewer
   vec4 environmentRotation;   // x cos, y sin of the rotation about +Y
   vec4 environmentScale;      // x: radiance of a stored 1; y: of the background
-  vec4 options;               // x: factor on occlusion strength
+  vec4 options;               // x: factor on occlusion strength; y: index of the draw among those gathered, z: their number
 };
 
 struct MaterialUniforms {

@@ -5,7 +5,9 @@
 #else
 #include "punctual_light_none.glsl"
 #endif
-#ifdef HAS_ENVIRONMENT
+#if defined(HAS_ENVIRONMENT) && defined(IMAGE_LIGHT_SAMPLES)
+#include "image_light_sampled.glsl"
+#elif defined(HAS_ENVIRONMENT)
 #include "image_light.glsl"
 #else
 #include "image_light_none.glsl"

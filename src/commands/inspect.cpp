@@ -64,7 +64,7 @@ json describeLeftOut(const scene::Model& model, const frame::DrawList& list) {
                   std::to_string(bytes / 1024) + " KiB of embedded data): nothing that the scene draws reads them");
   const ibl::Needs needs = list.needs(false);
   if (!needs.dfg) out.push_back("no DFG table is computed: nothing is lit");
-  if (!needs.imageLight) out.push_back("no environment is filtered: nothing reflects one");
+  if (!needs.irradiance) out.push_back("no environment is filtered: nothing reflects one");
   if (list.lights.empty()) out.push_back("no code for punctual lights is compiled: the scene has none");
   if (list.blended.empty()) out.push_back("no blend pass is drawn: no drawn material asks for it");
   return out;

@@ -224,7 +224,7 @@ constexpr PictureOption table[] = {
      writeNumber<&S::exposureStops>},
     {"tonemap", "NAME", "none, reinhard, uncharted2, aces, agx, neutral (neutral)",
      parseName<toneMappers, &S::toneMapper>, writeName<toneMappers, &S::toneMapper>},
-    {"samples", "N", "samples a pixel (4)", parseNumberInto<&S::samples, 1, 64>, writeNumber<&S::samples>},
+    {"samples", "N", "samples a pixel (4); above 4 the environment is sampled too, and the picture converges", parseNumberInto<&S::samples, 1, 4096>, writeNumber<&S::samples>},
     {"channel", "NAME",
      "final, normal, geometryNormal, tangent, uv, baseColor, metallic, roughness, occlusion, emissive, alpha (final)",
      parseName<channels, &S::channel>, writeName<channels, &S::channel>},

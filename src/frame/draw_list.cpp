@@ -103,7 +103,8 @@ ibl::Needs DrawList::needs(bool environmentVisible) const {
   for (const std::vector<Draw>* draws : {&opaque, &blended})
     for (const Draw& draw : *draws) {
       const bool imageLight = shading::usesFeature(draw.key, "HAS_ENVIRONMENT");
-      needs.imageLight |= imageLight;
+      needs.irradiance |= imageLight;
+      (draw.key.imageLightSamples == 0 ? needs.layers : needs.cube) |= imageLight;
       needs.dfg |= imageLight || shading::usesFeature(draw.key, "HAS_PUNCTUAL_LIGHTS");
     }
   return needs;

@@ -28,13 +28,20 @@ bool skyVisible(const FrameInput& in) {
   return in.settings.background == Background::environment && in.tables.background && in.list.features.channel == 0;
 }
 
-// Point i of the R2 sequence (Roberts 2018), which fills the square evenly for any count; i = 0 is the centre.
-glm::dvec2 jitter(int i) {
-  return glm::fract(glm::dvec2(0.5) + static_cast<double>(i) * glm::dvec2(0.7548776662466927, 0.5698402909980532)) -
-         0.5;
+// Offsets within the pixel: the R2 sequence (Roberts 2018), which fills the square evenly for any count, shifted so
+// that the offsets' mean is the pixel's centre.
+std::vector<glm::dvec2> jitter(int count) {
+  std::vector<glm::dvec2> offsets;
+  glm::dvec2 mean(0);
+  for (int i = 0; i < count; ++i) {
+    offsets.push_back(glm::fract(0.5 + static_cast<double>(i) * glm::dvec2(0.7548776662466927, 0.5698402909980532)));
+    mean += offsets.back() / static_cast<double>(count);
+  }
+  for (glm::dvec2& offset : offsets) offset -= mean;
+  return offsets;
 }
 
-layout::FrameUniforms frameUniforms(const FrameInput& in, const glm::dvec2& offsetPixels) {
+layout::FrameUniforms frameUniforms(const FrameInput& in, int draw, int draws, const glm::dvec2& offsetPixels) {
   const scene::View& view = in.view;
   const glm::dmat4 shift = glm::translate(
       glm::dmat4(1), glm::dvec3(2 * offsetPixels.x / in.settings.width, 2 * offsetPixels.y / in.settings.height, 0));
@@ -50,7 +57,7 @@ layout::FrameUniforms frameUniforms(const FrameInput& in, const glm::dvec2& offs
   u.environmentRotation = glm::vec4(std::cos(angle), std::sin(angle), 0, 0);
   const float scale = in.tables.radianceScale * in.settings.environmentStrength;
   u.environmentScale = glm::vec4(scale, scale, 0, 0);
-  u.options = glm::vec4(in.settings.occlusion, 0, 0, 0);
+  u.options = glm::vec4(in.settings.occlusion, static_cast<float>(draw), static_cast<float>(draws), 0);
   return u;
 }
 
@@ -59,6 +66,7 @@ void bindTables(const ibl::Tables& tables) {
   if (tables.irradiance) tables.irradiance.bind(layout::irradianceUnit);
   if (tables.mirrorLayers) tables.mirrorLayers.bind(layout::mirrorLayersUnit);
   if (tables.roughLayers) tables.roughLayers.bind(layout::roughLayersUnit);
+  if (tables.cube) tables.cube.bind(layout::environmentCubeUnit);
 }
 
 void bindMaterial(const FrameInput& in, const Draw& draw) {
@@ -194,10 +202,10 @@ void clearTargets(const FrameInput& in, const Targets& targets) {
 }
 
 // One draw of the scene into targets.color.
-Result<FrameStatistics> drawScene(const FrameInput& in, const Targets& targets, const glm::dvec2& offsetPixels,
-                                  ProgramStore& programs) {
+Result<FrameStatistics> drawScene(const FrameInput& in, const Targets& targets, int draw, int draws,
+                                  const glm::dvec2& offsetPixels, ProgramStore& programs) {
   FrameStatistics statistics;
-  const std::vector<layout::FrameUniforms> uniforms = {frameUniforms(in, offsetPixels)};
+  const std::vector<layout::FrameUniforms> uniforms = {frameUniforms(in, draw, draws, offsetPixels)};
   const gl::Buffer frameBuffer = gl::Buffer::of(uniforms, "frame");
   glBindFramebuffer(GL_FRAMEBUFFER, targets.drawn.id());
   glViewport(0, 0, targets.width, targets.height);
@@ -255,6 +263,10 @@ Result<void> gather(const Targets& targets, int draws, ProgramStore& programs) {
 
 }  // namespace
 
+int gatheredDraws(const PictureSettings& settings, const Targets& targets) {
+  return targets.sum ? settings.samples : 1;
+}
+
 Result<void> preparePrograms(const FrameInput& in, ProgramStore& programs) {
   for (const std::vector<Draw>* draws : {&in.list.opaque, &in.list.blended})
     for (const Draw& draw : *draws)
@@ -267,14 +279,15 @@ Result<void> preparePrograms(const FrameInput& in, ProgramStore& programs) {
 }
 
 Result<FrameStatistics> drawFrame(const FrameInput& in, const Targets& targets, ProgramStore& programs) {
-  const int draws = targets.sum ? (in.settings.samples + targets.samples - 1) / targets.samples : 1;
+  const int draws = gatheredDraws(in.settings, targets);
   FrameStatistics statistics;
   if (targets.sum) {
     const glm::vec4 zero(0);
     glClearNamedFramebufferfv(targets.gathered.id(), GL_COLOR, 0, &zero.x);
   }
+  const std::vector<glm::dvec2> offsets = jitter(draws);
   for (int i = 0; i < draws; ++i) {
-    Result<FrameStatistics> drawn = drawScene(in, targets, draws > 1 ? jitter(i) : glm::dvec2(0), programs);
+    Result<FrameStatistics> drawn = drawScene(in, targets, i, draws, offsets[static_cast<size_t>(i)], programs);
     if (!drawn) return drawn;
     if (i == 0) statistics = std::move(*drawn);
     if (targets.sum)

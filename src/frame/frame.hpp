@@ -16,7 +16,8 @@
 
 namespace facet::frame {
 
-// Where a frame is drawn. Samples of one draw are bounded by the driver; more are gathered from jittered draws.
+// Where a frame is drawn. Either one draw with several coverage samples a pixel, each pixel shaded once, or many draws
+// with one sample each, jittered within the pixel and gathered.
 struct Targets {
   int width = 0, height = 0;
   int samples = 1;          // of the multisample targets
@@ -43,6 +44,9 @@ struct FrameInput {
   const scene::View& view;
   const PictureSettings& settings;
 };
+
+// How many draws a picture gathers: one, or one for each sample.
+int gatheredDraws(const PictureSettings& settings, const Targets& targets);
 
 // Compiles what the draw list needs and is not there yet. Errors: a shader does not compile (a driver's or a user's
 // file).

@@ -138,7 +138,7 @@ GLint wrapMode(scene::Wrap wrap) {
   return GL_REPEAT;
 }
 
-gl::Sampler createSampler(const scene::Sampler& sampler, const gl::ContextInfo& context) {
+gl::Sampler createSampler(const scene::Sampler& sampler) {
   using scene::Filter;
   using scene::MipFilter;
   gl::Sampler object = gl::Sampler::create();
@@ -152,9 +152,6 @@ gl::Sampler createSampler(const scene::Sampler& sampler, const gl::ContextInfo& 
   glSamplerParameteri(id, GL_TEXTURE_MAG_FILTER, sampler.magFilter == Filter::linear ? GL_LINEAR : GL_NEAREST);
   glSamplerParameteri(id, GL_TEXTURE_WRAP_S, wrapMode(sampler.wrapS));
   glSamplerParameteri(id, GL_TEXTURE_WRAP_T, wrapMode(sampler.wrapT));
-  // Trilinear samplers get anisotropic filtering; any other filter is a wish for exactly that filter.
-  if (minFilter == GL_LINEAR_MIPMAP_LINEAR)
-    glSamplerParameterf(id, GL_TEXTURE_MAX_ANISOTROPY_EXT, std::min(8.0f, context.maxAnisotropy));
   return object;
 }
 
@@ -237,14 +234,13 @@ std::vector<bool> missingImages(const scene::Model& model, const DrawList& list,
   return missing;
 }
 
-void upload(GpuScene& gpu, const scene::Model& model, const DrawList& list, std::vector<io::Pixels> pixels,
-            const gl::ContextInfo& context) {
+void upload(GpuScene& gpu, const scene::Model& model, const DrawList& list, std::vector<io::Pixels> pixels) {
   forEachDraw(list, [&](const Draw& draw) {
     const auto found = gpu.primitives.find(draw.primitive);
     if (found == gpu.primitives.end())
       gpu.primitives.emplace(draw.primitive, uploadPrimitive(*draw.primitive, draw.key));
     else if ((draw.key.features & ~found->second.features) != 0)
-      found->second = uploadPrimitive(*draw.primitive, {found->second.features | draw.key.features, 0});
+      found->second = uploadPrimitive(*draw.primitive, {found->second.features | draw.key.features, 0, 0});
   });
   if (!gpu.placeholder)
     gpu.placeholder = uploadTexture(io::placeholderImage(), {.image = -1, .srgb = true, .channels = 0b0111}, true);
@@ -259,10 +255,21 @@ void upload(GpuScene& gpu, const scene::Model& model, const DrawList& list, std:
   }
   for (const scene::Texture& texture : model.textures)
     if (samplerFor(gpu, texture.sampler) == 0)
-      gpu.samplers.emplace_back(texture.sampler, createSampler(texture.sampler, context));
+      gpu.samplers.emplace_back(texture.sampler, createSampler(texture.sampler));
   uploadMaterials(gpu, list);
   gpu.instances = gl::Buffer::of(list.instances, "instances");
   gpu.lights = gl::Buffer::of(list.lights, "lights");
+}
+
+void setTextureDetail(const GpuScene& gpu, int draws, const gl::ContextInfo& context) {
+  const float bias = -0.5f * std::log2(static_cast<float>(draws));
+  for (const auto& [sampler, object] : gpu.samplers) {
+    glSamplerParameterf(object.id(), GL_TEXTURE_LOD_BIAS, bias);
+    // Any filter but trilinear is a wish for exactly that filter.
+    if (sampler.minFilter == scene::Filter::linear && sampler.mipFilter == scene::MipFilter::linear)
+      glSamplerParameterf(object.id(), GL_TEXTURE_MAX_ANISOTROPY_EXT,
+                          draws > 1 ? 1 : std::min(8.0f, context.maxAnisotropy));
+  }
 }
 
 BoundTexture boundTexture(const GpuScene& gpu, const scene::Model& model, const scene::Material& material,

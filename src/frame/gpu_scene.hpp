@@ -54,8 +54,11 @@ std::vector<bool> missingImages(const scene::Model& model, const DrawList& list,
 
 // Uploads what is missing; pixels as io::decodeImages returned them for missingImages (moved from, so that each image's
 // memory is freed as soon as it is on the GPU).
-void upload(GpuScene& gpu, const scene::Model& model, const DrawList& list, std::vector<io::Pixels> pixels,
-            const gl::ContextInfo& context);
+void upload(GpuScene& gpu, const scene::Model& model, const DrawList& list, std::vector<io::Pixels> pixels);
+
+// Where a pixel gathers several draws, textures are read at the size of one draw's share of it; the gathering then
+// filters along the footprint, so that anisotropic filtering is left out.
+void setTextureDetail(const GpuScene& gpu, int draws, const gl::ContextInfo& context);
 
 // The texture and sampler names of a material's slot.
 struct BoundTexture {

@@ -55,36 +55,12 @@ void noteUnlit(const PictureSettings& settings, const DrawList& list, const ibl:
 
 }  // namespace
 
-Result<void> ensureTables(EnvironmentOnGpu& environment, const ibl::Needs& needs, shading::ProgramStore& programs,
-                          std::vector<ibl::TableStatistics>& computed) {
-  if (environment.computed.covers(needs)) return {};
-  ibl::Needs missing;
-  missing.dfg = needs.dfg && !environment.computed.dfg;
-  missing.imageLight = needs.imageLight && !environment.computed.imageLight;
-  missing.background = needs.background && !environment.computed.background;
-  Result<ibl::Tables> made = ibl::computeTables(environment.environment, missing, programs);
-  if (!made) return tl::unexpected(made.error());
-  ibl::Tables& tables = environment.tables;
-  if (missing.dfg) tables.dfg = std::move(made->dfg);
-  if (missing.imageLight) {
-    tables.irradiance = std::move(made->irradiance);
-    tables.mirrorLayers = std::move(made->mirrorLayers);
-    tables.roughLayers = std::move(made->roughLayers);
-  }
-  if (missing.background) tables.background = std::move(made->background);
-  if (missing.imageLight || missing.background) tables.radianceScale = made->radianceScale;
-  environment.computed = {environment.computed.dfg || missing.dfg,
-                          environment.computed.imageLight || missing.imageLight,
-                          environment.computed.background || missing.background};
-  computed.insert(computed.end(), made->statistics.begin(), made->statistics.end());
-  return {};
-}
-
 DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment) {
   DrawOptions options;
   options.features.environment = hasEnvironment && settings.environmentStrength > 0;
   options.features.occlusion = settings.occlusion > 0;
   options.features.channel = std::max(0, shading::channelIndex(settings.channel));
+  if (settings.samples > convergedAbove) options.features.imageLightSamples = convergedLightSamples;
   options.sceneLights = settings.lights != Lights::none;
   options.demoLights = settings.lights == Lights::demo;
   return options;
@@ -123,7 +99,7 @@ std::string chooseEnvironment(const PictureSettings& settings, const scene::Mode
   // Lit at all? Asked of the draw list, which knows.
   DrawOptions options = drawOptions(settings, true);
   const DrawList list = buildDrawList(model, scene, options);
-  return list.needs(false).imageLight ? "builtin:studio" : "none";
+  return list.needs(false).irradiance ? "builtin:studio" : "none";
 }
 
 Result<Picture> renderPicture(const PictureSettings& settings, const PictureRequest& request, SceneOnGpu& scene,
@@ -146,13 +122,14 @@ Result<Picture> renderPicture(const PictureSettings& settings, const PictureRequ
   const int decodedBefore = scene.gpu.imagesDecoded;
   std::vector<io::Pixels> pixels = io::decodeImages(model, missingImages(model, list, scene.gpu), notes);
   stages.mark("decode");
-  upload(scene.gpu, model, list, std::move(pixels), context);
+  upload(scene.gpu, model, list, std::move(pixels));
   statistics.imagesDecoded = scene.gpu.imagesDecoded - decodedBefore;
   stages.mark("upload");
 
   const shading::ProgramStatistics before = programs.statistics();
-  if (Result<void> r = ensureTables(environment, needs, programs, statistics.tables); !r)
+  if (Result<void> r = ibl::computeTables(environment.tables, environment.environment, needs, programs); !r)
     return tl::unexpected(r.error());
+  statistics.tables = environment.tables.statistics;
   stages.mark("precompute");
 
   const FrameInput input{model, list, scene.gpu, environment.tables, *view, settings};
@@ -161,8 +138,10 @@ Result<Picture> renderPicture(const PictureSettings& settings, const PictureRequ
   statistics.programsFromDisk = programs.statistics().fromDisk - before.fromDisk;
   stages.mark("compile");
 
-  const int samples = std::min(settings.samples, context.maxSamples);
-  const Targets targets = createTargets(settings.width, settings.height, samples, settings.samples > samples);
+  const bool gather = settings.samples > convergedAbove;
+  const Targets targets = createTargets(settings.width, settings.height,
+                                        gather ? 1 : std::min(settings.samples, context.maxSamples), gather);
+  setTextureDetail(scene.gpu, gatheredDraws(settings, targets), context);
   for (int i = 0; i <= request.repeat; ++i) {
     const auto start = std::chrono::steady_clock::now();
     Result<FrameStatistics> drawn = drawFrame(input, targets, programs);
@@ -177,7 +156,7 @@ Result<Picture> renderPicture(const PictureSettings& settings, const PictureRequ
   statistics.geometryBytes = scene.gpu.geometryBytes();
   for (const gl::Texture* t :
        {&environment.tables.dfg, &environment.tables.irradiance, &environment.tables.mirrorLayers,
-        &environment.tables.roughLayers, &environment.tables.background})
+        &environment.tables.roughLayers, &environment.tables.background, &environment.tables.cube})
     if (*t) statistics.tableBytes += t->bytes();
 
   if (request.radiance) {

@@ -19,12 +19,12 @@ struct SceneOnGpu {
 struct EnvironmentOnGpu {
   const scene::Environment* environment = nullptr;
   ibl::Tables tables;
-  ibl::Needs computed;
 };
 
-// Computes what is needed and not there yet; the statistics name only what this call computed.
-Result<void> ensureTables(EnvironmentOnGpu& environment, const ibl::Needs& needs, shading::ProgramStore& programs,
-                          std::vector<ibl::TableStatistics>& computed);
+// More samples a pixel than this: each is a draw of its own and samples the environment instead of reading the split
+// sum's tables, so that the picture converges to the true integral, not to the approximation.
+inline constexpr int convergedAbove = 4;
+inline constexpr int convergedLightSamples = 4;  // environment samples per draw
 
 // What the settings ask of the draw list.
 DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment);

@@ -40,7 +40,7 @@ struct PictureSettings {
 
   float exposureStops = 0;  // factor 2^stops before tone mapping, [-32, 32]
   ToneMapper toneMapper = ToneMapper::neutral;
-  int samples = 4;        // a pixel, [1, 64]; 1: no antialiasing
+  int samples = 4;        // a pixel, [1, 4096]; 1: no antialiasing; above 4 the light converges too
   std::string channel;    // a debug view's name (commands/picture_options.cpp lists them); empty: the final picture
   std::string shaderDir;  // shaders are read from here and reloaded on change; empty: the embedded ones
 };

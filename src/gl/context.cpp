@@ -12,7 +12,8 @@ namespace {
 
 std::atomic<int> debugErrors = 0;
 
-void onDebugMessage(GLenum source, GLenum type, GLuint, GLenum severity, GLsizei length, const GLchar* message, const void*) {
+void onDebugMessage(GLenum source, GLenum type, GLuint, GLenum severity, GLsizei length, const GLchar* message,
+                    const void*) {
   const std::string text = "OpenGL: " + std::string(message, static_cast<size_t>(length));
   if (source == GL_DEBUG_SOURCE_SHADER_COMPILER) {
     log::debug(text);  // Program::build reports the whole log

@@ -229,58 +229,59 @@ scene::Environment reduceEquirect(const scene::Environment& environment, int max
   return out;
 }
 
-Result<Tables> computeTables(const scene::Environment* environment, const Needs& needs, ProgramStore& programs,
-                             const Method& method) {
-  Tables tables;
+Result<void> computeTables(Tables& tables, const scene::Environment* environment, const Needs& needs,
+                           ProgramStore& programs, const Method& method) {
   std::vector<TableStatistics>& booked = tables.statistics;
-  if (needs.dfg) {
-    const uint64_t evaluations = static_cast<uint64_t>(method.dfgSize) * static_cast<uint64_t>(method.dfgSize) *
-                                 static_cast<uint64_t>(method.dfgNodes) * static_cast<uint64_t>(method.dfgNodes);
-    const size_t bytes = static_cast<size_t>(method.dfgSize) * static_cast<size_t>(method.dfgSize) * 8;
-    if (auto r = timed(booked, "DFG", bytes, evaluations, [&] { return computeDfg(tables.dfg, programs, method); }); !r)
-      return tl::unexpected(r.error());
+  booked.clear();
+  if (needs.dfg && !tables.dfg) {
+    const auto size = static_cast<uint64_t>(method.dfgSize), nodes = static_cast<uint64_t>(method.dfgNodes);
+    const auto make = [&] { return computeDfg(tables.dfg, programs, method); };
+    if (auto r = timed(booked, "DFG", size * size * 8, size * size * nodes * nodes, make); !r) return r;
   }
-  if (!needs.imageLight && !needs.background) return tables;
+  const bool background = needs.background && !tables.background;
+  const bool irradiance = needs.irradiance && !tables.irradiance;
+  const bool layersWanted = needs.layers && !tables.roughLayers;
+  const bool cubeWanted = needs.cube && !tables.cube;
+  if (!background && !irradiance && !layersWanted && !cubeWanted) return {};
+
   assert(environment != nullptr && environment->width > 0);
   tables.radianceScale = radianceScaleFor(*environment);
-  if (needs.background)
-    tables.background = uploadEquirect(*environment, GL_RGBA16F, tables.radianceScale, "background");
-  if (!needs.imageLight) return tables;
+  if (background) tables.background = uploadEquirect(*environment, GL_RGBA16F, tables.radianceScale, "background");
+  if (!irradiance && !layersWanted && !cubeWanted) return {};
 
-  gl::Texture cube;
-  const uint64_t cubeTexels = uint64_t{6} * mirrorSize * mirrorSize;
-  const uint64_t cubeFetches =
-      cubeTexels * static_cast<uint64_t>(method.cubeTaps * method.cubeTaps) + cubeTexels * 4 / 3;
-  const auto makeCube = [&]() -> Result<void> {
-    Result<gl::Texture> made = environmentCube(*environment, tables.radianceScale, programs, method);
-    if (!made) return tl::unexpected(made.error());
-    cube = std::move(*made);
-    return {};
-  };
-  if (auto r = timed(booked, "environment cube", 0, cubeFetches, makeCube); !r) return tl::unexpected(r.error());
-
-  const uint64_t irradianceFetches =
-      static_cast<uint64_t>(6 * method.irradianceSize * method.irradianceSize) * 6 * 32 * 32;
-  if (auto r = timed(booked, "irradiance", 0, irradianceFetches,
-                     [&] { return computeIrradiance(tables.irradiance, cube, programs, method); });
-      !r)
-    return tl::unexpected(r.error());
-  booked.back().bytes = tables.irradiance.bytes();
-
-  tables.mirrorLayers = cubeArray(mirrorSize, layout::ldMirrorLayerCount, 1, "LD mirror layers");
-  tables.roughLayers = cubeArray(roughSize, roughCubes, 3, "LD rough layers");
-  uint64_t fetches = 0;
-  for (const Layer& layer : layers) fetches += layerFetches(layer, method);
-  const auto makeLayers = [&]() -> Result<void> {
-    for (const Layer& layer : layers)
-      if (Result<void> r = computeLayer(layer, tables, cube, programs, method); !r) return r;
-    return {};
-  };
-  if (auto r =
-          timed(booked, "LD layers", tables.mirrorLayers.bytes() + tables.roughLayers.bytes(), fetches, makeLayers);
-      !r)
-    return tl::unexpected(r.error());
-  return tables;
+  gl::Texture made;  // freed at the end unless it is asked for
+  if (!tables.cube) {
+    const uint64_t texels = uint64_t{6} * mirrorSize * mirrorSize;
+    const uint64_t fetches = texels * static_cast<uint64_t>(method.cubeTaps * method.cubeTaps) + texels * 4 / 3;
+    const auto make = [&]() -> Result<void> {
+      Result<gl::Texture> cube = environmentCube(*environment, tables.radianceScale, programs, method);
+      if (!cube) return tl::unexpected(cube.error());
+      made = std::move(*cube);
+      return {};
+    };
+    if (auto r = timed(booked, "environment cube", 0, fetches, make); !r) return r;
+  }
+  const gl::Texture& cube = tables.cube ? tables.cube : made;
+  if (irradiance) {
+    const auto faceTexels = static_cast<uint64_t>(method.irradianceSize * method.irradianceSize);
+    const auto make = [&] { return computeIrradiance(tables.irradiance, cube, programs, method); };
+    if (auto r = timed(booked, "irradiance", 6 * faceTexels * 8, 6 * faceTexels * 6 * 32 * 32, make); !r) return r;
+  }
+  if (layersWanted) {
+    tables.mirrorLayers = cubeArray(mirrorSize, layout::ldMirrorLayerCount, 1, "LD mirror layers");
+    tables.roughLayers = cubeArray(roughSize, roughCubes, 3, "LD rough layers");
+    uint64_t fetches = 0;
+    for (const Layer& layer : layers) fetches += layerFetches(layer, method);
+    const auto make = [&]() -> Result<void> {
+      for (const Layer& layer : layers)
+        if (Result<void> r = computeLayer(layer, tables, cube, programs, method); !r) return r;
+      return {};
+    };
+    const size_t bytes = tables.mirrorLayers.bytes() + tables.roughLayers.bytes();
+    if (auto r = timed(booked, "LD layers", bytes, fetches, make); !r) return r;
+  }
+  if (cubeWanted) tables.cube = std::move(made);
+  return {};
 }
 
 }  // namespace facet::ibl

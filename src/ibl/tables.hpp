@@ -15,12 +15,10 @@ namespace facet::ibl {
 // What the frame's draws will read.
 struct Needs {
   bool dfg = false;         // anything lit
-  bool imageLight = false;  // irradiance and LD layers
+  bool irradiance = false;  // lit by the environment
+  bool layers = false;      // LD, for the split sum
+  bool cube = false;        // the environment as a cube map with levels, for sampling it per pixel
   bool background = false;  // the environment itself is visible
-
-  bool covers(const Needs& other) const {
-    return (dfg || !other.dfg) && (imageLight || !other.imageLight) && (background || !other.background);
-  }
 };
 
 // How the tables are made. Work is counted in texture fetches.
@@ -48,14 +46,16 @@ struct Tables {
   gl::Texture irradiance;    // RGBA16F cube, irradiance / pi
   gl::Texture mirrorLayers;  // RGBA16F cube array, LD layers 0 and 1
   gl::Texture roughLayers;   // RGBA16F cube array with levels, the rest
+  gl::Texture cube;          // RGBA32F cube with levels
   gl::Texture background;    // RGBA16F equirectangular, full resolution
   float radianceScale = 1;   // radiance = stored value * radianceScale (a power of two, so that half floats hold it)
   std::vector<TableStatistics> statistics;
 };
 
-// The DFG table does not depend on the environment: environment may be null where only needs.dfg is set.
-Result<Tables> computeTables(const scene::Environment* environment, const Needs& needs, shading::ProgramStore& programs,
-                             const Method& method = {});
+// Computes what is needed and not in the tables yet; tables.statistics names what this call computed. The DFG table
+// does not depend on the environment, which may be null where nothing else is needed; it is the same at every call.
+Result<void> computeTables(Tables& tables, const scene::Environment* environment, const Needs& needs,
+                           shading::ProgramStore& programs, const Method& method = {});
 
 // Reduces a map to at most the given width by an integer factor, each texel weighted by its solid angle.
 scene::Environment reduceEquirect(const scene::Environment& environment, int maxWidth);

@@ -182,6 +182,11 @@ Result<void> parse(Document& doc) {
   if (text.size() > std::numeric_limits<unsigned int>::max()) {
     return doc.error("", "the JSON text is larger than 4 GiB", "use a smaller model");
   }
+  // Its vectors grow one by one otherwise, and their elements are large.
+  doc.gltf.nodes.reserve(doc.outline.elements("nodes"));
+  doc.gltf.accessors.reserve(doc.outline.elements("accessors"));
+  doc.gltf.bufferViews.reserve(doc.outline.elements("bufferViews"));
+  doc.gltf.meshes.reserve(doc.outline.elements("meshes"));
   tinygltf::TinyGLTF loader;
   refuseFiles(loader);
   std::string errors, warnings;

@@ -122,6 +122,7 @@ VariantKey variantKey(const FeatureInput& input) {
   key.channel = static_cast<uint8_t>(input.frame.channel);
   for (size_t i = 0; i < std::size(rows); ++i)
     if (rows[i].usedBy(input)) key.features |= 1u << i;
+  if (usesFeature(key, "HAS_ENVIRONMENT")) key.imageLightSamples = static_cast<uint8_t>(input.frame.imageLightSamples);
   return key;
 }
 
@@ -130,6 +131,7 @@ std::vector<Define> variantDefines(const VariantKey& key) {
   for (size_t i = 0; i < std::size(rows); ++i)
     if (key.features & (1u << i)) defines.push_back({rows[i].define});
   if (key.channel != 0) defines.push_back({"CHANNEL", std::to_string(key.channel)});
+  if (key.imageLightSamples != 0) defines.push_back({"IMAGE_LIGHT_SAMPLES", std::to_string(key.imageLightSamples)});
   return defines;
 }
 
@@ -138,6 +140,7 @@ std::string variantName(const VariantKey& key) {
   for (size_t i = 0; i < std::size(rows); ++i)
     if (key.features & (1u << i)) name += (name.empty() ? "" : ", ") + std::string(rows[i].name);
   if (key.channel != 0) name += (name.empty() ? "" : ", ") + std::string("view of ") + channelNames[key.channel];
+  if (key.imageLightSamples != 0) name += ", environment sampled";
   return name.empty() ? "plain" : name;
 }
 

@@ -29,6 +29,7 @@ struct FrameFeatures {
   bool environment = false;
   bool occlusion = true;  // false: occlusion textures are switched off
   int channel = 0;
+  int imageLightSamples = 0;  // 0: split sum from the tables; else environment samples per shaded sample
 };
 
 struct FeatureInput {
@@ -53,6 +54,7 @@ bool samplesSlot(const FeatureInput& input, scene::TextureSlot slot);
 struct VariantKey {
   uint32_t features = 0;
   uint8_t channel = 0;
+  uint8_t imageLightSamples = 0;
   auto operator<=>(const VariantKey&) const = default;
 };
 

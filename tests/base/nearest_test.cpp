@@ -16,7 +16,7 @@ TEST_CASE("the nearest name is found, a far one is not suggested") {
   CHECK(facet::nearest(row.typed, names) == row.expected);
 }
 
-TEST_CASE("of equally near names the first is taken; without names there is none") {
+TEST_CASE("of equally near names the first is taken, of none none") {
   const std::vector<std::string_view> names = {"cat", "bat"};
   CHECK(facet::nearest("rat", names) == "cat");
   CHECK(facet::nearest("rat", {}) == "");

@@ -6,6 +6,7 @@
 #include "io/image.hpp"
 #include "io/radiance.hpp"
 #include "support/command.hpp"
+#include "support/gltf_builder.hpp"
 #include "support/skip.hpp"
 
 using namespace facet;
@@ -14,20 +15,24 @@ using test::runFacet;
 
 namespace {
 
+std::string inFolder(const test::TemporaryFolder& folder, const std::string& name) {
+  return (folder.path() / name).string();
+}
+
 // 8 x 4 pictures of one grey, as PNG and as EXR.
 std::string png(const test::TemporaryFolder& folder, const std::string& name, uint8_t value) {
   io::Pixels pixels;
   pixels.width = 8, pixels.height = 4, pixels.channels = 3;
   pixels.data.assign(8 * 4 * 3, value);
-  REQUIRE(io::writePng(folder.file(name), pixels));
-  return folder.file(name);
+  REQUIRE(io::writePng(inFolder(folder, name), pixels));
+  return inFolder(folder, name);
 }
 
 std::string exr(const test::TemporaryFolder& folder, const std::string& name, float value, int width = 8) {
   const glm::vec4 color(value, value, value, 1);
   const io::RadianceImage image{width, 4, std::vector<glm::vec4>(static_cast<size_t>(width) * 4, color)};
-  REQUIRE(io::writeExr(folder.file(name), image));
-  return folder.file(name);
+  REQUIRE(io::writeExr(inFolder(folder, name), image));
+  return inFolder(folder, name);
 }
 
 }  // namespace
@@ -98,13 +103,13 @@ TEST_CASE("compare: NaN fails whatever the limit, even without one") {
 TEST_CASE("compare: the heat map is a PNG of the same size") {
   const test::TemporaryFolder folder;
   const std::string a = exr(folder, "a.exr", 0), b = exr(folder, "b.exr", 1);
-  CHECK(runFacet({"compare", a, b, "--diff", folder.file("d.png")}).status == 0);
-  const Result<io::Pixels> map = io::readImage(folder.file("d.png"));
+  CHECK(runFacet({"compare", a, b, "--diff", inFolder(folder, "d.png")}).status == 0);
+  const Result<io::Pixels> map = io::readImage(inFolder(folder, "d.png"));
   REQUIRE(map);
   CHECK(map->width == 8);
   CHECK(map->height == 4);
   CHECK(map->data[0] == 255);
-  const Outcome outcome = runFacet({"compare", a, b, "--diff", folder.file("none/d.png")});
+  const Outcome outcome = runFacet({"compare", a, b, "--diff", inFolder(folder, "none/d.png")});
   CHECK(outcome.status == 2);
   CHECK(outcome.text.find("none/d.png") != std::string::npos);
 }
@@ -125,8 +130,9 @@ TEST_CASE("compare: bad input is told in a sentence, exit status 2") {
         "facet: error: --max-error: 'much' is not a number; give a number from 0 to 1e+09.\n");
   CHECK(text({"compare", a, a, "--tolerance", "-1"}) ==
         "facet: error: --tolerance: -1 is out of range; give a number from 0 to 1.\n");
-  CHECK(text({"compare", folder.file("no.png"), a}).find(folder.file("no.png")) != std::string::npos);
-  CHECK(text({"compare", a, folder.write("text.png", "hello")}).find("text.png") != std::string::npos);
+  CHECK(text({"compare", inFolder(folder, "no.png"), a}).find(inFolder(folder, "no.png")) != std::string::npos);
+  CHECK(text({"compare", a, folder.write("text.png", std::string("hello")).string()}).find("text.png") !=
+        std::string::npos);
   CHECK(text({"compare", a, folder.path().string()}).find(folder.path().string()) != std::string::npos);
 }
 

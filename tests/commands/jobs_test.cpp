@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "support/command.hpp"
+#include "support/gltf_builder.hpp"
 
 using namespace facet;
 using commands::Job;
@@ -95,12 +95,12 @@ TEST_CASE("jobs: what is not JSON is told with line and column") {
 
 TEST_CASE("jobs: the file is read, and its folder is where paths start") {
   const test::TemporaryFolder folder;
-  const std::string path = folder.write("jobs.json", R"([{"model": "m.glb", "output": "m.png"}])");
+  const std::filesystem::path path = folder.write("jobs.json", R"([{"model": "m.glb", "output": "m.png"}])");
   const Result<std::vector<Job>> jobs = commands::readJobs(path);
   REQUIRE(jobs);
-  CHECK((*jobs)[0].model == folder.file("m.glb"));
+  CHECK((*jobs)[0].model == (folder.path() / "m.glb").string());
   CHECK((*jobs)[0].output == folder.path() / "m.png");
-  CHECK(describe(commands::readJobs(folder.file("none.json")).error()) ==
-        folder.file("none.json") + ": there is no such file.");
+  const std::filesystem::path none = folder.path() / "none.json";
+  CHECK(describe(commands::readJobs(none).error()) == none.string() + ": there is no such file.");
   CHECK(describe(commands::readJobs(folder.path()).error()) == folder.path().string() + ": this is no regular file.");
 }

@@ -148,7 +148,7 @@ TEST_CASE("every way to be wrong has its sentence") {
       {"tonemap", "filmic",
        "--tonemap: 'filmic' is not known; choose one of none, reinhard, uncharted2, aces, agx, neutral."},
       {"tonemap", "ACES", "--tonemap: 'ACES' is not known; perhaps aces is meant."},
-      {"samples", "0", "--samples: 0 is out of range; give a whole number from 1 to 64."},
+      {"samples", "0", "--samples: 0 is out of range; give a whole number from 1 to 4096."},
       {"channel", "normals", "--channel: 'normals' is not known; perhaps normal is meant."},
       {"shader-dir", "", "--shader-dir: the value is empty; give a name or leave the option out."},
       {"exposrue", "1", "--exposrue: there is no such option; perhaps exposure is meant."},

@@ -158,7 +158,7 @@ TEST_CASE("builtin:poster: nothing below the ground, occlusion in the ground's c
   CHECK(brightest <= 1);
 }
 
-TEST_CASE("Built-in scenes are listed with an environment that exists and a camera; unknown names are refused") {
+TEST_CASE("Built-in scenes are listed with an environment that exists and a camera, unknown names are refused") {
   for (const BuiltinScene& scene : builtinScenes()) {
     CHECK(builtinScene(scene.name).has_value());
     CHECK(builtinEnvironment(scene.environment).has_value());

@@ -112,7 +112,7 @@ TEST_CASE("An eye inside the scene still sees what is close") {
   CHECK(outside.zNear == Approx(inside.zNear).epsilon(1e-6));
 }
 
-TEST_CASE("What is flat is looked at from its side; points and nothing have a frame") {
+TEST_CASE("What is flat is looked at from its side, points and nothing have a frame") {
   const OrbitCamera solid = frameBounds(cube(glm::dvec3(0), 1));
   CHECK(solid.theta == 30);
   CHECK(solid.phi == 75);
@@ -131,7 +131,7 @@ TEST_CASE("What is flat is looked at from its side; points and nothing have a fr
   CHECK(std::isfinite(nothing.clipFromWorld[3][2]));
 }
 
-TEST_CASE("A glTF camera: position, orientation, planes; scale and mirroring of its node do not matter") {
+TEST_CASE("A glTF camera: position, orientation, planes, scale and mirroring of its node do not matter") {
   Camera camera;
   camera.fovY = pi / 2;
   camera.zNear = 0.5;

@@ -100,7 +100,7 @@ TEST_CASE("Rows of what can be wrong with a single texel") {
   CHECK(all.radiance == std::vector<glm::vec3>(10, glm::vec3(0)));
 }
 
-TEST_CASE("White is 1 everywhere; its integral is 4 pi") {
+TEST_CASE("White is 1 everywhere, its integral is 4 pi") {
   const Environment e = builtinEnvironment("builtin:white").value();
   for (const glm::vec3& texel : e.radiance) REQUIRE(texel == glm::vec3(1));
   CHECK(integrate(e, [](const glm::dvec3&) { return 1.0; }).g == Approx(4 * pi));
@@ -150,7 +150,7 @@ TEST_CASE("The sky's sun has its irradiance to single precision, at its place") 
   CHECK(brightest == Approx(builtinSunIrradiance().r / disc).epsilon(0.1));
 }
 
-TEST_CASE("Under the sky a level white surface radiates 1; the sky is blue, the sun warm") {
+TEST_CASE("Under the sky a level white surface radiates 1, the sky is blue, the sun warm") {
   const Environment e = builtinEnvironment("sky").value();
   const glm::dvec3 level = integrate(e, [](const glm::dvec3& d) { return std::max(d.y, 0.0); });
   CHECK(luminance(level) / pi == Approx(1).epsilon(0.01));

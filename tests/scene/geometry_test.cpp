@@ -75,7 +75,7 @@ TEST_CASE("Bounds hold what is drawn") {
   CHECK(bounds(Primitive{}).empty());
 }
 
-TEST_CASE("Flat normals: counter-clockwise is the front, at any scale; no area gives +Z") {
+TEST_CASE("Flat normals: counter-clockwise is the front, at any scale, no area gives +Z") {
   const float scale = GENERATE(1e-30f, 1.0f, 1e18f);
   Primitive p;
   p.positions = {{0, 0, 0}, {0, 0, scale}, {scale, 0, 0}, {scale, 0, 0}, {0, scale, 0}};

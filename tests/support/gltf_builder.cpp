@@ -58,7 +58,14 @@ void appendBigEndian(std::vector<uint8_t>& out, size_t value) {
   for (int i = 3; i >= 0; --i) out.push_back(static_cast<uint8_t>(value >> (8 * i)));
 }
 
-void appendText(std::vector<uint8_t>& out, std::string_view text) { out.insert(out.end(), text.begin(), text.end()); }
+// Byte by byte: GCC 12 warns wrongly about inserting ranges into short vectors.
+void appendBytes(std::vector<uint8_t>& out, std::span<const uint8_t> bytes) {
+  for (const uint8_t byte : bytes) out.push_back(byte);
+}
+
+void appendText(std::vector<uint8_t>& out, std::string_view text) {
+  for (const char c : text) out.push_back(static_cast<uint8_t>(c));
+}
 
 // PNG specification, annex D.
 uint32_t crc32(std::span<const uint8_t> bytes) {
@@ -74,7 +81,7 @@ void appendChunk(std::vector<uint8_t>& png, std::string_view type, std::span<con
   appendBigEndian(png, data.size());
   const size_t begin = png.size();
   appendText(png, type);
-  png.insert(png.end(), data.begin(), data.end());
+  appendBytes(png, data);
   appendBigEndian(png, crc32(std::span(png).subspan(begin)));
 }
 
@@ -89,8 +96,7 @@ std::vector<uint8_t> storedZlib(std::span<const uint8_t> data) {
       out.push_back(static_cast<uint8_t>(value));
       out.push_back(static_cast<uint8_t>(value >> 8));
     }
-    out.insert(out.end(), data.begin() + static_cast<std::ptrdiff_t>(at),
-               data.begin() + static_cast<std::ptrdiff_t>(at + size));
+    appendBytes(out, data.subspan(at, size));
   }
   for (const uint8_t byte : data) a = (a + byte) % 65521, b = (b + a) % 65521;
   appendBigEndian(out, b << 16 | a);
@@ -113,7 +119,7 @@ std::vector<uint8_t> glbBytes(const std::string& json, std::span<const uint8_t> 
   if (binary.empty()) return out;
   appendLittleEndian(out, padded);
   appendText(out, std::string_view("BIN\0", 4));
-  out.insert(out.end(), binary.begin(), binary.end());
+  appendBytes(out, binary);
   out.resize(out.size() + padded - binary.size());
   return out;
 }
@@ -140,14 +146,15 @@ std::vector<uint8_t> pngBytes(uint32_t width, uint32_t height, int channels, int
   std::vector<uint8_t> header;
   appendBigEndian(header, width);
   appendBigEndian(header, height);
-  header.insert(header.end(), {static_cast<uint8_t>(bits), colourTypes[static_cast<size_t>(channels)], 0, 0, 0});
+  appendBytes(header,
+              std::array<uint8_t, 5>{static_cast<uint8_t>(bits), colourTypes[static_cast<size_t>(channels)], 0, 0, 0});
   appendChunk(png, "IHDR", header);
   std::vector<uint8_t> rows;
   const size_t rowSize = data.size() / std::max<size_t>(height, 1);
   for (size_t y = 0; y < height && rowSize > 0; ++y) {
     rows.push_back(0);  // no filter
     const auto row = data.subspan(y * rowSize, rowSize);
-    rows.insert(rows.end(), row.begin(), row.end());
+    appendBytes(rows, row);
   }
   appendChunk(png, "IDAT", storedZlib(rows));
   appendChunk(png, "IEND", {});

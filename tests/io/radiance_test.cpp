@@ -1,0 +1,404 @@
+#include "io/radiance.hpp"
+
+#include <ImfChannelList.h>
+#include <ImfDeepScanLineOutputFile.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfMultiPartOutputFile.h>
+#include <ImfOutputFile.h>
+#include <ImfTiledOutputFile.h>
+#include <half.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <limits>
+
+#include "io/exr.hpp"
+#include "support/gltf_builder.hpp"
+#include "support/skip.hpp"
+
+namespace {
+
+using namespace facet;
+using Bytes = std::vector<uint8_t>;
+
+std::string outcome(const Result<io::RadianceImage>& result) {
+  return result ? std::string("read") : describe(result.error());
+}
+
+struct Files {
+  test::TemporaryFolder folder;
+  std::string path = (folder.path() / "f").string();
+
+  Result<io::RadianceImage> read(const std::string& header, const Bytes& data, const io::Limits& limits = {}) const {
+    Bytes bytes(header.begin(), header.end());
+    bytes.insert(bytes.end(), data.begin(), data.end());
+    return io::readRadiance(folder.write("f", bytes), limits);
+  }
+};
+
+const std::string magic = "#?RADIANCE\n", format = "FORMAT=32-bit_rle_rgbe\n";
+
+std::string header(int width, int height) {
+  return magic + format + "\n-Y " + std::to_string(height) + " +X " + std::to_string(width) + "\n";
+}
+
+Bytes bytesOf(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return Bytes(std::istreambuf_iterator<char>(in), {});
+}
+
+// A float image through the OpenEXR library with these channels, all holding channelIndex + 10 x + 100 y.
+void writeChannels(const std::string& path, const std::vector<std::string>& names, Imath::Box2i data,
+                   Imath::Box2i display, Imf::PixelType type = Imf::FLOAT,
+                   Imf::Compression compression = Imf::ZIP_COMPRESSION) {
+  Imf::Header header(display, data);
+  header.compression() = compression;
+  const int width = data.max.x - data.min.x + 1, height = data.max.y - data.min.y + 1;
+  std::vector<std::vector<float>> values(names.size());
+  std::vector<std::vector<Imath::half>> halves(names.size());
+  Imf::FrameBuffer buffer;
+  for (size_t c = 0; c < names.size(); ++c) {
+    header.channels().insert(names[c], Imf::Channel(type));
+    for (int y = data.min.y; y <= data.max.y; ++y) {
+      for (int x = data.min.x; x <= data.max.x; ++x)
+        values[c].push_back(static_cast<float>(c) + static_cast<float>(10 * x + 100 * y));
+    }
+    halves[c].assign(values[c].begin(), values[c].end());
+    void* from = type == Imf::FLOAT ? static_cast<void*>(values[c].data()) : halves[c].data();
+    const size_t size = type == Imf::FLOAT ? 4 : 2;
+    buffer.insert(names[c], Imf::Slice::Make(type, from, data, size, size * static_cast<size_t>(width)));
+  }
+  Imf::OutputFile file(path.c_str(), header);
+  file.setFrameBuffer(buffer);
+  file.writePixels(height);
+}
+
+Imath::Box2i box(int left, int top, int right, int bottom) { return {{left, top}, {right, bottom}}; }
+
+}  // namespace
+
+TEST_CASE("RGBE values", "[io][radiance]") {
+  const Files files;
+  // Uncompressed pixels (fewer than 8 a row): mantissa times 2^(e - 136)
+  const auto image = files.read(header(4, 1), {128, 64, 0, 129, 1, 2, 3, 0, 255, 128, 1, 255, 200, 100, 50, 1});
+  REQUIRE(image);
+  CHECK(image->width == 4);
+  CHECK(image->height == 1);
+  CHECK(image->pixels[0] == glm::vec4(1, 0.5f, 0, 1));
+  CHECK(image->pixels[1] == glm::vec4(0, 0, 0, 1));  // exponent 0 is black, whatever the mantissas
+  CHECK(image->pixels[2] == glm::vec4(std::ldexp(255.0f, 119), std::ldexp(128.0f, 119), std::ldexp(1.0f, 119), 1));
+  CHECK(image->pixels[3].x == std::ldexp(200.0f, -135));
+}
+
+TEST_CASE("EXPOSURE is divided out", "[io][radiance]") {
+  const Files files;
+  const Bytes pixel = {128, 128, 128, 129};
+  const auto value = [&](const std::string& lines) {
+    const auto image = files.read(magic + format + lines + "\n-Y 1 +X 1\n", pixel);
+    REQUIRE(image);
+    return image->pixels[0].x;
+  };
+  CHECK(value("") == 1);
+  CHECK(value("EXPOSURE=2\n") == 0.5f);
+  CHECK(value("EXPOSURE= 4.0 \r\nSOFTWARE=x\nEXPOSURE=0.5\n") == 0.5f);
+}
+
+TEST_CASE("Scan lines, new and old run lengths", "[io][radiance]") {
+  const Files files;
+  SECTION("new: runs and literals per channel, several rows") {
+    // 10 pixels: R is 5 x 7 then 1..5; G 10 x 9; B 10 literals; E 10 x 136
+    const Bytes row = {2, 2, 0, 10, 133, 7, 5, 1, 2, 3, 4, 5, 138, 9, 10, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 138, 136};
+    Bytes data = row;
+    data.insert(data.end(), row.begin(), row.end());
+    const auto image = files.read(header(10, 2), data);
+    REQUIRE(outcome(image) == "read");
+    for (const size_t y : {0u, 10u}) {
+      CHECK(image->pixels[y] == glm::vec4(7, 9, 0, 1));
+      CHECK(image->pixels[y + 4] == glm::vec4(7, 9, 4, 1));
+      CHECK(image->pixels[y + 5] == glm::vec4(1, 9, 5, 1));
+      CHECK(image->pixels[y + 9] == glm::vec4(5, 9, 9, 1));
+    }
+  }
+  SECTION("old: repeat counts in digits of 8 bits") {
+    // one pixel, 3 repeats, then 260 = 4 + 256 repeats
+    const Bytes data = {9, 8, 7, 136, 1, 1, 1, 3, 4, 5, 6, 136, 1, 1, 1, 4, 1, 1, 1, 1};
+    const auto image = files.read(header(1 + 3 + 1 + 260, 1), data);
+    REQUIRE(outcome(image) == "read");
+    CHECK(image->pixels[3] == glm::vec4(9, 8, 7, 1));
+    CHECK(image->pixels[4] == glm::vec4(4, 5, 6, 1));
+    CHECK(image->pixels[264] == glm::vec4(4, 5, 6, 1));
+  }
+  SECTION("flat, although wide") {
+    Bytes data;
+    for (uint8_t i = 0; i < 9; ++i) data.insert(data.end(), {i, 0, 0, 136});
+    const auto image = files.read(header(9, 1), data);
+    REQUIRE(outcome(image) == "read");
+    CHECK(image->pixels[8] == glm::vec4(8, 0, 0, 1));
+  }
+}
+
+TEST_CASE("Radiance files that are refused say why", "[io][radiance]") {
+  const Files files;
+  const Bytes pixel = {1, 1, 2, 129};
+  const auto message = [&](const std::string& text, const Bytes& data) { return outcome(files.read(text, data)); };
+  const std::string f = files.path + ": ", convert = "; convert it to OpenEXR or to an ordinary .hdr.",
+                    again = "; copy or download it again.";
+  CHECK(message(header(1, 1), pixel) == "read");
+  CHECK(message("#?RGBE\n" + format + "\n-Y 1 +X 1\n", pixel) == "read");
+  CHECK(message("", {}) ==
+        f + "is neither a Radiance (.hdr) nor an OpenEXR (.exr) picture; convert it to one of them.");
+  CHECK(message("P6\n", pixel) ==
+        f + "is neither a Radiance (.hdr) nor an OpenEXR (.exr) picture; convert it to one of them.");
+  CHECK(message(magic + format, {}) == f + "byte 34: the file ends within its header" + again);
+  CHECK(message(magic + "FORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n", pixel) ==
+        f + "byte 11: the pixel format \"32-bit_rle_xyze\" is not 32-bit_rle_rgbe" + convert);
+  CHECK(message(magic + "EXPOSURE=0\n\n-Y 1 +X 1\n", pixel) ==
+        f + "byte 11: \"EXPOSURE=0\" is not a positive number" + convert);
+  CHECK(message(magic + "EXPOSURE=nan\n\n-Y 1 +X 1\n", pixel) ==
+        f + "byte 11: \"EXPOSURE=nan\" is not a positive number" + convert);
+  for (const std::string size : {"+Y 1 +X 1", "-Y 1 -X 1", "+X 1 -Y 1", "1 1", ""}) {
+    CHECK(message(magic + "\n" + size + "\n", pixel) ==
+          f + "byte 12: the resolution line \"" + size + "\" is not of the form \"-Y height +X width\"" + convert);
+  }
+  for (const std::string size : {"-Y -5 +X 1", "-Y 0 +X 1", "-Y 1 +X 99999999999", "-Y x +X 1"}) {
+    CHECK(message(magic + "\n" + size + "\n", pixel) ==
+          f + "byte 12: the resolution line \"" + size + "\" holds no positive size" + convert);
+  }
+  CHECK(message(magic + "\n-Y 100000 +X 100000\n", pixel) ==
+        f + "the picture has 100000 x 100000 pixels, more than the limit of 134217728; use a smaller picture.");
+  CHECK(message(magic + "\n-Y 8192 +X 16384\n", pixel) == f + "byte 29: the file is cut off" + again);
+  CHECK(message(header(2, 1), pixel) == f + "byte 45: row 0 is damaged or cut off" + again);
+  // The second row begins with a repetition: of nothing.
+  CHECK(message(header(1, 2), {1, 2, 3, 129, 1, 1, 1, 1}) == f + "byte 49: row 1 is damaged or cut off" + again);
+  const auto row = [&](const Bytes& codes) {
+    Bytes data = {2, 2, 0, 8};
+    data.insert(data.end(), codes.begin(), codes.end());
+    return message(header(8, 1), data);
+  };
+  CHECK(row({136, 1, 136, 1, 136, 1, 136, 129}) == "read");
+  CHECK(row({137, 1, 136, 1, 136, 1, 136, 129}) == f + "byte 45: row 0 is damaged or cut off" + again);  // over the end
+  CHECK(row({0, 0, 0, 0}) == f + "byte 45: row 0 is damaged or cut off" + again);                        // stands still
+  CHECK(row({136, 1, 8, 1, 2}) == f + "byte 45: row 0 is damaged or cut off" + again);
+  CHECK(row({136}) == f + "byte 45: row 0 is damaged or cut off" + again);
+}
+
+TEST_CASE("EXR written and read again, bit for bit", "[io][radiance]") {
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "a.exr";
+  io::RadianceImage image;
+  image.width = 5;
+  image.height = 3;
+  for (int i = 0; i < 15; ++i) {
+    const float v = static_cast<float>(i);
+    image.pixels.push_back(glm::vec4(v / 3, -v * 1e30f, std::ldexp(1.0f, -140 + i), v / 15));
+  }
+  image.pixels[7] = glm::vec4(std::numeric_limits<float>::infinity(), std::nanf(""), 0, 1);
+  REQUIRE(io::writeExr(path, image));
+  const auto read = io::readRadiance(path);
+  REQUIRE(outcome(read) == "read");
+  CHECK(read->width == 5);
+  CHECK(read->height == 3);
+  REQUIRE(read->pixels.size() == image.pixels.size());
+  CHECK(std::memcmp(read->pixels.data(), image.pixels.data(), sizeof(glm::vec4) * 15) == 0);
+  const auto failed = io::writeExr(folder.path() / "none/a.exr", image);
+  REQUIRE_FALSE(failed);
+  CHECK(failed.error().file == (folder.path() / "none/a.exr").string());
+  CHECK(failed.error().remedy == "check the folder, its permissions and the space left");
+}
+
+TEST_CASE("EXR windows: the data window lies somewhere in the display window", "[io][radiance]") {
+  const Files files;
+  // Data from (-3, -2) to (2, 1), shown from (-1, -4) to (4, 0)
+  writeChannels(files.path, {"B", "G", "R"}, box(-3, -2, 2, 1), box(-1, -4, 4, 0));
+  const auto image = io::readRadiance(files.path);
+  REQUIRE(outcome(image) == "read");
+  REQUIRE(image->width == 6);
+  REQUIRE(image->height == 5);
+  const auto at = [&](int x, int y) { return image->pixels[static_cast<size_t>((y + 4) * 6 + x + 1)]; };
+  CHECK(at(-1, -4) == glm::vec4(0));
+  CHECK(at(-1, -2) == glm::vec4(-208, -209, -210, 1));
+  CHECK(at(2, 0) == glm::vec4(22, 21, 20, 1));
+  CHECK(at(3, 0) == glm::vec4(0));
+  writeChannels(files.path, {"B", "G", "R"}, box(10, 10, 11, 11), box(0, 0, 3, 3));
+  const auto apart = io::readRadiance(files.path);
+  REQUIRE(outcome(apart) == "read");
+  CHECK(apart->pixels == std::vector<glm::vec4>(16, glm::vec4(0)));
+}
+
+TEST_CASE("EXR channels", "[io][radiance]") {
+  const Files files;
+  const auto first = [&](const std::vector<std::string>& names, Imf::PixelType type = Imf::FLOAT,
+                         Imf::Compression compression = Imf::ZIP_COMPRESSION) {
+    writeChannels(files.path, names, box(0, 0, 1, 0), box(0, 0, 1, 0), type, compression);
+    const auto image = io::readRadiance(files.path);
+    REQUIRE(outcome(image) == "read");
+    return image->pixels[1];
+  };
+  CHECK(first({"R", "G", "B", "A"}) == glm::vec4(10, 11, 12, 13));
+  CHECK(first({"R", "G", "B"}) == glm::vec4(10, 11, 12, 1));
+  CHECK(first({"Y"}) == glm::vec4(10, 10, 10, 1));
+  CHECK(first({"Y", "A"}) == glm::vec4(10, 10, 10, 11));
+  CHECK(first({"R", "G", "B", "depth.Z"}) == glm::vec4(10, 11, 12, 1));
+  CHECK(first({"View.Combined.R", "View.Combined.G", "View.Combined.B", "View.Combined.A"}) ==
+        glm::vec4(10, 11, 12, 13));
+  CHECK(first({"R", "G", "B"}, Imf::HALF, Imf::PIZ_COMPRESSION) == glm::vec4(10, 11, 12, 1));
+  CHECK(first({"R", "G", "B"}, Imf::HALF, Imf::NO_COMPRESSION) == glm::vec4(10, 11, 12, 1));
+  const auto refused = [&](const std::vector<std::string>& names) {
+    writeChannels(files.path, names, box(0, 0, 1, 0), box(0, 0, 1, 0));
+    return outcome(io::readRadiance(files.path));
+  };
+  CHECK(refused({"Z"}) == files.path + ": there are no channels R, G, B or Y alone, but Z; convert it to RGB.");
+  CHECK(refused({"R", "G"}) == files.path + ": there are no channels R, G, B or Y alone, but G, R; convert it to RGB.");
+  CHECK(refused({"Y", "RY", "BY"}) ==
+        files.path + ": there are no channels R, G, B or Y alone, but BY, RY, Y; convert it to RGB.");
+}
+
+TEST_CASE("A tiled EXR is read", "[io][radiance]") {
+  const Files files;
+  Imf::Header header(3, 2);
+  header.setTileDescription(Imf::TileDescription(2, 2, Imf::ONE_LEVEL));
+  std::vector<float> values = {1, 2, 3, 4, 5, 6};
+  Imf::FrameBuffer buffer;
+  for (const char* name : {"R", "G", "B"}) {
+    header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+    buffer.insert(name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values.data()), 4, 12));
+  }
+  {
+    Imf::TiledOutputFile file(files.path.c_str(), header);
+    file.setFrameBuffer(buffer);
+    file.writeTiles(0, file.numXTiles() - 1, 0, file.numYTiles() - 1);
+  }
+  const auto image = io::readRadiance(files.path);
+  REQUIRE(outcome(image) == "read");
+  CHECK(image->pixels[5] == glm::vec4(6, 6, 6, 1));
+}
+
+TEST_CASE("EXR files that are refused say why", "[io][radiance]") {
+  const Files files;
+  writeChannels(files.path, {"R", "G", "B"}, box(0, 0, 15, 15), box(0, 0, 15, 15));
+  const Bytes good = bytesOf(files.path);
+  const std::string f = files.path + ": ";
+  const auto read = [&](const Bytes& bytes, const io::Limits& limits = {}) {
+    return outcome(files.read("", bytes, limits));
+  };
+  CHECK(read(good) == "read");
+  CHECK(read(Bytes(good.begin(), good.begin() + 6)) == f + "the file is cut off; copy or download it again.");
+  CHECK(read(Bytes(good.begin(), good.begin() + 40)) ==
+        f + "the header has no data window; copy or download it again.");
+  Bytes deep = good, parts = good;
+  deep[5] |= 0x08;
+  parts[5] |= 0x10;
+  CHECK(read(deep) == f + "byte 4: deep images are not supported; convert it to a single-part scan-line image.");
+  CHECK(read(parts) ==
+        f + "byte 4: images of several parts are not supported; convert it to a single-part scan-line image.");
+  // A huge data window in a small file
+  const std::string name = std::string("dataWindow\0box2i\0\x10\0\0\0", 21);
+  const auto found = std::search(good.begin(), good.end(), name.begin(), name.end());
+  REQUIRE(found != good.end());
+  const auto window = [&](int32_t left, int32_t top, int32_t right, int32_t bottom) {
+    Bytes bytes = good;
+    const int32_t values[] = {left, top, right, bottom};
+    std::memcpy(&bytes[static_cast<size_t>(found - good.begin()) + name.size()], values, sizeof values);
+    return read(bytes);
+  };
+  constexpr int32_t least = std::numeric_limits<int32_t>::min(), most = std::numeric_limits<int32_t>::max();
+  CHECK(window(0, 0, 15, 15) == "read");
+  CHECK(window(least, least, most, most) == f + "the data window has 4294967296 x 4294967296 pixels, more than the "
+                                                "limit of 134217728; use a smaller picture.");
+  CHECK(window(0, 0, 0, most) ==
+        f + "the data window has 1 x 2147483648 pixels, more than the limit of 134217728; use a smaller picture.");
+  CHECK(window(5, 5, 4, 5) == f + "the data window is empty; copy or download it again.");
+  CHECK_THAT(window(0, 0, 8191, 8191), Catch::StartsWith(f + "the picture is damaged: "));
+  io::Limits limits;
+  limits.radiancePixels = 255;
+  CHECK(read(good, limits) ==
+        f + "the data window has 16 x 16 pixels, more than the limit of 255; use a smaller picture.");
+}
+
+TEST_CASE("A truncated or damaged EXR never crashes", "[io][radiance]") {
+  const Files files;
+  writeChannels(files.path, {"R", "G", "B"}, box(0, 0, 15, 15), box(0, 0, 15, 15));
+  const Bytes good = bytesOf(files.path);
+  for (size_t length = 0; length < good.size(); length += 3) {
+    CHECK_FALSE(io::decodeExr(std::span(good).first(length), "e", {}));
+  }
+  uint32_t state = 3;
+  const auto random = [&] { return (state = state * 1664525u + 1013904223u) >> 8; };
+  io::Limits limits;
+  limits.radiancePixels = 1 << 16;
+  for (int round = 0; round < 1000; ++round) {
+    Bytes bytes = good;
+    for (int change = 0; change < 1 + round % 3; ++change)
+      bytes[random() % bytes.size()] = static_cast<uint8_t>(random());
+    const auto image = io::decodeExr(bytes, "e", limits);
+    if (image) CHECK(image->pixels.size() == static_cast<size_t>(image->width) * static_cast<size_t>(image->height));
+  }
+}
+
+TEST_CASE("An environment that is not 2:1 is accepted with a warning", "[io][radiance]") {
+  const Files files;
+  Notes notes;
+  REQUIRE(files.read(header(1, 1), {128, 64, 32, 129}));
+  const auto environment = io::loadEnvironment(files.path, notes);
+  REQUIRE(environment);
+  CHECK(environment->name == "f");
+  CHECK(environment->radiance == std::vector<glm::vec3>{{1, 0.5f, 0.25f}});
+  REQUIRE(notes.size() == 1);
+  CHECK(notes[0].text == "has 1 x 1 pixels and not twice as many across as down: stretched over the sphere");
+  REQUIRE(files.read(header(2, 1), {128, 64, 32, 129, 0, 0, 0, 0}));
+  notes.clear();
+  REQUIRE(io::loadEnvironment(files.path, notes));
+  CHECK(notes.empty());
+}
+
+TEST_CASE("Texels that are mended are counted in the notes", "[io][radiance]") {
+  const test::TemporaryFolder folder;
+  io::RadianceImage image;
+  image.width = 4;
+  image.height = 2;
+  image.pixels.assign(8, glm::vec4(1));
+  image.pixels[0] = glm::vec4(std::nanf(""), 1, 1, 1);
+  image.pixels[3] = image.pixels[4] = glm::vec4(std::numeric_limits<float>::infinity(), 1, 1, 1);
+  image.pixels[7] = glm::vec4(1, -2, 1, 1);
+  REQUIRE(io::writeExr(folder.path() / "e.exr", image));
+  Notes notes;
+  const auto environment = io::loadEnvironment(folder.path() / "e.exr", notes);
+  REQUIRE(environment);
+  CHECK(environment->nanTexels == 1);
+  CHECK(environment->infiniteTexels == 2);
+  CHECK(environment->negativeTexels == 1);
+  REQUIRE(notes.size() == 3);
+  CHECK(notes[0].text == "1 texels are not numbers: replaced by their neighbours");
+  CHECK(notes[1].text == "2 texels are infinite: replaced by the largest value");
+  CHECK(notes[2].text == "1 texels are negative: replaced by zero");
+}
+
+TEST_CASE("The shared environments have the radiance that is written about them", "[io][radiance][shared]") {
+  const std::string manifestPath = test::sharedFile("assets/manifest.json");
+  if (manifestPath.empty()) return;
+  std::ifstream stream(manifestPath);
+  const auto manifest = nlohmann::json::parse(stream);
+  for (const auto& entry : manifest.at("environments")) {
+    INFO(entry.dump());
+    const auto file = std::filesystem::path(manifestPath).parent_path() / entry.at("file").get<std::string>();
+    const auto image = io::readRadiance(file);
+    REQUIRE(outcome(image) == "read");
+    REQUIRE(image->width == entry.at("width"));
+    REQUIRE(image->height == entry.at("height"));
+    double largest = 0, sum = 0, weights = 0;
+    for (int y = 0; y < image->height; ++y) {
+      const double weight = std::sin((y + 0.5) / image->height * 3.14159265358979);
+      for (int x = 0; x < image->width; ++x) {
+        const glm::dvec4 p(image->pixels[static_cast<size_t>(y * image->width + x)]);
+        largest = std::max({largest, p.x, p.y, p.z});
+        sum += weight * (0.2126 * p.x + 0.7152 * p.y + 0.0722 * p.z);
+        weights += weight;
+      }
+    }
+    CHECK(largest == Approx(entry.at("max_channel").get<double>()).epsilon(1e-5));
+    CHECK(sum / weights == Approx(entry.at("mean_luminance").get<double>()).epsilon(1e-4));
+  }
+}
