@@ -15,7 +15,7 @@ struct Surface {
   vec3 dielectricF0;
   float perceptualRoughness;
   float alpha;                // perceptualRoughness^2
-  vec3 dfg;                   // A, B and tilt of (NoV, perceptualRoughness), dfg_table.glsl
+  vec3 dfg;                   // A, B and tilt of (NoV, perceptualRoughness): dfg_table.glsl
   float occlusion;            // share of distant light that reaches the point
 };
 

@@ -99,13 +99,16 @@ Result<void> timed(std::vector<TableStatistics>& statistics, const char* name, s
 Result<void> computeDfg(gl::Texture& table, ProgramStore& programs, const Method& method) {
   const auto program = programs.compute("passes/dfg.comp.glsl");
   if (!program) return tl::unexpected(program.error());
-  const optics::Quadrature rule = optics::gaussLegendre(static_cast<size_t>(method.dfgNodes));
   std::vector<glm::vec2> nodes;
-  for (size_t i = 0; i < rule.nodes.size(); ++i) nodes.emplace_back(rule.nodes[i], rule.weights[i]);
+  for (const int count : {method.dfgRadii, method.dfgAngles}) {
+    const optics::Quadrature rule = optics::gaussLegendre(static_cast<size_t>(count));
+    for (size_t i = 0; i < rule.nodes.size(); ++i) nodes.emplace_back(rule.nodes[i], rule.weights[i]);
+  }
   const gl::Buffer input = gl::Buffer::of(nodes, "DFG quadrature");
   table = gl::Texture({.format = GL_RGBA16F, .width = method.dfgSize, .height = method.dfgSize}, "DFG table");
   table.filterLinear();
   glUseProgram((*program)->id());
+  (*program)->set(0, method.dfgRadii);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeInputBinding, input.id());
   glBindImageTexture(0, table.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16F);
   dispatchFaces(method.dfgSize, 1);
@@ -234,9 +237,10 @@ Result<void> computeTables(Tables& tables, const scene::Environment* environment
   std::vector<TableStatistics>& booked = tables.statistics;
   booked.clear();
   if (needs.dfg && !tables.dfg) {
-    const auto size = static_cast<uint64_t>(method.dfgSize), nodes = static_cast<uint64_t>(method.dfgNodes);
+    const auto size = static_cast<uint64_t>(method.dfgSize);
+    const auto nodes = static_cast<uint64_t>(method.dfgRadii * method.dfgAngles);
     const auto make = [&] { return computeDfg(tables.dfg, programs, method); };
-    if (auto r = timed(booked, "DFG", size * size * 8, size * size * nodes * nodes, make); !r) return r;
+    if (auto r = timed(booked, "DFG", size * size * 8, size * size * nodes, make); !r) return r;
   }
   const bool background = needs.background && !tables.background;
   const bool irradiance = needs.irradiance && !tables.irradiance;

@@ -29,9 +29,9 @@ struct Method {
   int equirectWidth = 1024;  // a wider map is first reduced, texels weighted by solid angle
   int irradianceSize = 16;   // face of the irradiance map; summed over a 32^2 level
   int dfgSize = 64;
-  int dfgNodes = 16;       // Gauss-Legendre nodes along each axis
-  int samplesNarrow = 32;  // LD samples where perceptual roughness is below 0.25
-  int samplesWide = 96;    // and above
+  int dfgRadii = 32, dfgAngles = 8;  // Gauss-Legendre nodes over the visible normals
+  int samplesNarrow = 32;            // LD samples where perceptual roughness is below 0.25
+  int samplesWide = 96;              // and above
 };
 
 struct TableStatistics {
@@ -42,7 +42,7 @@ struct TableStatistics {
 };
 
 struct Tables {
-  gl::Texture dfg;           // RGBA16F, A, B and tilt over (sqrt NoV, perceptual roughness)
+  gl::Texture dfg;           // RGBA16F, dfg_table.glsl
   gl::Texture irradiance;    // RGBA16F cube, irradiance / pi
   gl::Texture mirrorLayers;  // RGBA16F cube array, LD layers 0 and 1
   gl::Texture roughLayers;   // RGBA16F cube array with levels, the rest

@@ -3,9 +3,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "io/gltf.hpp"
 #include "scene/geometry.hpp"
-#include "support/gltf_builder.hpp"
+#include "support/gltf_load.hpp"
 
 using namespace facet;
 using nlohmann::json;
@@ -13,12 +12,9 @@ using nlohmann::json;
 namespace {
 
 scene::Model load(const test::GltfBuilder& builder) {
-  const auto bytes = builder.glb();
-  auto loaded = io::loadGltfBytes(bytes, "test.glb");
-  INFO((loaded ? std::string() : describe(loaded.error())));
-  REQUIRE(loaded);
-  scene::completeGeometry(loaded->model, loaded->notes);
-  return loaded->model;
+  io::LoadedModel loaded = test::loaded(builder);
+  scene::completeGeometry(loaded.model, loaded.notes);
+  return std::move(loaded.model);
 }
 
 // The triangle of test::triangle() at each of the nodes.
@@ -92,14 +88,21 @@ TEST_CASE("Draw list: what the draws need of the tables") {
   CHECK(needs({}).background);
   const ibl::Needs demo = needs({.demoLights = true});
   CHECK(demo.dfg);
-  CHECK_FALSE(demo.imageLight);
+  CHECK_FALSE(demo.irradiance);
   const ibl::Needs environment = needs({.features = {.environment = true}});
   CHECK(environment.dfg);
-  CHECK(environment.imageLight);
+  CHECK(environment.irradiance);
+  CHECK(environment.layers);
+  CHECK_FALSE(environment.cube);
+  // Converging pictures sample the environment itself in place of the split sum's layers.
+  const ibl::Needs converging = needs({.features = {.environment = true, .imageLightSamples = 4}});
+  CHECK(converging.irradiance);
+  CHECK_FALSE(converging.layers);
+  CHECK(converging.cube);
   // A debug view needs nothing.
   const ibl::Needs view = needs({.features = {.environment = true, .channel = 1}, .demoLights = true});
   CHECK_FALSE(view.dfg);
-  CHECK_FALSE(view.imageLight);
+  CHECK_FALSE(view.irradiance);
 }
 
 TEST_CASE("Draw list: lights relative to the origin, cones and ranges as the shader takes them") {

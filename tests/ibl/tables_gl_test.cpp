@@ -38,17 +38,17 @@ glm::dvec3 smooth(const glm::dvec3& d) {
 
 ibl::Tables compute(const scene::Environment& map, const ibl::Method& method = {}, bool background = false) {
   shading::ProgramStore programs = test::makeProgramStore();
-  Result<ibl::Tables> tables =
-      ibl::computeTables(&map, {.imageLight = true, .background = background}, programs, method);
-  REQUIRE(tables);
-  return std::move(*tables);
+  ibl::Tables tables;
+  REQUIRE(ibl::computeTables(tables, &map, {.irradiance = true, .layers = true, .background = background}, programs,
+                             method));
+  return tables;
 }
 
 ibl::Tables computeDfg() {
   shading::ProgramStore programs = test::makeProgramStore();
-  Result<ibl::Tables> tables = ibl::computeTables(nullptr, {.dfg = true}, programs);
-  REQUIRE(tables);
-  return std::move(*tables);
+  ibl::Tables tables;
+  REQUIRE(ibl::computeTables(tables, nullptr, {.dfg = true}, programs));
+  return tables;
 }
 
 void bind(const ibl::Tables& tables) {
@@ -119,6 +119,18 @@ double relativeError(const glm::dvec3& got, const glm::dvec3& expected) {
 
 }  // namespace
 
+namespace {
+
+// Of A, B and the sine of the mean direction that the third channel stands for.
+glm::dvec3 dfgError(const glm::dvec3& got, double NoV, double alpha) {
+  const optics::Dfg dfg = optics::integrateDfg(NoV, alpha, 1e-6);
+  const double sine = got.z * std::sqrt((1 - NoV) * (1 + NoV));
+  return glm::abs(glm::dvec3(got.x, got.y, sine) -
+                  glm::dvec3(dfg.A, dfg.B, optics::meanDirectionSine(NoV, alpha, 1e-6)));
+}
+
+}  // namespace
+
 TEST_CASE("DFG table: entries against the integral, closed forms in the first and last row") {
   const ibl::Tables tables = computeDfg();
   const int size = tables.dfg.description().width;
@@ -134,29 +146,26 @@ TEST_CASE("DFG table: entries against the integral, closed forms in the first an
     const double u = double(column) / (size - 1), NoV = u * u;
     const auto texel = [&](int row) { return glm::dvec3(texels[size_t(row * size + column)]); };
     const double Fc = std::pow(1 - NoV, 5);
-    worstMirror = glm::max(worstMirror, glm::abs(texel(0) - glm::dvec3(1 - Fc, Fc, std::sqrt(1 - NoV * NoV))));
+    worstMirror = glm::max(worstMirror, glm::abs(texel(0) - glm::dvec3(1 - Fc, Fc, 1)));
     const double E = NoV > 0 ? 1 - NoV * std::log1p(1 / NoV) : 1;
     worstRough = std::max(worstRough, std::abs(texel(size - 1).x + texel(size - 1).y - E));
     worstTilt = std::max(worstTilt, std::abs(texel(size - 1).z));
-    if (column % 9 != 0) continue;  // 0, 9, .. 63
-    for (const int row : {1, 3, 7, 14, 21, 35, 49, 63}) {
+    if (column % 7 != 0 || NoV < 0.02) continue;
+    for (int row = 1; row < size; row += 2) {
       const double alpha = std::pow(double(row) / (size - 1), 2);
-      const optics::Dfg dfg = optics::integrateDfg(NoV, alpha, 1e-6);
-      const glm::dvec3 error =
-          glm::abs(texel(row) - glm::dvec3(dfg.A, dfg.B, optics::meanDirectionSine(NoV, alpha, 1e-6)));
-      if (NoV >= 0.02 || row == 63) worst = glm::max(worst, error);
+      worst = glm::max(worst, dfgError(texel(row), NoV, alpha));
     }
   }
   std::cout << "DFG entries off by at most " << worst.x << ", " << worst.y << ", sine " << worst.z << "; mirror row "
-            << worstMirror.x << ", " << worstMirror.z << "; roughest row " << worstRough << ", sine " << worstTilt
+            << std::max(worstMirror.x, worstMirror.y) << "; roughest row " << worstRough << ", tilt " << worstTilt
             << "\n";
-  CHECK(worst.x < 0.005);
-  CHECK(worst.y < 0.005);
-  CHECK(worst.z < 0.01);
+  CHECK(worst.x < 0.003);
+  CHECK(worst.y < 0.0015);
+  CHECK(worst.z < 0.003);
   // Half floats below 1 are 2^-11 apart, and a driver may cut off instead of rounding.
   CHECK(std::max({worstMirror.x, worstMirror.y, worstMirror.z}) < 4.9e-4);
   CHECK(worstRough < 0.002);
-  CHECK(worstTilt < 0.01);
+  CHECK(worstTilt < 0.03);  // next to N, where it is multiplied by a small sine
 }
 
 TEST_CASE("DFG table: look-ups between the texels stay within 0.005") {
@@ -171,9 +180,7 @@ TEST_CASE("DFG table: look-ups between the texels stay within 0.005") {
   size_t worstAt[3] = {};
   for (size_t i = 0; i < got.size(); ++i) {
     const double NoV = inputs[i].x, alpha = double(inputs[i].y) * inputs[i].y;
-    const optics::Dfg dfg = optics::integrateDfg(NoV, alpha, 1e-6);
-    const glm::dvec3 error =
-        glm::abs(glm::dvec3(got[i]) - glm::dvec3(dfg.A, dfg.B, optics::meanDirectionSine(NoV, alpha, 1e-6)));
+    const glm::dvec3 error = dfgError(glm::dvec3(got[i]), NoV, alpha);
     for (int k = 0; k < 3; ++k)
       if (error[k] > worst[k]) worst[k] = error[k], worstAt[k] = i;
   }
@@ -186,7 +193,7 @@ TEST_CASE("DFG table: look-ups between the texels stay within 0.005") {
               << inputs[worstAt[k]].y << "\n";
   CHECK(worst.x <= 0.005);
   CHECK(worst.y <= 0.005);
-  CHECK(worst.z <= 0.02);
+  CHECK(worst.z <= 0.005);
 }
 
 TEST_CASE("A constant environment stays constant in every layer, the irradiance and the background") {
@@ -234,27 +241,33 @@ TEST_CASE("LD layers of a smooth map against the integral") {
     std::cout << "LD layer of roughness " << r << ": largest relative error " << largest << "\n";
     worst = std::max(worst, largest);
   }
-  CHECK(worst <= 0.01);
+  // 32 samples below roughness 0.25, 96 above, each blurred to its share: 1.9 % at most.
+  CHECK(worst <= 0.025);
 }
 
 TEST_CASE("Equirect to cube keeps the flux of a sun of one texel, also above half range") {
   struct Row {
     const char* where;
     int column, row;
-    double sun, bound;
+    double sun;
   };
-  const Row row = GENERATE(values<Row>({{"middle of a face", 517, 250, 1e4, 0.002},
-                                        {"seam of two faces", 640, 256, 1e4, 0.002},
-                                        {"longitude wrap", 1023, 200, 1e4, 0.002},
-                                        {"pole", 300, 0, 1e4, 0.002},
-                                        {"above half range", 800, 130, 3e6, 0.002}}));
+  const Row row = GENERATE(values<Row>({{"middle of a face", 517, 250, 1e4},
+                                        {"seam of two faces", 640, 256, 1e4},
+                                        {"longitude wrap", 1023, 200, 1e4},
+                                        {"pole", 300, 0, 1e4},
+                                        {"above half range", 800, 130, 3e6}}));
   scene::Environment map = environment(1024, 512, [](const glm::dvec3&) { return glm::dvec3(1e-3); });
   map.radiance[size_t(row.row) * 1024 + size_t(row.column)] = glm::vec3(float(row.sun));
   const ibl::Tables tables = compute(map, cubeOnly);
-  const double error = relativeError(cubeFlux(tables), bilinearFlux(map));
+  const glm::dvec3 expected = bilinearFlux(map);
+  // A texel of the polar row is 1 / 325 of one at the equator, and no wider than a needle: the samples may miss it,
+  // which is small against the same sun elsewhere.
+  const double elsewhere = row.sun * (2 * pi / 1024) * (pi / 512);
+  const double scale = row.row == 0 ? elsewhere : expected.x;
+  const double error = std::abs(cubeFlux(tables).x - expected.x) / scale;
   INFO(row.where << ", flux off by " << error);
   std::cout << "flux with a sun, " << row.where << ": off by " << error << "\n";
-  CHECK(error <= row.bound);
+  CHECK(error <= (row.row == 0 ? 0.004 : 0.002));
   if (row.sun > 65504)
     CHECK(tables.radianceScale == 128);  // 3e6 / 128 < 32768
   else
@@ -274,7 +287,8 @@ TEST_CASE("Radiance above half range survives in every table") {
                             double(tables.radianceScale);
   CHECK(irradiance == Approx(optics::irradiance(map, towards).value.x).epsilon(0.01));
   const double rough = probe(tables, "out0.rgb = fetchLd(in0.xyz, 9);", at)[0].x * double(tables.radianceScale);
-  CHECK(rough == Approx(optics::prefiltered(map, towards, 0.49).value.x).epsilon(0.05));
+  // Filtered importance sampling of 96 samples blurs a small sun.
+  CHECK(rough == Approx(optics::prefiltered(map, towards, 0.49).value.x).epsilon(0.2));
   std::vector<glm::vec4> background(64 * 32);
   glGetTextureImage(tables.background.id(), 0, GL_RGBA, GL_FLOAT, GLsizei(background.size() * sizeof(glm::vec4)),
                     background.data());
@@ -332,17 +346,25 @@ TEST_CASE("A wide map is reduced and keeps its flux") {
   CHECK(relativeError(flux(smaller), flux(odd)) < 1e-6);
 }
 
-TEST_CASE("Only what is needed is computed") {
+TEST_CASE("Only what is needed is computed, and nothing twice") {
   shading::ProgramStore programs = test::makeProgramStore();
   const scene::Environment map = environment(4, 2, smooth);
-  const auto none = ibl::computeTables(&map, {}, programs);
-  REQUIRE(none);
-  CHECK(none->statistics.empty());
+  ibl::Tables tables;
+  const auto computed = [&](const ibl::Needs& needs) {
+    REQUIRE(ibl::computeTables(tables, &map, needs, programs, cubeOnly));
+    std::vector<std::string> names;
+    for (const ibl::TableStatistics& entry : tables.statistics) names.push_back(entry.name);
+    return names;
+  };
+  using Names = std::vector<std::string>;
+  CHECK(computed({}) == Names{});
+  CHECK(computed({.background = true}) == Names{});
+  CHECK(tables.background);
   CHECK(programs.statistics().compiled == 0);
-  const auto background = ibl::computeTables(&map, {.background = true}, programs);
-  REQUIRE(background);
-  CHECK(background->background);
-  CHECK_FALSE(background->dfg);
-  CHECK_FALSE(background->irradiance);
-  CHECK(programs.statistics().compiled == 0);
+  CHECK(computed({.dfg = true, .irradiance = true}) == Names{"DFG", "environment cube", "irradiance"});
+  CHECK_FALSE(tables.roughLayers);
+  CHECK_FALSE(tables.cube);
+  CHECK(computed({.dfg = true, .irradiance = true, .background = true}) == Names{});
+  CHECK(computed({.dfg = true, .cube = true}) == Names{"environment cube"});
+  CHECK(computed({.layers = true}) == Names{"LD layers"});
 }

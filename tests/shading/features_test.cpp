@@ -52,7 +52,8 @@ TEST_CASE("Variants hold what material, vertices and frame use, and nothing else
         "emissive texture, punctual lights, environment");
 
   Material second = {};
-  second.baseColor = {.texture = 0, .texCoord = 1};
+  second.baseColor.texture = 0;
+  second.baseColor.texCoord = 1;
   CHECK(variant(second, full, {}) == "normals, uv1, base colour texture");
   second.baseColor.transform.scale = glm::vec2(2);
   CHECK(variant(second, full, {}) == "normals, uv1, base colour texture, texture transform");
@@ -100,7 +101,7 @@ TEST_CASE("Variants: combinations without sense fold") {
   CHECK(variant(bothSides, lines, {}) == "unlit");
   // A transform of a texture that is not read.
   Material moved;
-  moved.occlusion = {.texture = 0};
+  moved.occlusion.texture = 0;
   moved.occlusion.transform.rotation = 1;
   CHECK(variant(moved, full, {}) == "normals");
 }

@@ -5,6 +5,7 @@
 #include "io/sources.hpp"
 #include "scene/geometry.hpp"
 #include "scene/shapes.hpp"
+#include "support/gltf_load.hpp"
 #include "support/gpu.hpp"
 
 namespace facet::test {
@@ -12,12 +13,9 @@ namespace facet::test {
 using Json = nlohmann::json;
 
 io::LoadedModel loadBuilt(const GltfBuilder& builder) {
-  const std::vector<uint8_t> bytes = builder.glb();
-  Result<io::LoadedModel> loaded = io::loadGltfBytes(bytes, "test.glb");
-  INFO((loaded ? std::string() : describe(loaded.error())));
-  REQUIRE(loaded);
-  scene::completeGeometry(loaded->model, loaded->notes);
-  return std::move(*loaded);
+  io::LoadedModel model = loaded(builder);
+  scene::completeGeometry(model.model, model.notes);
+  return model;
 }
 
 io::LoadedModel loadBuiltin(const std::string& name) {
