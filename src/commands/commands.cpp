@@ -5,6 +5,12 @@ namespace facet::commands {
 namespace {
 
 constexpr Command table[] = {
+    {"", "a window on a model",
+     "  facet\n"
+     "  facet helmet.glb\n"
+     "  facet helmet.glb --env studio.hdr --env-rotation 90 --exposure -1\n"
+     "  facet builtin:spheres --size 1920x1080",
+     addWindow},
     {"render", "one picture, or many, without a window",
      "  facet render builtin:spheres -o spheres.png\n"
      "  facet render helmet.glb --env studio.hdr --orbit 30,75,3 --size 800x600 -o helmet.png\n"

@@ -5,6 +5,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "scene/builtin_scenes.hpp"
+
 namespace facet::frame {
 
 namespace {
@@ -30,6 +32,10 @@ Result<scene::PlacedCamera> findCamera(const std::string& wanted, const scene::M
       if (placed.camera == *index) return placed;
   return fail(model.name, "", "the scene has no camera '" + wanted + "'",
               known.empty() ? "it has none at all: leave out --camera" : "it has " + known);
+}
+
+const scene::BuiltinScene* builtinOf(const std::string& source) {
+  return source.starts_with("builtin:") ? scene::findBuiltinScene(source) : nullptr;
 }
 
 void countExtremes(const io::RadianceImage& image, PictureStatistics& statistics) {
@@ -74,32 +80,48 @@ Result<int> chooseScene(const PictureSettings& settings, const scene::Model& mod
   return scene;
 }
 
-Result<scene::View> chooseView(const PictureSettings& settings, const scene::Model& model, const DrawList& list) {
+scene::OrbitCamera chooseOrbit(const frame::PictureSettings& settings, const std::string& source,
+                               const scene::Bounds& bounds) {
   const double aspect = static_cast<double>(settings.width) / settings.height;
-  if (!settings.camera.empty()) {
-    const Result<scene::PlacedCamera> placed = findCamera(settings.camera, model, list);
-    if (!placed) return tl::unexpected(placed.error());
-    scene::Camera camera = model.cameras[static_cast<size_t>(placed->camera)];
-    if (settings.fovYDeg) camera.fovY = glm::radians(*settings.fovYDeg), camera.aspectRatio = 0;
-    return scene::cameraView(camera, placed->worldFromNode, aspect, list.bounds);
+  const scene::BuiltinScene* builtin = builtinOf(source);
+  scene::OrbitCamera camera = scene::frameBounds(bounds, settings.fovYDeg.value_or(45.0), aspect);
+  if (builtin && !settings.fovYDeg) {
+    camera = builtin->camera;
+    camera.radius /= std::min(aspect, 1.0);  // it is made for square and wider pictures
   }
-  const double fovY = settings.fovYDeg.value_or(45.0);
-  scene::OrbitCamera orbit = scene::frameBounds(list.bounds, fovY, aspect);
-  if (settings.target) orbit.target = *settings.target;
+  if (settings.target) camera.target = *settings.target;
   if (settings.orbit) {
-    orbit.theta = settings.orbit->thetaDeg;
-    orbit.phi = settings.orbit->phiDeg;
-    if (settings.orbit->radius) orbit.radius = *settings.orbit->radius;
+    camera.theta = settings.orbit->thetaDeg;
+    camera.phi = settings.orbit->phiDeg;
+    if (settings.orbit->radius) camera.radius = *settings.orbit->radius;
   }
-  return scene::orbitView(orbit, aspect, list.bounds);
+  return camera;
 }
 
-std::string chooseEnvironment(const PictureSettings& settings, const scene::Model& model, int scene) {
+Result<scene::View> chooseView(const PictureSettings& settings, const std::string& source, const scene::Model& model,
+                               const DrawList& list) {
+  const double aspect = static_cast<double>(settings.width) / settings.height;
+  if (settings.camera.empty()) return scene::orbitView(chooseOrbit(settings, source, list.bounds), aspect, list.bounds);
+  const Result<scene::PlacedCamera> placed = findCamera(settings.camera, model, list);
+  if (!placed) return tl::unexpected(placed.error());
+  scene::Camera camera = model.cameras[static_cast<size_t>(placed->camera)];
+  if (settings.fovYDeg) camera.fovY = glm::radians(*settings.fovYDeg), camera.aspectRatio = 0;
+  return scene::cameraView(camera, placed->worldFromNode, aspect, list.bounds);
+}
+
+std::string chooseEnvironment(const PictureSettings& settings, const std::string& source, const scene::Model& model,
+                              int scene) {
   if (!settings.environment.empty()) return settings.environment;
+  if (const scene::BuiltinScene* builtin = builtinOf(source)) return std::string(builtin->environment);
   // Lit at all? Asked of the draw list, which knows.
-  DrawOptions options = drawOptions(settings, true);
-  const DrawList list = buildDrawList(model, scene, options);
+  const DrawList list = buildDrawList(model, scene, drawOptions(settings, true));
   return list.needs(false).irradiance ? "builtin:studio" : "none";
+}
+
+Targets createTargets(const PictureSettings& settings, const gl::ContextInfo& context) {
+  const bool gather = settings.samples > convergedAbove;
+  return createTargets(settings.width, settings.height, gather ? 1 : std::min(settings.samples, context.maxSamples),
+                       gather);
 }
 
 Result<Picture> renderPicture(const PictureSettings& settings, const PictureRequest& request, SceneOnGpu& scene,
@@ -111,7 +133,7 @@ Result<Picture> renderPicture(const PictureSettings& settings, const PictureRequ
   const Result<int> sceneIndex = chooseScene(settings, model);
   if (!sceneIndex) return tl::unexpected(sceneIndex.error());
   const DrawList list = buildDrawList(model, *sceneIndex, drawOptions(settings, environment.environment != nullptr));
-  const Result<scene::View> view = chooseView(settings, model, list);
+  const Result<scene::View> view = chooseView(settings, scene.source, model, list);
   if (!view) return tl::unexpected(view.error());
   const bool skyVisible = settings.background == Background::environment && environment.environment != nullptr &&
                           list.features.channel == 0;
@@ -138,9 +160,7 @@ Result<Picture> renderPicture(const PictureSettings& settings, const PictureRequ
   statistics.programsFromDisk = programs.statistics().fromDisk - before.fromDisk;
   stages.mark("compile");
 
-  const bool gather = settings.samples > convergedAbove;
-  const Targets targets = createTargets(settings.width, settings.height,
-                                        gather ? 1 : std::min(settings.samples, context.maxSamples), gather);
+  const Targets targets = createTargets(settings, context);
   setTextureDetail(scene.gpu, gatheredDraws(settings, targets), context);
   for (int i = 0; i <= request.repeat; ++i) {
     const auto start = std::chrono::steady_clock::now();

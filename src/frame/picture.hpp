@@ -11,6 +11,7 @@
 namespace facet::frame {
 
 struct SceneOnGpu {
+  std::string source;  // the file, or builtin:NAME
   const scene::Model* model = nullptr;
   GpuScene gpu;
 };
@@ -32,12 +33,21 @@ DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment);
 // Errors: no such scene in the model.
 Result<int> chooseScene(const PictureSettings& settings, const scene::Model& model);
 
-// The view that the settings ask for; without orbit and camera it frames the scene's bounds. Errors: no such camera.
-Result<scene::View> chooseView(const PictureSettings& settings, const scene::Model& model, const DrawList& list);
+// The orbit that the settings ask for: what they leave open, a built-in scene's own camera or a view of all of the
+// bounds fills in. source: the file, or builtin:NAME.
+scene::OrbitCamera chooseOrbit(const PictureSettings& settings, const std::string& source, const scene::Bounds& bounds);
 
-// The environment's name where the settings leave the choice: none for a scene that nothing could light, else the
-// studio.
-std::string chooseEnvironment(const PictureSettings& settings, const scene::Model& model, int scene);
+// The file's camera where the settings name one, else chooseOrbit. Errors: no such camera.
+Result<scene::View> chooseView(const PictureSettings& settings, const std::string& source, const scene::Model& model,
+                               const DrawList& list);
+
+// The environment's name: the one that was chosen, else what a built-in scene is made for, else the studio, or none for
+// a scene that nothing could light.
+std::string chooseEnvironment(const PictureSettings& settings, const std::string& source, const scene::Model& model,
+                              int scene);
+
+// Targets for one draw of settings.samples, or for gathering that many draws.
+Targets createTargets(const PictureSettings& settings, const gl::ContextInfo& context);
 
 struct PictureStatistics {
   FrameStatistics frame;

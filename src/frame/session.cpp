@@ -29,6 +29,7 @@ Result<void> Session::loadScene(const std::string& source, Notes& notes) {
   Result<io::LoadedModel> loaded = io::loadModel(source);
   if (!loaded) return tl::unexpected(loaded.error());
   scene_ = std::make_unique<LoadedScene>(LoadedScene{source, std::move(*loaded), {}});
+  scene_->onGpu.source = source;
   scene_->onGpu.model = &scene_->loaded.model;
   notes.insert(notes.end(), scene_->loaded.notes.begin(), scene_->loaded.notes.end());
   return {};
@@ -54,7 +55,7 @@ Result<Picture> Session::render(const std::string& model, const PictureSettings&
   stages.mark("read model");
   const Result<int> scene = chooseScene(settings, scene_->loaded.model);
   if (!scene) return tl::unexpected(scene.error());
-  environmentName_ = chooseEnvironment(settings, scene_->loaded.model, *scene);
+  environmentName_ = chooseEnvironment(settings, model, scene_->loaded.model, *scene);
   Result<LoadedEnvironment*> environment = findEnvironment(environmentName_, notes);
   if (!environment) return tl::unexpected(environment.error());
   stages.mark("read environment");

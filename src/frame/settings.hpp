@@ -14,6 +14,8 @@ struct Orbit {
   double thetaDeg = 0;           // azimuth; 0 puts the eye on +Z, positive turns it towards +X
   double phiDeg = 90;            // polar angle from +Y, [0, 180]
   std::optional<double> radius;  // metres, > 0; not given: frames the scene's bounds
+
+  bool operator==(const Orbit&) const = default;
 };
 
 enum class Background { environment, transparent, color };
@@ -43,6 +45,8 @@ struct PictureSettings {
   int samples = 4;        // a pixel, [1, 4096]; 1: no antialiasing; above 4 the light converges too
   std::string channel;    // a debug view's name (commands/picture_options.cpp lists them); empty: the final picture
   std::string shaderDir;  // shaders are read from here and reloaded on change; empty: the embedded ones
+
+  bool operator==(const PictureSettings&) const = default;
 };
 
 }  // namespace facet::frame

@@ -7,17 +7,6 @@ namespace {
 void destroyShader(GLuint id) { glDeleteShader(id); }
 using Shader = Handle<destroyShader>;
 
-const char* stageName(GLenum stage) {
-  switch (stage) {
-    case GL_VERTEX_SHADER:
-      return "vertex shader";
-    case GL_FRAGMENT_SHADER:
-      return "fragment shader";
-    default:
-      return "compute shader";
-  }
-}
-
 std::string shaderLog(GLuint id) {
   GLint length = 0;
   glGetShaderiv(id, GL_INFO_LOG_LENGTH, &length);
@@ -43,6 +32,17 @@ void setLabel(GLuint program, std::string_view label) {
 }
 
 }  // namespace
+
+const char* stageName(GLenum stage) {
+  switch (stage) {
+    case GL_VERTEX_SHADER:
+      return "vertex shader";
+    case GL_FRAGMENT_SHADER:
+      return "fragment shader";
+    default:
+      return "compute shader";
+  }
+}
 
 Result<Program> Program::build(const std::vector<ShaderSource>& stages, std::string_view label) {
   std::vector<Shader> shaders;

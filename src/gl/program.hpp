@@ -18,6 +18,8 @@ struct ShaderSource {
   std::string text;
 };
 
+const char* stageName(GLenum stage);  // "fragment shader"
+
 struct ProgramBinary {
   GLenum format = 0;
   std::vector<uint8_t> bytes;
@@ -27,7 +29,7 @@ class Program : public Handle<destroyProgram> {
  public:
   Program() = default;
 
-  // Compiles and links. The error's problem is the driver's log, its place the stage.
+  // Compiles and links. The error's problem is the driver's log, its place the stage (stageName).
   static Result<Program> build(const std::vector<ShaderSource>& stages, std::string_view label);
   // An empty Program where the driver no longer takes the binary.
   static Program fromBinary(const ProgramBinary& binary, std::string_view label);

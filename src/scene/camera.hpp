@@ -18,6 +18,8 @@ struct OrbitCamera {
   double radius = 1;  // metres
   glm::dvec3 target = glm::dvec3(0);
   double fovY = 45;  // degrees, vertical
+
+  bool operator==(const OrbitCamera&) const = default;
 };
 
 struct View {

@@ -118,11 +118,10 @@ Result<gl::Program> ProgramStore::build(const std::vector<Stage>& stages, const 
   Result<gl::Program> program = gl::Program::build(sources, label);
   if (!program) {
     Error error = program.error();
-    for (const AssembledShader& shader : assembled)
-      if (const std::string text = translateLog(error.problem, shader.files); text != error.problem + "\n") {
-        error.problem = text;
-        break;
-      }
+    // The error's place is the stage whose source the numbers in the log mean; a linker's log has none.
+    for (size_t i = 0; i < stages.size(); ++i)
+      if (error.place == gl::stageName(stages[i].type)) error.problem = translateLog(error.problem, assembled[i].files);
+    error.problem.erase(error.problem.find_last_not_of(" \n\r") + 1);
     return tl::unexpected(error);
   }
   count(statistics_.compiled);

@@ -113,3 +113,15 @@ TEST_CASE("Programs: the same entry and defines are built once, other defines ar
   REQUIRE_FALSE(missing);
   CHECK(describe(missing.error()) == "shaders/passes/none.comp.glsl: there is no such shader file.");
 }
+
+TEST_CASE("A message about a fragment shader names the fragment shader's chunk") {
+  const auto reader = [](const std::string& path) -> std::optional<std::string> {
+    if (path == "broken.frag.glsl") return "out vec4 color;\nvoid main() { color = nothing; }\n";
+    return shading::shaderReader()(path);
+  };
+  shading::ProgramStore programs(reader, {}, "");
+  const auto program = programs.render("passes/fullscreen.vert.glsl", "broken.frag.glsl");
+  REQUIRE_FALSE(program);
+  CHECK(program.error().place == "fragment shader");
+  CHECK_THAT(program.error().problem, Catch::StartsWith("shaders/broken.frag.glsl:2:"));
+}

@@ -1,0 +1,39 @@
+#pragma once
+
+// What the hand does to the camera: pure functions on the orbit camera. Pixels are the window's, y down.
+
+#include "scene/camera.hpp"
+
+namespace facet::view {
+
+// Radii between which the camera stays, metres.
+struct RadiusLimits {
+  double min = 1e-3, max = 1e3;
+};
+
+// A thousandth to a hundred times the scene's radius; for empty bounds and for a point as for a radius of one metre.
+RadiusLimits radiusLimits(const scene::Bounds& scene);
+
+// The scene follows the pointer: a drag across the window's height turns by half a turn. Azimuth stays in
+// (-180, 180], the polar angle in [0, 180] (the poles are good views).
+scene::OrbitCamera orbited(scene::OrbitCamera camera, const glm::dvec2& dragPixels, double windowHeight);
+
+// Moves parallel to the picture so that a point at the target's depth stays under the pointer.
+scene::OrbitCamera panned(scene::OrbitCamera camera, const glm::dvec2& dragPixels, double windowHeight);
+
+// One step nearer is a factor of 0.9 on the radius.
+scene::OrbitCamera zoomed(scene::OrbitCamera camera, double steps, const RadiusLimits& limits);
+
+// Turns the head: the eye stays, the target moves around it. A drag to the right looks to the right; across the
+// window's height it turns by the vertical field of view.
+scene::OrbitCamera looked(scene::OrbitCamera camera, const glm::dvec2& dragPixels, double windowHeight);
+
+// Moves eye and target along the camera's right, up and forward, metres.
+scene::OrbitCamera flown(scene::OrbitCamera camera, const glm::dvec3& rightUpForward);
+
+// Same direction of view, all of the bounds in the picture.
+scene::OrbitCamera framedAll(const scene::OrbitCamera& camera, const scene::Bounds& scene, double aspect);
+
+glm::dvec3 eyeOf(const scene::OrbitCamera& camera);
+
+}  // namespace facet::view

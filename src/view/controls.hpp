@@ -1,0 +1,44 @@
+#pragma once
+
+// Input -> what it does to the viewer's state, and what is left for the window to do. No window, no OpenGL.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/error.hpp"
+#include "scene/camera.hpp"
+#include "view/input.hpp"
+#include "view/viewer_state.hpp"
+
+namespace facet::view {
+
+struct Actions {
+  bool screenshot = false, quit = false;
+  std::string model;  // to be loaded
+};
+
+// Seconds of flight in the camera's directions: how long the keys were held since the last frame.
+struct Flight {
+  glm::dvec3 rightUpForward = glm::dvec3(0);
+  bool fast = false;
+};
+
+// What the keys and the mouse are for; the panel shows it.
+struct Shortcut {
+  const char* keys;
+  const char* does;
+};
+extern const std::vector<Shortcut> shortcuts;
+
+// Applies what came in. view: what is on the screen, from which the hand starts when it takes over from a camera of the
+// file; windowHeight in the unit of the cursor.
+Actions control(const Input& input, const Flight& flight, const std::optional<scene::View>& view, double windowHeight,
+                ViewerState& state);
+
+enum class FileKind { model, environment };
+// By the name's ending: .gltf and .glb are models, .hdr and .exr environments.
+Result<FileKind> fileKind(std::string_view path);
+
+}  // namespace facet::view

@@ -1,0 +1,51 @@
+#pragma once
+
+// What came from keyboard, mouse and window since the last look: GLFW's callbacks fill it, controls.hpp acts on it.
+
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+struct GLFWwindow;
+
+namespace facet::view {
+
+// A part of the window that is not the scene's, window coordinates.
+struct Area {
+  glm::dvec2 min = glm::dvec2(0), max = glm::dvec2(0);
+
+  bool holds(const glm::dvec2& p) const { return p.x >= min.x && p.y >= min.y && p.x < max.x && p.y < max.y; }
+};
+
+struct KeyPress {
+  int key = 0;  // GLFW_KEY_...
+  bool control = false;
+};
+
+enum class Drag { none, orbit, pan, look };
+
+struct Input {
+  // Since the last look; cleared by takeInput.
+  glm::dvec2 orbit = glm::dvec2(0), pan = glm::dvec2(0), look = glm::dvec2(0);  // pixels dragged, y down
+  double wheel = 0;
+  std::vector<KeyPress> keys;
+  std::vector<std::string> dropped;  // paths
+  bool any = false;                  // something happened
+
+  // Now.
+  Drag drag = Drag::none;
+  int dragButton = -1;
+  glm::dvec2 cursor = glm::dvec2(0);
+
+  // Set by the window each frame: what belongs to the panel.
+  std::vector<Area> panels;
+  bool mouseTaken = false, keyboardTaken = false;
+};
+
+// Installs the callbacks; the input must outlive the window. Call before ImGui's backend, which calls them along.
+void listen(GLFWwindow* window, Input& input);
+
+// The input so far; what is told "since the last look" starts anew.
+Input takeInput(Input& input);
+
+}  // namespace facet::view

@@ -1,0 +1,74 @@
+#pragma once
+
+// Reading and decoding beside the window: no OpenGL here. Of each kind only the newest request counts; an older one
+// that still runs ends unheard.
+
+#include <chrono>
+#include <functional>
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "io/gltf.hpp"
+#include "io/image.hpp"
+#include "scene/environment.hpp"
+
+namespace facet::view {
+
+struct ModelLoaded {
+  std::string source;
+  Result<std::shared_ptr<const io::LoadedModel>> model;
+};
+
+struct EnvironmentLoaded {
+  std::string source;
+  Result<std::shared_ptr<const scene::Environment>> environment;  // null for "none"
+  Notes notes;
+};
+
+struct ImagesDecoded {
+  std::shared_ptr<const io::LoadedModel> model;
+  Result<std::vector<io::Pixels>> pixels;
+  Notes notes;
+};
+
+// The newest of several tasks of a kind. Tasks must not throw.
+template <class T>
+class Latest {
+ public:
+  void start(std::function<T()> task) {
+    if (current_.valid()) superseded_.push_back(std::move(current_));
+    current_ = std::async(std::launch::async, std::move(task));
+    std::erase_if(superseded_, isReady);  // those still running are waited for at the end of the program
+  }
+  bool running() const { return current_.valid(); }
+  // The newest task's result, once, as soon as it is there; wait: waits for it.
+  std::optional<T> take(bool wait = false) {
+    if (!current_.valid() || !(wait || isReady(current_))) return std::nullopt;
+    return current_.get();
+  }
+
+ private:
+  static bool isReady(const std::future<T>& future) {
+    return future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+  }
+  std::future<T> current_;
+  std::vector<std::future<T>> superseded_;
+};
+
+struct Loader {
+  Latest<ModelLoaded> model;
+  Latest<EnvironmentLoaded> environment;
+  Latest<ImagesDecoded> images;
+
+  bool running() const { return model.running() || environment.running() || images.running(); }
+};
+
+void startModel(Loader& loader, const std::string& source);
+void startEnvironment(Loader& loader, const std::string& source);
+void startImages(Loader& loader, std::shared_ptr<const io::LoadedModel> model, std::vector<bool> wanted);
+
+}  // namespace facet::view

@@ -1,0 +1,28 @@
+#include "view/screenshot.hpp"
+
+#include "io/image.hpp"
+
+namespace facet::view {
+
+std::filesystem::path screenshotName(const std::tm& time, const std::filesystem::path& folder) {
+  char stem[64];
+  std::strftime(stem, sizeof stem, "facet-%Y%m%d-%H%M%S", &time);
+  std::filesystem::path path = folder / (std::string(stem) + ".png");
+  std::error_code ignored;
+  for (int i = 2; std::filesystem::exists(path, ignored); ++i)
+    path = folder / (std::string(stem) + "-" + std::to_string(i) + ".png");
+  return path;
+}
+
+Result<std::string> writeScreenshot(const frame::Targets& targets, const frame::PictureSettings& settings) {
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&now, &local);
+  const std::string name = screenshotName(local, {}).string();
+  const bool withAlpha = settings.background == frame::Background::transparent;
+  if (Result<void> written = io::writePng(name, frame::readDisplay(targets, withAlpha)); !written)
+    return tl::unexpected(written.error());
+  return name;
+}
+
+}  // namespace facet::view

@@ -1,0 +1,77 @@
+#include "view/statistics_panel.hpp"
+
+#include <imgui.h>
+
+#include <cstdio>
+
+namespace facet::view {
+
+namespace {
+
+void row(const char* name, const std::string& value) {
+  ImGui::TableNextColumn();
+  ImGui::TextDisabled("%s", name);
+  ImGui::TableNextColumn();
+  ImGui::TextWrapped("%s", value.c_str());
+}
+
+std::string passText(const frame::FrameStatistics& frame) {
+  std::string text;
+  for (const std::string& pass : frame.passes) text += (text.empty() ? "" : ", ") + pass;
+  return text;
+}
+
+}  // namespace
+
+std::string milliseconds(double ms) {
+  char text[32];
+  std::snprintf(text, sizeof text, ms < 10 ? "%.2f ms" : "%.0f ms", ms);
+  return text;
+}
+
+std::string grouped(uint64_t count) {
+  const std::string digits = std::to_string(count);
+  std::string text;
+  for (size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && (digits.size() - i) % 3 == 0) text += ' ';
+    text += digits[i];
+  }
+  return text;
+}
+
+std::string byteText(uint64_t bytes) {
+  if (bytes < 1000) return std::to_string(bytes) + " B";
+  constexpr const char* units[] = {"kB", "MB", "GB", "TB", "PB", "EB"};
+  double value = static_cast<double>(bytes) / 1000;
+  int unit = 0;
+  for (; value >= 999.5 && unit < 5; ++unit) value /= 1000;
+  char text[32];
+  std::snprintf(text, sizeof text, value < 9.95 ? "%.1f %s" : "%.0f %s", value, units[unit]);
+  return text;
+}
+
+void statisticsSection(const ViewerState& state) {
+  if (!ImGui::CollapsingHeader("Statistics", ImGuiTreeNodeFlags_DefaultOpen)) return;
+  if (!ImGui::BeginTable("statistics", 2)) return;
+  ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed);
+  ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
+  const ViewerStatistics& s = state.shown.statistics;
+  row("GPU time", s.gpuMs > 0 ? milliseconds(s.gpuMs) : "\xe2\x80\x93");
+  row("CPU time", milliseconds(s.cpuMs));
+  row("picture", std::to_string(state.settings.width) + " x " + std::to_string(state.settings.height));
+  row("triangles", grouped(s.frame.triangles));
+  row("draws", grouped(static_cast<uint64_t>(s.frame.draws)) + " of " + grouped(s.frame.instances) +
+                   (s.frame.instances == 1 ? " instance" : " instances"));
+  row("variants", std::to_string(s.variants));
+  row("programs", std::to_string(s.programsCompiled) + " compiled, " + std::to_string(s.programsFromDisk) + " cached");
+  row("images", std::to_string(s.imagesDecoded) + " of " + std::to_string(s.images) + " decoded");
+  row("textures", byteText(s.textureBytes));
+  row("geometry", byteText(s.geometryBytes));
+  row("light tables", byteText(s.tableBytes));
+  row("targets", byteText(s.targetBytes));
+  row("passes", passText(s.frame));
+  row("OpenGL", state.openGL);
+  ImGui::EndTable();
+}
+
+}  // namespace facet::view

@@ -1,0 +1,74 @@
+#include "view/style.hpp"
+
+#include <imgui.h>
+
+#include <filesystem>
+
+namespace facet::view {
+
+namespace {
+
+// Debian, Fedora, Arch; the first that exists.
+constexpr const char* fonts[] = {"/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
+                                 "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
+                                 "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf",
+                                 "/usr/share/fonts/noto/NotoSans-Regular.ttf",
+                                 "/usr/share/fonts/TTF/DejaVuSans.ttf",
+                                 "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf"};
+
+ImVec4 grey(float value, float alpha = 1) { return {value, value, value * 1.04f, alpha}; }
+
+void applyColors(ImGuiStyle& style) {
+  const ImVec4 accent(0.33f, 0.55f, 0.74f, 1), strong(0.42f, 0.66f, 0.86f, 1);
+  ImVec4* c = style.Colors;
+  c[ImGuiCol_Text] = grey(0.90f);
+  c[ImGuiCol_TextDisabled] = grey(0.52f);
+  c[ImGuiCol_WindowBg] = grey(0.095f, 0.93f);
+  c[ImGuiCol_PopupBg] = grey(0.11f, 0.98f);
+  c[ImGuiCol_Border] = grey(0.26f, 0.6f);
+  c[ImGuiCol_FrameBg] = grey(0.18f);
+  c[ImGuiCol_FrameBgHovered] = grey(0.24f);
+  c[ImGuiCol_FrameBgActive] = grey(0.28f);
+  c[ImGuiCol_Button] = grey(0.22f);
+  c[ImGuiCol_ButtonHovered] = grey(0.30f);
+  c[ImGuiCol_ButtonActive] = accent;
+  c[ImGuiCol_Header] = grey(0.155f);
+  c[ImGuiCol_HeaderHovered] = grey(0.22f);
+  c[ImGuiCol_HeaderActive] = grey(0.26f);
+  c[ImGuiCol_SliderGrab] = {accent.x, accent.y, accent.z, 0.75f};
+  c[ImGuiCol_SliderGrabActive] = strong;
+  c[ImGuiCol_CheckMark] = strong;
+  c[ImGuiCol_Separator] = grey(0.24f);
+  c[ImGuiCol_ScrollbarBg] = grey(0.095f, 0);
+  c[ImGuiCol_ScrollbarGrab] = grey(0.26f);
+  c[ImGuiCol_ScrollbarGrabHovered] = grey(0.34f);
+  c[ImGuiCol_ScrollbarGrabActive] = grey(0.40f);
+}
+
+}  // namespace
+
+void applyStyle(float scale) {
+  ImGui::StyleColorsDark();
+  ImGuiStyle& style = ImGui::GetStyle();
+  applyColors(style);
+  style.WindowRounding = 0;
+  style.WindowBorderSize = 0;
+  style.FrameRounding = style.GrabRounding = style.PopupRounding = 3;
+  style.GrabMinSize = 7;
+  style.ScrollbarRounding = 3;
+  style.ScrollbarSize = 10;
+  style.WindowPadding = {12, 10};
+  style.FramePadding = {6, 3};
+  style.ItemSpacing = {7, 5};
+  style.ItemInnerSpacing = {6, 4};
+  style.ScaleAllSizes(scale);
+  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+  std::error_code ignored;
+  for (const char* font : fonts)
+    if (std::filesystem::is_regular_file(font, ignored) && atlas.AddFontFromFileTTF(font, 14 * scale)) return;
+  ImFontConfig config;
+  config.SizePixels = 13 * scale;
+  atlas.AddFontDefault(&config);
+}
+
+}  // namespace facet::view

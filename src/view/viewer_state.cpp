@@ -1,0 +1,101 @@
+#include "view/viewer_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "frame/picture.hpp"
+#include "scene/builtin_environments.hpp"
+#include "scene/builtin_scenes.hpp"
+
+namespace facet::view {
+
+namespace {
+
+scene::Material overriding(const MaterialChoice& choice) {
+  scene::Material material;
+  material.baseColorFactor = glm::vec4(choice.baseColor, 1);
+  material.metallicFactor = choice.metallic;
+  material.perceptualRoughnessFactor = choice.perceptualRoughness;
+  return material;
+}
+
+}  // namespace
+
+frame::DrawOptions drawOptions(const ViewerState& state, bool hasEnvironment) {
+  frame::DrawOptions options = frame::drawOptions(state.settings, hasEnvironment);
+  if (state.material.on) options.material = overriding(state.material);
+  return options;
+}
+
+ListRequest listRequest(const ViewerState& state, int scene, bool hasEnvironment) {
+  const frame::DrawOptions options = frame::drawOptions(state.settings, hasEnvironment);
+  ListRequest request;
+  request.scene = scene;
+  request.environment = options.features.environment;
+  request.occlusion = options.features.occlusion;
+  request.channel = options.features.channel;
+  request.imageLightSamples = options.features.imageLightSamples;
+  request.sceneLights = options.sceneLights;
+  request.demoLights = options.demoLights;
+  request.skyVisible =
+      hasEnvironment && request.channel == 0 && state.settings.background == frame::Background::environment;
+  if (state.material.on) request.material = state.material;
+  return request;
+}
+
+frame::PictureSettings commandSettings(const ViewerState& state) {
+  frame::PictureSettings settings = state.settings;
+  settings.environment = state.shown.environment;
+  if (!settings.camera.empty()) return settings;
+  settings.orbit = frame::Orbit{state.camera.theta, state.camera.phi, state.camera.radius};
+  settings.target = state.camera.target;
+  settings.fovYDeg = state.camera.fovY;
+  return settings;
+}
+
+Result<scene::View> viewOf(const ViewerState& state, const scene::Model& model, const frame::DrawList& list) {
+  if (!state.settings.camera.empty()) return frame::chooseView(state.settings, state.shown.model, model, list);
+  const double aspect = static_cast<double>(state.settings.width) / state.settings.height;
+  return scene::orbitView(state.camera, aspect, list.bounds);
+}
+
+void freeCamera(ViewerState& state, const scene::View& view) {
+  if (state.settings.camera.empty()) return;
+  state.settings.camera.clear();
+  // An orthographic camera has no field of view: the orbit keeps its own and shows as much at the target's depth.
+  const double halfHeight = 1 / view.clipFromView[1][1];
+  const double fovY = view.orthographic ? state.camera.fovY : glm::degrees(2 * std::atan(halfHeight));
+  state.camera = scene::orbitFromView(view, fovY, state.shown.bounds);
+  if (view.orthographic) state.camera.radius = halfHeight / std::tan(glm::radians(fovY) / 2);
+}
+
+std::vector<std::string> builtinEnvironmentSources() {
+  std::vector<std::string> sources;
+  for (const scene::BuiltinEnvironment& environment : scene::builtinEnvironments())
+    sources.push_back("builtin:" + std::string(environment.name));
+  sources.emplace_back("none");
+  return sources;
+}
+
+void offerEnvironment(ViewerState& state, const std::string& source) {
+  if (std::ranges::find(state.environments, source) != state.environments.end()) return;
+  state.environments.insert(std::ranges::find(state.environments, "none"), source);
+}
+
+std::string nextEnvironment(const std::string& current) {
+  const auto builtin = scene::builtinEnvironments();
+  const auto same = [&](const scene::BuiltinEnvironment& e) { return "builtin:" + std::string(e.name) == current; };
+  const auto found = std::ranges::find_if(builtin, same);
+  const auto next = found == builtin.end() || std::next(found) == builtin.end() ? builtin.begin() : std::next(found);
+  return "builtin:" + std::string(next->name);
+}
+
+int variantCount(const frame::DrawList& list) {
+  std::set<shading::VariantKey> keys;
+  for (const std::vector<frame::Draw>* draws : {&list.opaque, &list.blended})
+    for (const frame::Draw& draw : *draws) keys.insert(draw.key);
+  return static_cast<int>(keys.size());
+}
+
+}  // namespace facet::view

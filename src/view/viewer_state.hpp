@@ -1,0 +1,109 @@
+#pragma once
+
+// What the viewer shows and says: plain structs that panel and input change, and pure functions on them.
+
+#include <string>
+#include <vector>
+
+#include "frame/draw_list.hpp"
+#include "frame/frame.hpp"
+#include "frame/settings.hpp"
+#include "scene/camera.hpp"
+
+namespace facet::view {
+
+// One material for everything, in place of the file's. What has no normals, because its own material is unlit, stays
+// unlit.
+struct MaterialChoice {
+  bool on = false;
+  glm::vec3 baseColor = glm::vec3(0.8f);  // linear Rec. 709
+  float metallic = 0;
+  float perceptualRoughness = 0.4f;
+
+  bool operator==(const MaterialChoice&) const = default;
+};
+
+struct Status {
+  std::string text;
+  bool isError = false;
+};
+
+struct ViewerStatistics {
+  frame::FrameStatistics frame;
+  int variants = 0;  // distinct programs in the draw list
+  int programsCompiled = 0, programsFromDisk = 0;
+  int imagesDecoded = 0, images = 0;
+  double cpuMs = 0, gpuMs = 0;  // of the last frame that was measured
+  size_t textureBytes = 0, geometryBytes = 0, tableBytes = 0, targetBytes = 0;
+};
+
+// A camera of the file's scene: what `--camera` calls it and what the panel does.
+struct CameraName {
+  std::string option, label;
+};
+
+// What is on the screen now.
+struct ShownScene {
+  std::string model;        // source: a path or "builtin:NAME"
+  std::string environment;  // source, or "none"
+  scene::Bounds bounds;
+  std::vector<CameraName> cameras;
+  std::vector<std::string> scenes;
+  int scene = 0;
+  int sceneLights = 0;  // lights in the file's scene
+  std::vector<std::string> warnings, infos;
+  ViewerStatistics statistics;
+};
+
+struct ViewerState {
+  // width and height are the framebuffer's. Orbit and target are unused: `camera` holds them, unless settings.camera
+  // names one of the file's. An empty environment is chosen by the model.
+  frame::PictureSettings settings;
+  scene::OrbitCamera camera;
+  scene::OrbitCamera startCamera;  // what reset returns to
+  MaterialChoice material;
+  std::vector<std::string> environments;  // that are offered: the built-in ones, those that were given, "none"
+
+  ShownScene shown;
+  Status status;
+  std::string loading;  // what is being loaded; empty: nothing
+  std::string openGL;   // version and renderer
+  bool panelVisible = true;
+};
+
+// What a draw list is made of; where it is unchanged, the draw list is still good.
+struct ListRequest {
+  int scene = 0;
+  bool environment = false, occlusion = true;
+  int channel = 0, imageLightSamples = 0;
+  bool sceneLights = true, demoLights = false;
+  bool skyVisible = false;
+  MaterialChoice material;
+
+  bool operator==(const ListRequest&) const = default;
+};
+ListRequest listRequest(const ViewerState& state, int scene, bool hasEnvironment);
+frame::DrawOptions drawOptions(const ViewerState& state, bool hasEnvironment);
+
+// The settings whose command shows what is on the screen. The material in place of the file's has no option.
+frame::PictureSettings commandSettings(const ViewerState& state);
+
+// Errors: the settings name a camera that the scene doesn't have.
+Result<scene::View> viewOf(const ViewerState& state, const scene::Model& model, const frame::DrawList& list);
+
+// Leaves the file's camera for an orbit around the same view; nothing changes where there is none.
+void freeCamera(ViewerState& state, const scene::View& view);
+
+// Offers the environment where it is not yet offered; before "none".
+void offerEnvironment(ViewerState& state, const std::string& source);
+
+// The built-in environments and "none".
+std::vector<std::string> builtinEnvironmentSources();
+
+// The next built-in one, where E is pressed.
+std::string nextEnvironment(const std::string& current);
+
+// Statistics of a draw list.
+int variantCount(const frame::DrawList& list);
+
+}  // namespace facet::view

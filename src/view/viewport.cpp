@@ -1,0 +1,327 @@
+#include "view/viewport.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "base/log.hpp"
+
+namespace facet::view {
+
+namespace {
+
+constexpr size_t keptEnvironments = 4;
+
+void say(ViewerState& state, const std::string& text) {
+  state.status = {text, false};
+  log::debug(text);
+}
+
+void complain(ViewerState& state, const Error& error) {
+  state.status = {describe(error), true};
+  log::error(state.status.text);
+}
+
+SceneSlot* wantedScene(const Viewport& viewport) { return viewport.next ? viewport.next.get() : viewport.scene.get(); }
+
+EnvironmentSlot* findEnvironment(const Viewport& viewport, const std::string& source) {
+  for (const auto& slot : viewport.environments)
+    if (slot->source == source) return slot.get();
+  return nullptr;
+}
+
+void describeNotes(const Viewport& viewport, ShownScene& shown) {
+  shown.warnings.clear();
+  shown.infos.clear();
+  const auto add = [&](const std::string& source, const Notes& notes) {
+    for (const Note& note : notes) {
+      const std::string text = describe({source, note.place, note.text, {}});
+      (note.severity == Note::Severity::warning ? shown.warnings : shown.infos).push_back(text);
+    }
+  };
+  add(viewport.scene->loaded->model.name, viewport.scene->notes);
+  add(viewport.environment->source, viewport.environment->notes);
+}
+
+void describeShown(const Viewport& viewport, ViewerState& state) {
+  const scene::Model& model = viewport.scene->loaded->model;
+  ShownScene& shown = state.shown;
+  shown.model = viewport.scene->source;
+  shown.environment = viewport.environment->source;
+  shown.scene = viewport.built.scene;
+  shown.bounds = viewport.list.bounds;
+  shown.cameras.clear();
+  for (const scene::PlacedCamera& placed : viewport.list.cameras) {
+    const scene::Camera& camera = model.cameras[static_cast<size_t>(placed.camera)];
+    const std::string& node = model.nodes[static_cast<size_t>(placed.node)].name;
+    const std::string& name = camera.name.empty() ? node : camera.name;
+    const std::string index = std::to_string(placed.camera);
+    shown.cameras.push_back({name.empty() ? index : name, name.empty() ? "camera " + index : name});
+  }
+  shown.scenes.clear();
+  for (size_t i = 0; i < model.scenes.size(); ++i)
+    shown.scenes.push_back(model.scenes[i].name.empty() ? "scene " + std::to_string(i) : model.scenes[i].name);
+  shown.sceneLights = static_cast<int>(scene::flatten(model, shown.scene).lights.size());
+  shown.statistics.variants = variantCount(viewport.list);
+  shown.statistics.images = static_cast<int>(model.images.size());
+  describeNotes(viewport, shown);
+}
+
+size_t bytesOf(std::initializer_list<const gl::Texture*> textures) {
+  size_t sum = 0;
+  for (const gl::Texture* texture : textures)
+    if (*texture) sum += texture->bytes();
+  return sum;
+}
+
+void measureMemory(const Viewport& viewport, ViewerStatistics& statistics) {
+  const frame::GpuScene& gpu = viewport.scene->onGpu.gpu;
+  const ibl::Tables& tables = viewport.environment->onGpu.tables;
+  const frame::Targets& t = viewport.targets;
+  statistics.imagesDecoded = gpu.imagesDecoded;
+  statistics.textureBytes = gpu.textureBytes();
+  statistics.geometryBytes = gpu.geometryBytes();
+  statistics.tableBytes = bytesOf(
+      {&tables.dfg, &tables.irradiance, &tables.mirrorLayers, &tables.roughLayers, &tables.background, &tables.cube});
+  statistics.targetBytes = bytesOf({&t.multisample, &t.depth, &t.color, &t.sum, &t.display});
+  statistics.programsCompiled = viewport.programs.statistics().compiled;
+  statistics.programsFromDisk = viewport.programs.statistics().fromDisk;
+}
+
+// The environments that were shown last stay on the GPU, so that going back to one is free.
+void showEnvironment(Viewport& viewport, EnvironmentSlot* slot) {
+  viewport.environment = slot;
+  const auto found = std::ranges::find(viewport.environments, slot, [](const auto& s) { return s.get(); });
+  std::rotate(viewport.environments.begin(), found, found + 1);
+  if (viewport.environments.size() > keptEnvironments) viewport.environments.resize(keptEnvironments);
+}
+
+// Everything on the GPU that the list reads. To be sliced over several frames where it becomes long.
+Result<void> putOnGpu(Viewport& viewport, SceneSlot& scene, EnvironmentSlot& environment, const frame::DrawList& list,
+                      const ListRequest& request, const ViewerState& state) {
+  const scene::Model& model = scene.loaded->model;
+  frame::upload(scene.onGpu.gpu, model, list, std::exchange(scene.pixels, {}));
+  ibl::Tables& tables = environment.onGpu.tables;
+  const ibl::Needs needs = list.needs(request.skyVisible);
+  if (Result<void> r = ibl::computeTables(tables, environment.onGpu.environment, needs, viewport.programs); !r)
+    return r;
+  for (const ibl::TableStatistics& table : tables.statistics)
+    log::debug("table computed: " + table.name + ", " + std::to_string(std::lround(table.milliseconds)) + " ms");
+  const scene::View view = scene::orbitView(state.camera, 1, list.bounds);
+  return frame::preparePrograms({model, list, scene.onGpu.gpu, tables, view, state.settings}, viewport.programs);
+}
+
+void show(Viewport& viewport, ViewerState& state, EnvironmentSlot* environment, frame::DrawList list,
+          const ListRequest& request) {
+  const bool newScene = viewport.next != nullptr;
+  const bool otherScene = newScene || viewport.built.scene != request.scene;
+  const bool otherEnvironment = viewport.environment != environment;
+  viewport.asked.reset();
+  viewport.failed.reset();
+  viewport.list = std::move(list);  // before the scene that the old list points into goes
+  viewport.built = request;
+  ++viewport.listNumber;
+  if (newScene) viewport.scene = std::move(viewport.next);
+  showEnvironment(viewport, environment);
+  describeShown(viewport, state);
+  offerEnvironment(state, environment->source);
+  if (otherScene && state.settings.camera.empty()) {
+    state.camera = state.startCamera = frame::chooseOrbit(state.settings, state.shown.model, state.shown.bounds);
+    state.settings.orbit.reset();
+    state.settings.target.reset();
+    state.settings.fovYDeg.reset();
+  } else if (otherScene) {
+    state.startCamera = scene::frameBounds(state.shown.bounds, state.camera.fovY,
+                                           static_cast<double>(state.settings.width) / state.settings.height);
+    state.camera = state.startCamera;
+  }
+  if (otherEnvironment) say(state, "environment: " + environment->source);
+  if (!newScene) return;
+  const size_t warnings = state.shown.warnings.size();
+  say(state, "model: " + state.shown.model);
+  for (const std::string& warning : state.shown.warnings) log::warning(warning);
+  if (warnings > 0)
+    state.status = {state.shown.model + ": " + std::to_string(warnings) + (warnings > 1 ? " warnings" : " warning"),
+                    true};
+}
+
+// Gives up what cannot be drawn and returns to what is shown.
+void giveUp(Viewport& viewport, ViewerState& state, const std::optional<ListRequest>& request, const Error& error) {
+  complain(state, error);
+  viewport.failed = request;
+  viewport.next.reset();
+  if (viewport.environment) state.settings.environment = viewport.environment->source;
+  if (viewport.scene) state.settings.scene = viewport.built.scene;
+}
+
+}  // namespace
+
+FrameClock::Slot* FrameClock::begin() {
+  for (Slot& slot : slots) {
+    if (slot.pending) continue;
+    if (!slot.timer) slot.timer = gl::Timer::create();
+    slot.timer.begin();
+    slot.pending = true;
+    return &slot;
+  }
+  return nullptr;
+}
+
+void FrameClock::end(Slot* slot) const {
+  if (slot) slot->timer.end();
+}
+
+bool FrameClock::waiting() const {
+  return std::ranges::any_of(slots, [](const Slot& slot) { return slot.pending; });
+}
+
+std::optional<double> FrameClock::poll() {
+  for (Slot& slot : slots) {
+    if (!slot.pending || !slot.timer.ready()) continue;
+    slot.pending = false;
+    return slot.timer.milliseconds();
+  }
+  return std::nullopt;
+}
+
+void takeModel(Viewport& viewport, ViewerState& state, ModelLoaded loaded) {
+  if (!loaded.model) {
+    complain(state, loaded.model.error());
+    return;
+  }
+  const bool first = !viewport.scene && !viewport.next;
+  if (!first) {  // the settings of the old scene's cameras and scenes mean nothing in the new one
+    if (const std::optional<scene::View> view = currentView(viewport, state)) freeCamera(state, *view);
+    state.settings.camera.clear();
+    state.settings.scene = -1;
+  }
+  auto slot = std::make_unique<SceneSlot>();
+  slot->source = loaded.source;
+  slot->loaded = *loaded.model;
+  slot->onGpu.source = loaded.source;
+  slot->onGpu.model = &slot->loaded->model;
+  slot->notes = slot->loaded->notes;
+  viewport.next = std::move(slot);
+  viewport.failed.reset();
+  viewport.asked.reset();
+}
+
+void takeEnvironment(Viewport& viewport, ViewerState& state, EnvironmentLoaded loaded) {
+  if (!loaded.environment) {
+    complain(state, loaded.environment.error());
+    std::erase(state.environments, loaded.source);
+    if (state.settings.environment == loaded.source)
+      state.settings.environment = viewport.environment ? viewport.environment->source : "none";
+    return;
+  }
+  if (findEnvironment(viewport, loaded.source)) return;
+  auto slot = std::make_unique<EnvironmentSlot>();
+  slot->source = loaded.source;
+  slot->environment = *loaded.environment;
+  slot->onGpu.environment = slot->environment.get();
+  slot->notes = std::move(loaded.notes);
+  viewport.environments.push_back(std::move(slot));
+}
+
+void takeImages(Viewport& viewport, ViewerState& state, ImagesDecoded decoded) {
+  SceneSlot* scene = wantedScene(viewport);
+  if (!scene || decoded.model != scene->loaded) return;  // of a model that is no longer wanted
+  if (!decoded.pixels) return giveUp(viewport, state, viewport.asked, decoded.pixels.error());
+  scene->notes.insert(scene->notes.end(), decoded.notes.begin(), decoded.notes.end());
+  scene->pixels.resize(decoded.pixels->size());
+  for (size_t i = 0; i < decoded.pixels->size(); ++i)
+    if ((*decoded.pixels)[i].width > 0) scene->pixels[i] = std::move((*decoded.pixels)[i]);
+}
+
+bool bringUp(Viewport& viewport, ViewerState& state, Loader& loader) {
+  SceneSlot* scene = wantedScene(viewport);
+  if (!scene) return false;
+  const scene::Model& model = scene->loaded->model;
+  const Result<int> index = frame::chooseScene(state.settings, model);
+  if (!index) return giveUp(viewport, state, std::nullopt, index.error()), false;
+  const std::string source = frame::chooseEnvironment(state.settings, scene->source, model, *index);
+  EnvironmentSlot* environment = findEnvironment(viewport, source);
+  if (!environment && !(loader.environment.running() && viewport.loadingEnvironment == source)) {
+    startEnvironment(loader, source);
+    viewport.loadingEnvironment = source;
+  }
+  const ListRequest request = listRequest(state, *index, source != "none");
+  const bool isShown = scene == viewport.scene.get() && environment == viewport.environment;
+  if ((isShown && request == viewport.built) || request == viewport.failed) return false;
+  if (request == viewport.asked && (!environment || loader.images.running())) return false;
+
+  frame::DrawList list = frame::buildDrawList(model, *index, drawOptions(state, source != "none"));
+  std::vector<bool> missing = frame::missingImages(model, list, scene->onGpu.gpu);
+  for (size_t i = 0; i < scene->pixels.size(); ++i) missing[i] = missing[i] && scene->pixels[i].width == 0;
+  const bool complete = std::ranges::none_of(missing, std::identity());
+  viewport.asked = request;
+  if (!complete) startImages(loader, scene->loaded, std::move(missing));
+  if (!complete || !environment) return false;
+
+  if (Result<void> r = putOnGpu(viewport, *scene, *environment, list, request, state); !r)
+    return giveUp(viewport, state, request, r.error()), false;
+  show(viewport, state, environment, std::move(list), request);
+  return true;
+}
+
+std::optional<scene::View> currentView(const Viewport& viewport, ViewerState& state) {
+  if (!viewport.scene) return std::nullopt;
+  const Result<scene::View> view = viewOf(state, viewport.scene->loaded->model, viewport.list);
+  if (view) return *view;
+  complain(state, view.error());
+  state.settings.camera.clear();
+  return viewOf(state, viewport.scene->loaded->model, viewport.list).value();
+}
+
+void reloadShaders(Viewport& viewport, ViewerState& state) {
+  glUseProgram(0);  // else the one in use lives on as a name that can no longer be used
+  viewport.programs.reload();
+  viewport.failed.reset();
+  const std::optional<scene::View> view = currentView(viewport, state);
+  if (!view) return;
+  const Result<void> compiled =
+      frame::preparePrograms({viewport.scene->loaded->model, viewport.list, viewport.scene->onGpu.gpu,
+                              viewport.environment->onGpu.tables, *view, state.settings},
+                             viewport.programs);
+  viewport.shadersBroken = !compiled;
+  if (!compiled) return complain(state, compiled.error());
+  viewport.drawn.reset();
+  say(state, "shaders reloaded");
+}
+
+bool drawViewport(Viewport& viewport, ViewerState& state) {
+  if (const std::optional<double> gpuMs = viewport.clock.poll()) state.shown.statistics.gpuMs = *gpuMs;
+  const std::optional<scene::View> view = currentView(viewport, state);
+  if (!view || viewport.shadersBroken) return false;
+  DrawnFrame wanted{state.settings, state.camera, viewport.listNumber};
+  wanted.settings.environment.clear();  // the list's number stands for what is loaded
+  wanted.settings.scene = -1;
+  if (viewport.drawn == wanted) return false;
+  const frame::PictureSettings& s = state.settings;
+  frame::Targets& targets = viewport.targets;
+  if (!viewport.drawn || viewport.drawn->settings.width != s.width || viewport.drawn->settings.height != s.height ||
+      viewport.drawn->settings.samples != s.samples) {
+    targets = {};  // the old ones go first
+    targets = frame::createTargets(s, viewport.context);
+  }
+  frame::setTextureDetail(viewport.scene->onGpu.gpu, frame::gatheredDraws(s, targets), viewport.context);
+  const scene::Model& model = viewport.scene->loaded->model;
+  const frame::FrameInput input{
+      model, viewport.list, viewport.scene->onGpu.gpu, viewport.environment->onGpu.tables, *view, s};
+  const auto start = std::chrono::steady_clock::now();
+  FrameClock::Slot* slot = viewport.clock.begin();
+  Result<frame::FrameStatistics> drawn = frame::drawFrame(input, targets, viewport.programs);
+  viewport.clock.end(slot);
+  const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
+  viewport.drawn = wanted;
+  if (!drawn) return complain(state, drawn.error()), true;
+  state.shown.statistics.frame = std::move(*drawn);
+  state.shown.statistics.cpuMs = spent.count();
+  measureMemory(viewport, state.shown.statistics);
+  log::debug("frame drawn: " + state.shown.model + ", " + state.shown.environment);
+  return true;
+}
+
+}  // namespace facet::view

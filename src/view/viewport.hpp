@@ -1,0 +1,97 @@
+#pragma once
+
+// The OpenGL side of the viewer: the scene on the GPU, environments with their tables, targets, timers. What is new
+// comes up beside what is shown and takes its place when it is complete.
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frame/picture.hpp"
+#include "gl/context.hpp"
+#include "gl/timer.hpp"
+#include "view/loader.hpp"
+#include "view/viewer_state.hpp"
+
+namespace facet::view {
+
+struct SceneSlot {
+  std::string source;
+  std::shared_ptr<const io::LoadedModel> loaded;
+  frame::SceneOnGpu onGpu;
+  Notes notes;                     // the model's and those of its images
+  std::vector<io::Pixels> pixels;  // decoded, not yet on the GPU
+};
+
+struct EnvironmentSlot {
+  std::string source;
+  std::shared_ptr<const scene::Environment> environment;  // null: none
+  frame::EnvironmentOnGpu onGpu;
+  Notes notes;
+};
+
+// GPU time of frames, read when it is there; a frame that finds no free timer is not measured.
+struct FrameClock {
+  struct Slot {
+    gl::Timer timer;
+    bool pending = false;
+  };
+  std::array<Slot, 3> slots;
+
+  Slot* begin();
+  void end(Slot* slot) const;
+  bool waiting() const;
+  std::optional<double> poll();  // milliseconds of a frame that has ended
+};
+
+// What the last frame was drawn from; while it is unchanged, the frame is still good.
+struct DrawnFrame {
+  frame::PictureSettings settings;
+  scene::OrbitCamera camera;
+  int list = 0;
+
+  bool operator==(const DrawnFrame&) const = default;
+};
+
+struct Viewport {
+  Viewport(gl::ContextInfo contextInfo, shading::ProgramStore store)
+      : context(std::move(contextInfo)), programs(std::move(store)) {}
+
+  gl::ContextInfo context;
+  shading::ProgramStore programs;
+  std::unique_ptr<SceneSlot> scene;                            // shown
+  std::unique_ptr<SceneSlot> next;                             // read, waits for what it needs
+  std::vector<std::unique_ptr<EnvironmentSlot>> environments;  // most recently shown first
+  EnvironmentSlot* environment = nullptr;                      // shown
+  frame::DrawList list;
+  ListRequest built;                  // what the list was made of
+  std::optional<ListRequest> failed;  // could not be drawn; not tried again
+  std::optional<ListRequest> asked;   // its images have been asked for
+  std::string loadingEnvironment;
+  int listNumber = 0;
+  frame::Targets targets;
+  std::optional<DrawnFrame> drawn;
+  FrameClock clock;
+  bool shadersBroken = false;  // as they are in the file now; the last good frame stays
+};
+
+// These tell state.status what failed; what is shown then stays.
+void takeModel(Viewport& viewport, ViewerState& state, ModelLoaded loaded);
+void takeEnvironment(Viewport& viewport, ViewerState& state, EnvironmentLoaded loaded);
+void takeImages(Viewport& viewport, ViewerState& state, ImagesDecoded decoded);
+// Asks the loader for what the state wants and is not there yet, and shows it as soon as everything is there. True
+// where the draw list is new.
+bool bringUp(Viewport& viewport, ViewerState& state, Loader& loader);
+
+// After a change of the shaders' files: compiles anew what is drawn. Where that fails, the last good frame stays.
+void reloadShaders(Viewport& viewport, ViewerState& state);
+
+// The view of what is shown now; nothing where nothing is shown yet or the file has no such camera (which is told).
+std::optional<scene::View> currentView(const Viewport& viewport, ViewerState& state);
+
+// Draws into the targets where anything has changed since the last time. True where it drew.
+bool drawViewport(Viewport& viewport, ViewerState& state);
+
+}  // namespace facet::view

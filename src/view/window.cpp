@@ -1,0 +1,271 @@
+#include "view/window.hpp"
+
+#include <epoxy/gl.h>
+#include <imgui.h>
+#include <imgui/backends/imgui_impl_glfw.h>
+#include <imgui/backends/imgui_impl_opengl3.h>
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "base/log.hpp"
+#include "gl/context.hpp"
+#include "view/camera_control.hpp"
+#include "view/controls.hpp"
+#include "view/input.hpp"
+#include "view/panel.hpp"
+#include "view/screenshot.hpp"
+#include "view/shader_watch.hpp"
+#include "view/style.hpp"
+#include "view/viewport.hpp"
+
+namespace facet::view {
+
+namespace {
+
+// Dear ImGui's context and backends, which end in the reverse order.
+struct ImGuiSession {
+  ImGuiSession(GLFWwindow* window, float scale) {
+    IMGUI_CHECKVERSION();
+    ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = nullptr;  // leaves no file behind
+    applyStyle(scale);
+    ImGui_ImplGlfw_InitForOpenGL(window, true);
+    ImGui_ImplOpenGL3_Init("#version 450 core");
+  }
+  ~ImGuiSession() {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+  }
+  ImGuiSession(const ImGuiSession&) = delete;
+  ImGuiSession& operator=(const ImGuiSession&) = delete;
+};
+
+// After something has happened ImGui needs a few frames until hovering, clicks and sizes have settled.
+constexpr int settlingFrames = 3;
+constexpr double busyWait = 0.05, timerWait = 0.02, idleWait = 10;  // seconds
+
+// The loop's own data; what it shows is in ViewerState and Viewport.
+struct Loop {
+  GLFWwindow* window = nullptr;
+  Input input;
+  int framesToDraw = settlingFrames;
+  std::chrono::steady_clock::time_point last = std::chrono::steady_clock::now();
+  ShaderWatch shaders;
+};
+
+float contentScale(GLFWwindow* window) {
+  float x = 1, y = 1;
+  glfwGetWindowContentScale(window, &x, &y);
+  return std::clamp(std::max(x, y), 1.0f, 4.0f);
+}
+
+bool isDown(GLFWwindow* window, int key) { return glfwGetKey(window, key) == GLFW_PRESS; }
+
+glm::dvec3 flightDirection(const Loop& loop) {
+  if (loop.input.keyboardTaken || isDown(loop.window, GLFW_KEY_LEFT_CONTROL)) return glm::dvec3(0);
+  const auto axis = [&](int plus, int minus) { return isDown(loop.window, plus) - isDown(loop.window, minus); };
+  return {axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_PAGE_UP, GLFW_KEY_PAGE_DOWN), axis(GLFW_KEY_W, GLFW_KEY_S)};
+}
+
+// Sleeps until there is something to do; seconds since the last time, at most a quarter, for flight.
+double waitForEvents(Loop& loop, const Loader& loader, const FrameClock& clock) {
+  const double idle = loop.shaders.folder.empty() ? idleWait : shaderWatchSeconds;
+  if (loop.framesToDraw > 0 || flightDirection(loop) != glm::dvec3(0))
+    glfwPollEvents();
+  else
+    glfwWaitEventsTimeout(loader.running() ? busyWait : clock.waiting() ? timerWait : idle);
+  const auto now = std::chrono::steady_clock::now();
+  const double seconds = std::chrono::duration<double>(now - loop.last).count();
+  loop.last = now;
+  return std::min(seconds, 0.25);
+}
+
+void followFramebuffer(GLFWwindow* window, frame::PictureSettings& settings) {
+  int width = 0, height = 0;
+  glfwGetFramebufferSize(window, &width, &height);
+  if (width < 1 || height < 1) return;  // minimised
+  settings.width = std::min(width, 16384);
+  settings.height = std::min(height, 16384);
+}
+
+// The display picture has been through the sRGB curve already: it is copied as it is.
+void copyToWindow(const frame::Targets& targets) {
+  glDisable(GL_FRAMEBUFFER_SRGB);
+  glBlitNamedFramebuffer(targets.shown.id(), 0, 0, 0, targets.width, targets.height, 0, 0, targets.width,
+                         targets.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+// Behind a transparent picture: checks, over which ImGui blends the display picture's straight alpha.
+void drawOverChecks(const frame::Targets& targets) {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+  constexpr float step = 16;
+  draw.AddRectFilled({0, 0}, size, IM_COL32(92, 92, 92, 255));
+  for (int y = 0; static_cast<float>(y) * step < size.y; ++y)
+    for (int x = y % 2; static_cast<float>(x) * step < size.x; x += 2) {
+      const ImVec2 at(static_cast<float>(x) * step, static_cast<float>(y) * step);
+      draw.AddRectFilled(at, {at.x + step, at.y + step}, IM_COL32(112, 112, 112, 255));
+    }
+  const auto name = static_cast<uintptr_t>(targets.display.id());
+  draw.AddImage(reinterpret_cast<ImTextureID>(name), {0, 0}, size, {0, 1}, {1, 0});
+}
+
+void drawWindow(Loop& loop, const Viewport& viewport, const ViewerState& state) {
+  const bool transparent = state.settings.background == frame::Background::transparent;
+  if (viewport.targets.shown && transparent) drawOverChecks(viewport.targets);
+  ImGui::Render();
+  int width = 0, height = 0;
+  glfwGetFramebufferSize(loop.window, &width, &height);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glViewport(0, 0, width, height);
+  constexpr float grey[] = {0.1f, 0.1f, 0.1f, 1};
+  glClearNamedFramebufferfv(0, GL_COLOR, 0, grey);
+  if (viewport.targets.shown && !transparent) copyToWindow(viewport.targets);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  glfwSwapBuffers(loop.window);
+}
+
+void applyPanel(const PanelResult& panel, Viewport& viewport, ViewerState& state, Input& input, Actions& actions) {
+  const std::optional<scene::View> view = currentView(viewport, state);
+  const double aspect = static_cast<double>(state.settings.width) / state.settings.height;
+  if ((panel.leaveFileCamera || panel.frameAll) && view) freeCamera(state, *view);
+  if (panel.frameAll) state.camera = framedAll(state.camera, state.shown.bounds, aspect);
+  if (panel.resetCamera) state.settings.camera.clear(), state.camera = state.startCamera;
+  actions.screenshot |= panel.screenshot;
+  input.panels = panel.areas;
+  const ImGuiIO& io = ImGui::GetIO();
+  input.mouseTaken = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  input.keyboardTaken = io.WantTextInput || io.WantCaptureKeyboard || input.mouseTaken;
+}
+
+void takeLoaded(Viewport& viewport, ViewerState& state, Loader& loader) {
+  if (auto model = loader.model.take()) takeModel(viewport, state, std::move(*model));
+  if (auto environment = loader.environment.take()) takeEnvironment(viewport, state, std::move(*environment));
+  if (auto images = loader.images.take()) takeImages(viewport, state, std::move(*images));
+}
+
+void nameWhatLoads(const Loader& loader, const Viewport& viewport, const std::string& model, ViewerState& state) {
+  state.loading.clear();
+  if (loader.model.running())
+    state.loading = model;
+  else if (loader.images.running())
+    state.loading = "images of " + (viewport.next ? viewport.next : viewport.scene)->loaded->model.name;
+  else if (loader.environment.running())
+    state.loading = viewport.loadingEnvironment;
+}
+
+void takeScreenshot(const Viewport& viewport, ViewerState& state) {
+  if (!viewport.targets.shown) return;
+  const Result<std::string> written = writeScreenshot(viewport.targets, state.settings);
+  state.status = written ? Status{"screenshot: " + *written, false} : Status{describe(written.error()), true};
+  written ? log::info("screenshot written: " + *written) : log::error(state.status.text);
+}
+
+// One turn of the loop. True while the window stays.
+bool turn(Loop& loop, Viewport& viewport, ViewerState& state, Loader& loader, std::string& model) {
+  const double seconds = waitForEvents(loop, loader, viewport.clock);
+  const Input input = takeInput(loop.input);
+  followFramebuffer(loop.window, state.settings);
+  int width = 1, height = 1;
+  glfwGetWindowSize(loop.window, &width, &height);
+  const Flight flight{flightDirection(loop) * seconds, isDown(loop.window, GLFW_KEY_LEFT_SHIFT)};
+  Actions actions = control(input, flight, currentView(viewport, state), height, state);
+  if (!actions.model.empty()) startModel(loader, model = actions.model);
+  const bool wasLoading = loader.running() || viewport.clock.waiting();
+  takeLoaded(viewport, state, loader);
+  const bool reloaded = shadersChanged(loop.shaders, loop.last);
+  if (reloaded) reloadShaders(viewport, state);
+  if (input.any || reloaded || flight.rightUpForward != glm::dvec3(0)) loop.framesToDraw = settlingFrames;
+  if (wasLoading) loop.framesToDraw = std::max(loop.framesToDraw, 1);
+
+  if (loop.framesToDraw > 0) {
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    ImGui::NewFrame();
+    const PanelResult panel = drawPanel(state);
+    applyPanel(panel, viewport, state, loop.input, actions);
+  }
+  if (bringUp(viewport, state, loader)) loop.framesToDraw = settlingFrames + 1;
+  nameWhatLoads(loader, viewport, model, state);
+  drawViewport(viewport, state);
+  if (actions.screenshot) takeScreenshot(viewport, state);
+  if (loop.framesToDraw > 0) {
+    drawWindow(loop, viewport, state);
+    --loop.framesToDraw;
+  }
+  return !actions.quit && !glfwWindowShouldClose(loop.window);
+}
+
+std::string openGLText(const gl::ContextInfo& info) {
+  const std::string extended = info.major == 4 && info.minor < 6 ? " with extensions" : "";
+  return std::to_string(info.major) + "." + std::to_string(info.minor) + " core" + extended + ", " + info.renderer;
+}
+
+Viewport createViewport(const gl::ContextInfo& info, const WindowOptions& options) {
+  const bool cached = options.diskCache && info.programBinaries;
+  return Viewport(info, shading::ProgramStore(shading::shaderReader(options.settings.shaderDir),
+                                              cached ? shading::userCacheFolder() : std::filesystem::path(),
+                                              info.vendor + "\n" + info.renderer + "\n" + info.version));
+}
+
+}  // namespace
+
+Result<Start> prepareStart(const WindowOptions& options) {
+  Loader loader;
+  startModel(loader, options.model);
+  const frame::PictureSettings& settings = options.settings;
+  if (!settings.environment.empty()) startEnvironment(loader, settings.environment);
+  ModelLoaded loaded = *loader.model.take(true);
+  if (!loaded.model) return tl::unexpected(loaded.model.error());
+  const scene::Model& model = (*loaded.model)->model;
+  const Result<int> index = frame::chooseScene(settings, model);
+  if (!index) return tl::unexpected(index.error());
+  if (settings.environment.empty())
+    startEnvironment(loader, frame::chooseEnvironment(settings, options.model, model, *index));
+  if (!settings.camera.empty()) {
+    const frame::DrawList list = frame::buildDrawList(model, *index, frame::drawOptions(settings, false));
+    if (Result<scene::View> view = frame::chooseView(settings, options.model, model, list); !view)
+      return tl::unexpected(view.error());
+  }
+  EnvironmentLoaded environment = *loader.environment.take(true);
+  if (!environment.environment) return tl::unexpected(environment.environment.error());
+  return Start{std::move(loaded), std::move(environment)};
+}
+
+Result<void> runWindow(const WindowOptions& options, Start start) {
+  Loader loader;  // first: what it still reads at the end is waited for after the window has gone
+  Result<gl::WindowContext> context =
+      gl::WindowContext::create(options.settings.width, options.settings.height, "facet", options.glDebug);
+  if (!context) return tl::unexpected(context.error());
+  glfwSwapInterval(1);
+  Loop loop;
+  loop.window = context->window();
+  loop.shaders = watchShaders(options.settings.shaderDir);
+  listen(loop.window, loop.input);
+  const ImGuiSession imgui(loop.window, contentScale(loop.window));
+
+  ViewerState state;
+  state.settings = options.settings;
+  state.environments = builtinEnvironmentSources();
+  state.openGL = openGLText(context->info());
+  Viewport viewport = createViewport(context->info(), options);
+  std::string model = options.model;
+  takeModel(viewport, state, std::move(start.model));
+  takeEnvironment(viewport, state, std::move(start.environment));
+  std::string title;
+  while (turn(loop, viewport, state, loader, model)) {
+    if (title == state.shown.model) continue;
+    title = state.shown.model;
+    glfwSetWindowTitle(loop.window, (title + " \xe2\x80\x93 facet").c_str());
+  }
+  glfwHideWindow(loop.window);
+  return {};
+}
+
+}  // namespace facet::view

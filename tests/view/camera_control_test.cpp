@@ -1,0 +1,116 @@
+#include "view/camera_control.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace facet;
+using scene::OrbitCamera;
+
+namespace {
+
+constexpr double width = 640, height = 480;
+
+OrbitCamera example() {
+  OrbitCamera camera;
+  camera.theta = 37;
+  camera.phi = 62;
+  camera.radius = 3.5;
+  camera.target = {1, -2, 0.5};
+  camera.fovY = 40;
+  return camera;
+}
+
+// Where a world point is seen, in pixels from the top left.
+glm::dvec2 pixelOf(const OrbitCamera& camera, const glm::dvec3& p) {
+  const scene::View view = scene::orbitView(camera, width / height, {});
+  const glm::dvec4 clip = view.clipFromWorld * glm::dvec4(p, 1);
+  return {(clip.x / clip.w * 0.5 + 0.5) * width, (0.5 - clip.y / clip.w * 0.5) * height};
+}
+
+// The point at the target's depth that is seen at this pixel.
+glm::dvec3 pointAt(const OrbitCamera& camera, const glm::dvec2& pixel) {
+  const scene::View view = scene::orbitView(camera, width / height, {});
+  const double perPixel = 2 * camera.radius * std::tan(glm::radians(camera.fovY) / 2) / height;
+  return camera.target + view.right * ((pixel.x - width / 2) * perPixel) -
+         view.up * ((pixel.y - height / 2) * perPixel);
+}
+
+scene::Bounds box(double half) { return {glm::dvec3(-half), glm::dvec3(half)}; }
+
+}  // namespace
+
+TEST_CASE("camera control: a pan keeps the point at the target's depth under the pointer") {
+  for (const double phi : {0.0, 62.0, 180.0}) {
+    OrbitCamera camera = example();
+    camera.phi = phi;
+    const glm::dvec2 from(100, 400), drag(173, -91);
+    const glm::dvec3 held = pointAt(camera, from);
+    CHECK(glm::distance(pixelOf(camera, held), from) < 1e-9);
+    const OrbitCamera panned = view::panned(camera, drag, height);
+    CHECK(glm::distance(pixelOf(panned, held), from + drag) < 1e-9);
+    CHECK(panned.radius == camera.radius);
+    CHECK(panned.theta == camera.theta);
+    CHECK(panned.phi == camera.phi);
+  }
+}
+
+TEST_CASE("camera control: an orbit turns half around over the window's height and stops at the poles") {
+  const OrbitCamera camera = example();
+  CHECK(view::orbited(camera, {height, 0}, height).theta == Approx(37 - 180));
+  CHECK(view::orbited(camera, {0, height / 6}, height).phi == Approx(62 - 30));
+  CHECK(view::orbited(camera, {0, 10 * height}, height).phi == 0);
+  CHECK(view::orbited(camera, {0, -10 * height}, height).phi == 180);
+  CHECK(view::orbited(camera, {-height, 0}, height).theta == Approx(37 - 180));  // 217 is wrapped
+  const OrbitCamera far = view::orbited(camera, {1e6, 0}, height);
+  CHECK(std::abs(far.theta) <= 180);
+  CHECK(far.target == camera.target);
+  // The scene follows the pointer: what is before the target moves to the right.
+  const glm::dvec3 before = camera.target + 0.1 * glm::normalize(view::eyeOf(camera) - camera.target);
+  CHECK(pixelOf(view::orbited(camera, {20, 0}, height), before).x > width / 2 + 1);
+  CHECK(pixelOf(view::orbited(camera, {0, 20}, height), before).y > height / 2 + 1);
+}
+
+TEST_CASE("camera control: zoom is a factor of 0.9 a step within the scene's limits") {
+  const view::RadiusLimits limits = view::radiusLimits(box(2));
+  const double radius = std::sqrt(12.0);
+  CHECK(limits.min == Approx(1e-3 * radius));
+  CHECK(limits.max == Approx(1e2 * radius));
+  const OrbitCamera camera = example();
+  CHECK(view::zoomed(camera, 1, limits).radius == Approx(3.5 * 0.9));
+  CHECK(view::zoomed(view::zoomed(camera, 3, limits), -3, limits).radius == Approx(3.5));
+  CHECK(view::zoomed(camera, 1e6, limits).radius == limits.min);
+  CHECK(view::zoomed(camera, -1e6, limits).radius == limits.max);
+  CHECK(view::radiusLimits({}).max == 100);
+  CHECK(view::radiusLimits({glm::dvec3(7), glm::dvec3(7)}).min == 1e-3);
+}
+
+TEST_CASE("camera control: looking keeps the eye and turns towards the pointer") {
+  const OrbitCamera camera = example();
+  const OrbitCamera looked = view::looked(camera, {60, 30}, height);
+  CHECK(glm::distance(view::eyeOf(looked), view::eyeOf(camera)) < 1e-12);
+  CHECK(looked.theta == Approx(37 - 5));
+  CHECK(looked.phi == Approx(62 - 2.5));
+  // What was in the middle is now to the left and above: we look to the right and down.
+  const glm::dvec2 seen = pixelOf(looked, camera.target);
+  CHECK(seen.x < width / 2 - 20);
+  CHECK(seen.y < height / 2 - 10);
+}
+
+TEST_CASE("camera control: flying moves eye and target along the camera's axes") {
+  const OrbitCamera camera = example();
+  const OrbitCamera flown = view::flown(camera, {0, 0, 1.25});
+  CHECK(flown.radius == camera.radius);
+  const glm::dvec3 forward = glm::normalize(camera.target - view::eyeOf(camera));
+  CHECK(glm::distance(view::eyeOf(flown), view::eyeOf(camera) + 1.25 * forward) < 1e-12);
+  CHECK(pixelOf(view::flown(camera, {1, 0, 0}), camera.target).x < width / 2 - 1);
+  CHECK(pixelOf(view::flown(camera, {0, 1, 0}), camera.target).y > height / 2 + 1);
+}
+
+TEST_CASE("camera control: framing all keeps the direction and shows the whole sphere around the bounds") {
+  OrbitCamera camera = example();
+  const OrbitCamera framed = view::framedAll(camera, {{9, 9, 9}, {11, 11, 11}}, width / height);
+  CHECK(framed.theta == camera.theta);
+  CHECK(framed.phi == camera.phi);
+  CHECK(framed.fovY == camera.fovY);
+  CHECK(framed.target == glm::dvec3(10));
+  CHECK(framed.radius == Approx(std::sqrt(3.0) / std::sin(glm::radians(20.0))));
+}

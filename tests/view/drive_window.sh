@@ -1,0 +1,126 @@
+#!/bin/bash
+# Drives the viewer as a hand would, under a virtual X server: open, orbit, switch the environment, take pictures, quit.
+# drive_window.sh FACET SHADERS; exit status 77 and a line "skipped: REASON" where the tools for it are missing.
+set -u
+facet=$1 shaders=$2
+
+for tool in Xvfb xdotool; do
+  command -v $tool >/dev/null || { echo "skipped: $tool is not installed"; exit 77; }
+done
+folder=$(mktemp -d) || exit 1
+cd "$folder" || exit 1
+export XDG_CACHE_HOME=$folder/cache
+server= viewer=
+finish() {
+  [ -n "$viewer" ] && kill "$viewer" 2>/dev/null
+  [ -n "$server" ] && kill "$server" 2>/dev/null
+  wait 2>/dev/null
+  rm -rf "$folder"
+}
+trap finish EXIT
+fail() {
+  echo "FAILED: $*"
+  [ -f log ] && sed 's/^/  /' log
+  exit 1
+}
+
+# Without a display: a sentence and exit status 3.
+env -u DISPLAY -u WAYLAND_DISPLAY "$facet" builtin:spheres >no_display 2>&1
+[ $? = 3 ] || fail "exit status without a display is not 3: $(cat no_display)"
+grep -q "window: no display could be opened: .*facet render.*needs no display\.$" no_display ||
+  fail "no sentence about the missing display: $(cat no_display)"
+
+Xvfb -displayfd 9 -screen 0 640x480x24 +extension GLX -nolisten tcp 9>display 2>server_log &
+server=$!
+for _ in $(seq 100); do [ -s display ] && break; sleep 0.1; done
+[ -s display ] || { echo "skipped: Xvfb does not start: $(tail -1 server_log)"; exit 77; }
+export DISPLAY=:$(cat display)
+unset WAYLAND_DISPLAY
+
+# What cannot be read is told before there is a window.
+"$facet" missing.glb >missing 2>&1
+[ $? = 2 ] || fail "exit status of a missing model is not 2: $(cat missing)"
+
+cp -r "$shaders" shaders || fail "no copy of the shaders"
+: >log
+"$facet" builtin:spheres --size 480x360 --samples 1 --shader-dir shaders --gl-debug --log-level debug >log 2>&1 &
+viewer=$!
+
+# Waits until the line has been logged more often than before; at most 20 s.
+count() { grep -c "$1" log; }
+await() {  # PATTERN COUNT
+  for _ in $(seq 400); do
+    [ "$(count "$1")" -ge "$2" ] && return
+    kill -0 $viewer 2>/dev/null || fail "the viewer ended while waiting for '$1'"
+    sleep 0.05
+  done
+  fail "no line '$1'"
+}
+screenshots=0
+screenshot() {  # NAME
+  xdotool key p
+  screenshots=$((screenshots + 1))
+  await "screenshot written: " $screenshots
+  mv "$(sed -n 's/.*screenshot written: //p' log | tail -1)" "$1.png" || fail "the screenshot $1 is not there"
+}
+same() { "$facet" compare "$1.png" "$2.png" --metric largest --max-error 0 || fail "$1 and $2 differ"; }
+differ() {  # at least 5/255, far above what any driver's rounding makes
+  "$facet" compare "$1.png" "$2.png" --metric drmse --max-error 5
+  [ $? = 1 ] || fail "$1 and $2 look the same"
+}
+
+await "frame drawn: builtin:spheres, builtin:studio" 1
+window=$(xdotool search --sync --onlyvisible --pid $viewer 2>/dev/null | head -1)
+[ -n "$window" ] || window=$(xdotool search --onlyvisible --name facet | head -1)
+[ -n "$window" ] || fail "no window"
+xdotool windowfocus --sync "$window" || fail "the window takes no focus"
+
+xdotool key h # the panel covers much of so small a window
+screenshot start
+"$facet" render builtin:spheres --size 480x360 --samples 1 --env builtin:studio --orbit 0,90,9.2 --target 0,0,0 \
+  --fov-y 45 -o headless.png >/dev/null 2>&1 || fail "no headless picture"
+"$facet" compare headless.png start.png --metric drmse --max-error 1 || fail "window and headless picture differ"
+screenshot again
+same start again
+
+xdotool mousemove --window "$window" 240 180 mousedown 1 mousemove_relative 60 20 mouseup 1
+await "frame drawn" 2
+screenshot orbited
+differ start orbited
+
+xdotool key r
+await "frame drawn" 3
+screenshot reset
+same start reset
+
+xdotool key e
+await "frame drawn: builtin:spheres, builtin:sky" 1
+screenshot sky
+differ start sky
+
+# With the panel, the picture stays the picture.
+xdotool key h
+screenshot panel
+same sky panel
+
+# A shader is edited: a slip is told and leaves the picture, its correction is taken.
+cp shaders/passes/display.frag.glsl good.glsl
+echo "slip" >>shaders/passes/display.frag.glsl
+await "error: .*fragment shader: shaders/passes/display.frag.glsl:[0-9]*: .*error" 1
+screenshot slip
+same sky slip
+sleep 0.1 # a newer time on any file system
+cp good.glsl shaders/passes/display.frag.glsl
+await "shaders reloaded" 1
+screenshot corrected
+same sky corrected
+
+xdotool key Escape
+for _ in $(seq 200); do kill -0 $viewer 2>/dev/null || break; sleep 0.05; done
+kill -0 $viewer 2>/dev/null && fail "Escape does not end the viewer"
+wait $viewer
+status=$?
+viewer=
+[ $status = 0 ] || fail "exit status $status"
+grep -q "\(error\|warning\): OpenGL: " log && fail "OpenGL complains"
+echo "passed"

@@ -1,0 +1,121 @@
+#include "view/viewer_state.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "commands/picture_options.hpp"
+#include "frame/picture.hpp"
+#include "io/gltf.hpp"
+#include "support/gltf_builder.hpp"
+#include "support/temporary_folder.hpp"
+#include "view/screenshot.hpp"
+#include "view/statistics_panel.hpp"
+
+using namespace facet;
+
+TEST_CASE("viewer state: a built-in scene brings its camera and environment, what is given wins") {
+  const scene::Model model;
+  frame::PictureSettings settings;
+  settings.width = 800;
+  settings.height = 600;
+  CHECK(frame::chooseEnvironment(settings, "builtin:furnace", model, 0) == "builtin:white");
+  settings.environment = "none";
+  CHECK(frame::chooseEnvironment(settings, "builtin:furnace", model, 0) == "none");
+
+  const scene::Bounds bounds = {glm::dvec3(-1), glm::dvec3(1)};
+  CHECK(frame::chooseOrbit(settings, "builtin:furnace", bounds).radius == 14);
+  CHECK(frame::chooseOrbit(settings, "furnace", bounds) == scene::frameBounds(bounds, 45, 800.0 / 600));
+  settings.height = 1600;
+  CHECK(frame::chooseOrbit(settings, "builtin:furnace", bounds).radius == 28);
+  settings.orbit = frame::Orbit{10, 20, std::nullopt};
+  settings.target = glm::dvec3(1, 2, 3);
+  const scene::OrbitCamera camera = frame::chooseOrbit(settings, "builtin:furnace", bounds);
+  CHECK(camera.theta == 10);
+  CHECK(camera.phi == 20);
+  CHECK(camera.radius == 28);
+  CHECK(camera.target == glm::dvec3(1, 2, 3));
+}
+
+TEST_CASE("viewer state: the copied command gives the same settings again") {
+  view::ViewerState state;
+  state.settings.width = 1280;
+  state.settings.height = 800;
+  state.settings.exposureStops = -1.5f;
+  state.settings.environmentRotationDeg = 30;
+  state.settings.channel = "normal";
+  state.shown.environment = "builtin:sky";
+  state.camera = {12.5, 80, 3.25, {0.5, 1, -2}, 35};
+  const std::string line = commands::commandLine(view::commandSettings(state), "a b.glb");
+  CHECK(line ==
+        "facet 'a b.glb' --size 1280x800 --orbit 12.5,80,3.25 --target 0.5,1,-2 --fov-y 35 --env builtin:sky "
+        "--env-rotation 30 --exposure -1.5 --channel normal");
+  state.settings.camera = "door";
+  CHECK(commands::commandLine(view::commandSettings(state), "a.glb") ==
+        "facet a.glb --size 1280x800 --camera door --env builtin:sky --env-rotation 30 --exposure -1.5 "
+        "--channel normal");
+}
+
+TEST_CASE("viewer state: only what the draw list reads asks for a new one") {
+  view::ViewerState state;
+  const view::ListRequest before = view::listRequest(state, 0, true);
+  state.settings.exposureStops = 3;
+  state.settings.environmentRotationDeg = 90;
+  state.settings.occlusion = 0.5f;
+  state.material.metallic = 1;  // switched off
+  state.camera.theta = 9;
+  CHECK(view::listRequest(state, 0, true) == before);
+  const auto changes = [&](auto change) {
+    view::ViewerState other = state;
+    change(other);
+    return view::listRequest(other, 0, true) != before;
+  };
+  CHECK(changes([](view::ViewerState& s) { s.settings.occlusion = 0; }));
+  CHECK(changes([](view::ViewerState& s) { s.settings.environmentStrength = 0; }));
+  CHECK(changes([](view::ViewerState& s) { s.settings.channel = "uv"; }));
+  CHECK(changes([](view::ViewerState& s) { s.settings.lights = frame::Lights::demo; }));
+  CHECK(changes([](view::ViewerState& s) { s.settings.background = frame::Background::transparent; }));
+  CHECK(changes([](view::ViewerState& s) { s.material.on = true; }));
+  CHECK(changes([](view::ViewerState& s) { s.settings.samples = 16; }));
+  CHECK_FALSE(changes([](view::ViewerState& s) { s.settings.samples = 2; }));
+  CHECK(view::listRequest(state, 1, true) != before);
+  CHECK(view::listRequest(state, 0, false) != before);
+}
+
+TEST_CASE("viewer state: the material choice takes every draw's place") {
+  const std::vector<uint8_t> glb = test::triangle().glb();
+  const Result<io::LoadedModel> loaded = io::loadGltfBytes(glb, "triangle.glb");
+  REQUIRE(loaded);
+  view::ViewerState state;
+  state.material = {true, {0.1f, 0.2f, 0.3f}, 0.75f, 0.25f};
+  const frame::DrawList list = frame::buildDrawList(loaded->model, 0, view::drawOptions(state, true));
+  REQUIRE(list.opaque.size() == 1);
+  const scene::Material& material = list.materials[static_cast<size_t>(list.opaque[0].material)];
+  CHECK(material.baseColorFactor == glm::vec4(0.1f, 0.2f, 0.3f, 1));
+  CHECK(material.metallicFactor == 0.75f);
+  CHECK(material.perceptualRoughnessFactor == 0.25f);
+  CHECK(view::variantCount(list) == 1);
+}
+
+TEST_CASE("viewer state: numbers for people") {
+  CHECK(view::grouped(0) == "0");
+  CHECK(view::grouped(999) == "999");
+  CHECK(view::grouped(1000) == "1 000");
+  CHECK(view::grouped(1234567) == "1 234 567");
+  CHECK(view::milliseconds(3.254) == "3.25 ms");
+  CHECK(view::milliseconds(5555.4) == "5555 ms");
+  CHECK(view::byteText(999) == "999 B");
+  CHECK(view::byteText(1000) == "1.0 kB");
+  CHECK(view::byteText(9960) == "10 kB");
+  CHECK(view::byteText(999'600) == "1.0 MB");
+  CHECK(view::byteText(84'123'456) == "84 MB");
+  CHECK(view::byteText(~uint64_t{0}) == "18 EB");
+}
+
+TEST_CASE("screenshot: the name tells the time and overwrites nothing") {
+  const test::TemporaryFolder folder;
+  std::tm time{};
+  time.tm_year = 124, time.tm_mon = 1, time.tm_mday = 29, time.tm_hour = 7, time.tm_min = 5, time.tm_sec = 9;
+  CHECK(view::screenshotName(time, folder.path()) == folder.path() / "facet-20240229-070509.png");
+  folder.write("facet-20240229-070509.png", std::string("x"));
+  folder.write("facet-20240229-070509-2.png", std::string("x"));
+  CHECK(view::screenshotName(time, folder.path()) == folder.path() / "facet-20240229-070509-3.png");
+}

@@ -1,0 +1,148 @@
+#include <catch2/catch.hpp>
+#include <thread>
+
+#include "support/gltf_builder.hpp"
+#include "support/gpu.hpp"
+#include "support/temporary_folder.hpp"
+#include "view/viewport.hpp"
+
+using namespace facet;
+
+namespace {
+
+struct Viewer {
+  view::Loader loader;
+  view::ViewerState state;
+  view::Viewport viewport{test::contextInfo(), test::makeProgramStore()};
+
+  Viewer() {
+    state.settings.width = 64;
+    state.settings.height = 48;
+    state.settings.samples = 1;
+    state.environments = view::builtinEnvironmentSources();
+  }
+
+  // As the window's loop until nothing is under way.
+  void settle() {
+    for (int i = 0; i < 2000; ++i) {
+      if (auto model = loader.model.take()) view::takeModel(viewport, state, std::move(*model));
+      if (auto map = loader.environment.take()) view::takeEnvironment(viewport, state, std::move(*map));
+      if (auto images = loader.images.take()) view::takeImages(viewport, state, std::move(*images));
+      view::bringUp(viewport, state, loader);
+      if (!loader.running()) break;
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    REQUIRE_FALSE(loader.running());
+  }
+  void load(const std::string& source) {
+    view::startModel(loader, source);
+    settle();
+  }
+  // The channel of a pixel in the middle of the triangle, 8 bit.
+  glm::ivec3 middle() {
+    view::drawViewport(viewport, state);
+    const io::Pixels pixels = frame::readDisplay(viewport.targets, false);
+    const size_t at = (static_cast<size_t>(pixels.height / 2) * static_cast<size_t>(pixels.width) +
+                       static_cast<size_t>(pixels.width / 2)) *
+                      3;
+    return {pixels.data[at], pixels.data[at + 1], pixels.data[at + 2]};
+  }
+};
+
+// A triangle that covers the middle of the picture, unlit, with this texture.
+std::vector<uint8_t> texturedTriangle(const std::vector<uint8_t>& rgb) {
+  test::GltfBuilder b = test::triangle();
+  const std::vector<uint8_t> png = test::pngBytes(1, 1, 3, 8, rgb);
+  b.append("images", {{"uri", test::dataUri(png, "image/png")}});
+  b.append("textures", {{"source", 0}});
+  b.append("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}},
+                         {"doubleSided", true},
+                         {"extensions", {{"KHR_materials_unlit", nlohmann::json::object()}}}});
+  b.json["extensionsUsed"] = {"KHR_materials_unlit"};
+  const std::vector<float> uv = {0, 0, 1, 0, 0, 1}, normals = {0, 0, 1, 0, 0, 1, 0, 0, 1};
+  nlohmann::json& primitive = b.json["meshes"][0]["primitives"][0];
+  primitive["attributes"]["NORMAL"] = b.add(normals, test::floatType, "VEC3");
+  primitive["attributes"]["TEXCOORD_0"] = b.add(uv, test::floatType, "VEC2");
+  primitive["material"] = 0;
+  return b.glb();
+}
+
+}  // namespace
+
+TEST_CASE("viewport: a model comes up with its images, a failed one changes nothing", "[gl]") {
+  const test::TemporaryFolder folder;
+  Viewer viewer;
+  viewer.load(folder.write("red.glb", texturedTriangle({255, 0, 0})));
+  REQUIRE(viewer.viewport.scene);
+  CHECK(viewer.state.shown.environment == "none");  // nothing in it could be lit
+  CHECK(viewer.state.shown.statistics.images == 1);
+  viewer.state.camera.target = {0.3, 0.3, 0};
+  viewer.state.settings.toneMapper = frame::ToneMapper::none;
+  CHECK(viewer.middle() == glm::ivec3(255, 0, 0));
+  CHECK(viewer.state.shown.statistics.imagesDecoded == 1);
+  CHECK(viewer.state.shown.statistics.frame.triangles == 1);
+  const scene::OrbitCamera camera = viewer.state.camera;
+
+  viewer.load(folder.file("missing.glb"));
+  CHECK(viewer.state.status.isError);
+  CHECK(viewer.state.status.text.find("missing.glb") != std::string::npos);
+  CHECK(viewer.state.shown.model == folder.file("red.glb"));
+  CHECK(viewer.state.camera == camera);
+  CHECK(viewer.middle() == glm::ivec3(255, 0, 0));
+
+  viewer.load(folder.write("blue.glb", texturedTriangle({0, 0, 255})));
+  CHECK(viewer.state.shown.model == folder.file("blue.glb"));
+  viewer.state.camera.target = {0.3, 0.3, 0};
+  CHECK(viewer.middle() == glm::ivec3(0, 0, 255));
+}
+
+TEST_CASE("viewport: the newest of several loads is shown", "[gl]") {
+  const test::TemporaryFolder folder;
+  const std::string red = folder.write("red.glb", texturedTriangle({255, 0, 0}));
+  const std::string blue = folder.write("blue.glb", texturedTriangle({0, 0, 255}));
+  Viewer viewer;
+  for (const std::string& source : {red, blue, red, blue}) view::startModel(viewer.loader, source);
+  viewer.settle();
+  CHECK(viewer.state.shown.model == blue);
+}
+
+TEST_CASE("viewport: a frame is drawn only where something has changed", "[gl]") {
+  const test::TemporaryFolder folder;
+  Viewer viewer;
+  viewer.load(folder.write("red.glb", texturedTriangle({255, 0, 0})));
+  CHECK(view::drawViewport(viewer.viewport, viewer.state));
+  CHECK_FALSE(view::drawViewport(viewer.viewport, viewer.state));
+  viewer.state.camera.theta += 1;
+  CHECK(view::drawViewport(viewer.viewport, viewer.state));
+  viewer.state.settings.exposureStops = 1;
+  CHECK_FALSE(view::bringUp(viewer.viewport, viewer.state, viewer.loader));
+  CHECK(view::drawViewport(viewer.viewport, viewer.state));
+  viewer.state.settings.width = 80;
+  CHECK(view::drawViewport(viewer.viewport, viewer.state));
+  CHECK(viewer.viewport.targets.width == 80);
+  viewer.state.settings.channel = "baseColor";
+  CHECK(view::bringUp(viewer.viewport, viewer.state, viewer.loader));
+  CHECK(view::drawViewport(viewer.viewport, viewer.state));
+  CHECK_FALSE(view::drawViewport(viewer.viewport, viewer.state));
+}
+
+TEST_CASE("viewport: what a setting needs is fetched when it is set, a failed environment is taken back", "[gl]") {
+  const test::TemporaryFolder folder;
+  Viewer viewer;
+  viewer.load(folder.write("red.glb", texturedTriangle({255, 0, 0})));
+  viewer.state.settings.environment = folder.file("missing.hdr");
+  view::offerEnvironment(viewer.state, viewer.state.settings.environment);
+  view::bringUp(viewer.viewport, viewer.state, viewer.loader);
+  viewer.settle();
+  CHECK(viewer.state.status.isError);
+  CHECK(viewer.state.settings.environment == "none");
+  CHECK(viewer.state.environments == view::builtinEnvironmentSources());
+
+  viewer.state.material.on = true;  // lit, and without the file's image
+  viewer.state.settings.environment = "builtin:white";
+  viewer.settle();
+  CHECK(viewer.state.shown.environment == "builtin:white");
+  CHECK(viewer.viewport.environment->onGpu.tables.dfg);
+  CHECK(viewer.viewport.environment->onGpu.tables.irradiance);
+  CHECK(viewer.viewport.environment->onGpu.tables.background);
+}
