@@ -30,7 +30,7 @@ frame::Picture Studio::render(const io::LoadedModel& model, const frame::Picture
   notes.clear();
   const auto scene = frame::chooseScene(settings, model.model);
   REQUIRE(scene);
-  const std::string name = frame::chooseEnvironment(settings, model.model, *scene);
+  const std::string name = frame::chooseEnvironment(settings, model.model.name, model.model, *scene);
   const auto [entry, isNew] = lights_.try_emplace(name);
   Light& light = entry->second;
   if (isNew && name != "none") {
@@ -40,6 +40,7 @@ frame::Picture Studio::render(const io::LoadedModel& model, const frame::Picture
     light.onGpu.environment = &light.environment;
   }
   frame::SceneOnGpu onGpu;
+  onGpu.source = model.model.name;
   onGpu.model = &model.model;
   Stages stages;
   Result<frame::Picture> picture = frame::renderPicture(settings, {.radiance = true, .display = true}, onGpu,
