@@ -15,7 +15,7 @@ struct Surface {
   vec3 dielectricF0;
   float perceptualRoughness;
   float alpha;                // perceptualRoughness^2
-  vec3 dfg;                   // A, B and tilt of (NoV, perceptualRoughness), dfg_table.glsl
+  vec3 dfg;                   // A, B and tilt of (NoV, perceptualRoughness): dfg_table.glsl
   float occlusion;            // share of distant light that reaches the point
 };
 
@@ -42,7 +42,7 @@ vec3 evaluateBsdf(Surface s, vec3 L) {
   NoL = min(NoL, 1.0);
   vec3 VL = s.V + L;
   float length2 = dot(VL, VL);
-  vec3 H = length2 > 1e-12 ? VL * inversesqrt(length2) : s.N;  // L = -V leaves H undefined
+  vec3 H = length2 > 1e-12 ? VL * inversesqrt(length2) : vec3(0.0);  // L = -V leaves H undefined: D = 0
   float VoH = dot(s.V, H);
   float alpha = max(s.alpha, minAnalyticAlpha);
   vec3 metalGain = energyCompensation(s.baseColor, s.dfg.xy);

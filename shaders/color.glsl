@@ -14,7 +14,7 @@ vec3 toneReinhard(vec3 c) { return c / (1.0 + c); }
 vec3 hable(vec3 x) {
   return (x * (0.15 * x + 0.05) + 0.004) / (x * (0.15 * x + 0.5) + 0.06) - 0.02 / 0.3;
 }
-vec3 toneUncharted2(vec3 c) { return hable(2.0 * min(c, 1e6)) / hable(vec3(11.2)); }
+vec3 toneUncharted2(vec3 c) { return clamp(hable(2.0 * min(c, 1e6)) / hable(vec3(11.2)), 0.0, 1.0); }
 
 // Hill's fit of the ACES RRT and ODT, without the pre-exposure of 1 / 0.6 that some viewers add.
 vec3 toneAces(vec3 c) {

@@ -23,14 +23,11 @@ vec3 fetchLd(vec3 d, float perceptualRoughness) {
   return weight > 0.0 ? mix(low, fetchLd(d, layer + 1), weight) : low;
 }
 
-// Where the lobe looks on average: from N by the table's tilt towards the mirror direction. At alpha = 0 that is the
-// mirror direction, at alpha = 1 nearly N.
+// Where the lobe looks on average: the mirror direction's tangential part, shortened by the table. At alpha = 0 that is
+// the mirror direction, at alpha = 1 N. Continuous where V meets N.
 vec3 specularMeanDirection(Surface s) {
-  vec3 tangential = dot(s.N, s.V) * s.N - s.V;
-  float length2 = dot(tangential, tangential);
-  if (length2 < 1e-12) return s.N;
-  float t = s.dfg.z;
-  return t * inversesqrt(length2) * tangential + sqrt(max(0.0, 1.0 - t * t)) * s.N;
+  vec3 tangential = s.dfg.z * (dot(s.N, s.V) * s.N - s.V);
+  return tangential + sqrt(max(0.0, 1.0 - dot(tangential, tangential))) * s.N;
 }
 
 // The distant light's share: metal and dielectric as in evaluateBsdf.

@@ -2,10 +2,11 @@
 // The twin is src/optics/mapping.cpp.
 #include "constants.glsl"
 
-// u to the right, v DOWN from +Y (texture row 0 is the top): u = atan2(z, x) / 2 pi + 1/2, v = 1/2 - asin(y) / pi.
+// u to the right, v DOWN from +Y (texture row 0 is the top): u = atan2(z, x) / 2 pi + 1/2, v = 1/2 - asin(y) / pi. The
+// latitude as atan2: asin loses half its digits near the poles, and drivers approximate it to 4e-4 only.
 vec2 equirectFromDirection(vec3 d) {
   float u = (d.x == 0.0 && d.z == 0.0) ? 0.5 : atan(d.z, d.x) / (2.0 * PI) + 0.5;
-  return vec2(u, 0.5 - asin(clamp(d.y, -1.0, 1.0)) / PI);
+  return vec2(u, 0.5 - atan(d.y, length(d.xz)) / PI);
 }
 
 vec3 directionFromEquirect(vec2 uv) {

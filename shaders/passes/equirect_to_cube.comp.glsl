@@ -1,4 +1,6 @@
-// Equirectangular map -> cube map: each texel is the mean radiance over its solid angle, from taps x taps samples.
+// Equirectangular map -> cube map: each texel is the mean radiance over its solid angle, from taps x taps samples. Where
+// they differ by more than `steep` in a channel, from steepTaps x steepTaps: a sun of one source texel is a tent two texels
+// wide, whose flux 4 x 4 taps miss by up to 2 %, 16 x 16 by 0.12 %.
 #include "layout.h"
 #include "mapping.glsl"
 
@@ -6,19 +8,44 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = equirectUnit) uniform sampler2D equirect;
 layout(binding = 0, rgba32f) writeonly uniform imageCube cube;
 layout(location = 0) uniform int taps;
+layout(location = 1) uniform int steepTaps;
+layout(location = 2) uniform float steep;
+
+vec3 radianceAt(int face, vec2 st) {
+  return textureLod(equirect, equirectFromDirection(normalize(directionFromCube(face, st))), 0.0).rgb;
+}
+
+// low and high take in the samples.
+vec3 meanRadiance(ivec3 texel, float texelSize, int n, inout vec3 low, inout vec3 high) {
+  vec3 sum = vec3(0.0);
+  float weights = 0.0;
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      vec2 st = (vec2(texel.xy) + (vec2(i, j) + 0.5) / float(n)) * texelSize - 1.0;
+      float w = cubeSolidAngleDensity(st);
+      vec3 radiance = radianceAt(texel.z, st);
+      low = min(low, radiance);
+      high = max(high, radiance);
+      sum += w * radiance;
+      weights += w;
+    }
+  return sum / weights;
+}
 
 void main() {
   int size = imageSize(cube).x;
   ivec3 texel = ivec3(gl_GlobalInvocationID);
   if (texel.x >= size || texel.y >= size) return;
-  vec3 sum = vec3(0.0);
-  float weights = 0.0;
-  for (int j = 0; j < taps; ++j)
-    for (int i = 0; i < taps; ++i) {
-      vec2 st = (vec2(texel.xy) + (vec2(i, j) + 0.5) / float(taps)) * (2.0 / float(size)) - 1.0;
-      float w = cubeSolidAngleDensity(st);
-      sum += w * textureLod(equirect, equirectFromDirection(normalize(directionFromCube(texel.z, st))), 0.0).rgb;
-      weights += w;
-    }
-  imageStore(cube, texel, vec4(sum / weights, 1.0));
+  float texelSize = 2.0 / float(size);
+  vec3 low = vec3(3e38), high = vec3(0.0);
+  // A sun that only the texel's margin sees, outside the outermost samples, shows at a corner.
+  for (int corner = 0; corner < 4; ++corner) {
+    vec3 radiance = radianceAt(texel.z, (vec2(texel.xy) + vec2(corner % 2, corner / 2)) * texelSize - 1.0);
+    low = min(low, radiance);
+    high = max(high, radiance);
+  }
+  vec3 mean = meanRadiance(texel, texelSize, taps, low, high);
+  vec3 range = high - low;
+  if (max(range.r, max(range.g, range.b)) > steep) mean = meanRadiance(texel, texelSize, steepTaps, low, high);
+  imageStore(cube, texel, vec4(mean, 1.0));
 }

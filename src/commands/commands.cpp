@@ -27,6 +27,11 @@ constexpr Command table[] = {
      "  facet compare before.png after.png --metric above --tolerance 0.02 --max-error 0.001 --diff difference.png\n"
      "  facet compare before.png after.png --json",
      addCompare},
+    {"selftest", "numerical stability: every shader function on this GPU against double precision",
+     "  facet selftest\n"
+     "  facet selftest --json > selftest.json\n"
+     "  facet selftest --shader-dir shaders",
+     addSelftest},
 };
 
 }  // namespace

@@ -18,10 +18,10 @@ namespace facet::frame {
 using MaterialOverride = std::optional<scene::Material>;
 
 struct DrawOptions {
-  shading::FrameFeatures features;  // punctualLights is set by buildDrawList
+  shading::FrameFeatures features = {};  // punctualLights is set by buildDrawList
   bool sceneLights = true;          // the file's lights
   bool demoLights = false;          // four point lights around the scene
-  MaterialOverride material;
+  MaterialOverride material = {};
 };
 
 // One instanced draw call.

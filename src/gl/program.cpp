@@ -25,6 +25,12 @@ std::string programLog(GLuint id) {
   return log;
 }
 
+// Labels name entry points and defines; OpenGL promises room for 255 characters.
+void setLabel(GLuint program, std::string_view label) {
+  const std::string_view start = label.substr(0, 255);
+  glObjectLabel(GL_PROGRAM, program, static_cast<GLsizei>(start.size()), start.data());
+}
+
 }  // namespace
 
 const char* stageName(GLenum stage) {
@@ -58,7 +64,7 @@ Result<Program> Program::build(const std::vector<ShaderSource>& stages, std::str
   GLint ok = GL_FALSE;
   glGetProgramiv(program.id(), GL_LINK_STATUS, &ok);
   if (!ok) return fail(std::string(label), "link", programLog(program.id()));
-  glObjectLabel(GL_PROGRAM, program.id(), static_cast<GLsizei>(label.size()), label.data());
+  setLabel(program.id(), label);
   return program;
 }
 
@@ -69,7 +75,7 @@ Program Program::fromBinary(const ProgramBinary& binary, std::string_view label)
   GLint ok = GL_FALSE;
   glGetProgramiv(program.id(), GL_LINK_STATUS, &ok);
   if (!ok) return {};
-  glObjectLabel(GL_PROGRAM, program.id(), static_cast<GLsizei>(label.size()), label.data());
+  setLabel(program.id(), label);
   return program;
 }
 

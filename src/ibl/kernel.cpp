@@ -16,7 +16,13 @@ double density(double b, double x) {
 
 double integral(double b, double x) {
   const double k = 1 - b;
-  if (k < 1e-6) return x - x * x;  // the cosine lobe
+  if (k < 0.02) {
+    // Towards the cosine lobe (k = 0) the closed form cancels like 1 / k^2: 1 / y^2 as a series in q t, q = k / b,
+    // whose terms are below 0.011^n.
+    double sum = 0, power = x / b;
+    for (int n = 0; n < 9; ++n, power *= -k / b * x) sum += power * (1 - 2 * x * (n + 1) / (n + 2));
+    return sum;
+  }
   const double y = b + k * x;
   return b / (k * k) * ((1 + b) * (1 / b - 1 / y) - 2 * std::log(y / b));
 }

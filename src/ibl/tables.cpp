@@ -29,6 +29,21 @@ float radianceScaleFor(const scene::Environment& environment) {
   return largest > largestStored ? std::exp2(std::ceil(std::log2(largest / largestStored))) : 1.0f;
 }
 
+// Mean over the sphere of the brightest channel; rows count by their share of it.
+double meanRadiance(const scene::Environment& environment) {
+  double sum = 0, weights = 0;
+  for (int row = 0; row < environment.height; ++row) {
+    double rowSum = 0;
+    const glm::vec3* texels = &environment.radiance[static_cast<size_t>(row) * static_cast<size_t>(environment.width)];
+    for (int column = 0; column < environment.width; ++column)
+      rowSum += static_cast<double>(std::max({texels[column].x, texels[column].y, texels[column].z}));
+    const double weight = std::sin(std::numbers::pi * (row + 0.5) / environment.height);
+    sum += weight * rowSum;
+    weights += weight * environment.width;
+  }
+  return sum / weights;
+}
+
 gl::Texture uploadEquirect(const scene::Environment& environment, GLenum format, float scale, std::string_view label) {
   gl::Texture texture({.format = format, .width = environment.width, .height = environment.height}, label);
   texture.filterLinear();
@@ -84,13 +99,16 @@ Result<void> timed(std::vector<TableStatistics>& statistics, const char* name, s
 Result<void> computeDfg(gl::Texture& table, ProgramStore& programs, const Method& method) {
   const auto program = programs.compute("passes/dfg.comp.glsl");
   if (!program) return tl::unexpected(program.error());
-  const optics::Quadrature rule = optics::gaussLegendre(static_cast<size_t>(method.dfgNodes));
   std::vector<glm::vec2> nodes;
-  for (size_t i = 0; i < rule.nodes.size(); ++i) nodes.emplace_back(rule.nodes[i], rule.weights[i]);
+  for (const int count : {method.dfgRadii, method.dfgAngles}) {
+    const optics::Quadrature rule = optics::gaussLegendre(static_cast<size_t>(count));
+    for (size_t i = 0; i < rule.nodes.size(); ++i) nodes.emplace_back(rule.nodes[i], rule.weights[i]);
+  }
   const gl::Buffer input = gl::Buffer::of(nodes, "DFG quadrature");
   table = gl::Texture({.format = GL_RGBA16F, .width = method.dfgSize, .height = method.dfgSize}, "DFG table");
   table.filterLinear();
   glUseProgram((*program)->id());
+  (*program)->set(0, method.dfgRadii);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeInputBinding, input.id());
   glBindImageTexture(0, table.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16F);
   dispatchFaces(method.dfgSize, 1);
@@ -105,11 +123,16 @@ Result<gl::Texture> environmentCube(const scene::Environment& environment, float
   const auto toMip = programs.compute("passes/cube_mip.comp.glsl");
   if (!toMip) return tl::unexpected(toMip.error());
   const bool tooWide = environment.width > method.equirectWidth;
-  const gl::Texture equirect = uploadEquirect(tooWide ? reduceEquirect(environment, method.equirectWidth) : environment,
-                                              GL_RGBA32F, scale, "equirectangular source");
+  scene::Environment reduced;
+  if (tooWide) reduced = reduceEquirect(environment, method.equirectWidth);
+  const scene::Environment& source = tooWide ? reduced : environment;
+  const gl::Texture equirect = uploadEquirect(source, GL_RGBA32F, scale, "equirectangular source");
+  const double steep = method.steepness * meanRadiance(source) / static_cast<double>(scale);
   gl::Texture cube = cubeTexture(GL_RGBA32F, mirrorSize, gl::mipLevels(mirrorSize, mirrorSize), "environment cube");
   glUseProgram((*toCube)->id());
   (*toCube)->set(0, method.cubeTaps);
+  (*toCube)->set(1, method.steepTaps);
+  (*toCube)->set(2, static_cast<float>(steep));
   equirect.bind(layout::equirectUnit);
   glBindImageTexture(0, cube.id(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA32F);
   dispatchFaces(mirrorSize);
@@ -214,9 +237,10 @@ Result<void> computeTables(Tables& tables, const scene::Environment* environment
   std::vector<TableStatistics>& booked = tables.statistics;
   booked.clear();
   if (needs.dfg && !tables.dfg) {
-    const auto size = static_cast<uint64_t>(method.dfgSize), nodes = static_cast<uint64_t>(method.dfgNodes);
+    const auto size = static_cast<uint64_t>(method.dfgSize);
+    const auto nodes = static_cast<uint64_t>(method.dfgRadii * method.dfgAngles);
     const auto make = [&] { return computeDfg(tables.dfg, programs, method); };
-    if (auto r = timed(booked, "DFG", size * size * 8, size * size * nodes * nodes, make); !r) return r;
+    if (auto r = timed(booked, "DFG", size * size * 8, size * size * nodes, make); !r) return r;
   }
   const bool background = needs.background && !tables.background;
   const bool irradiance = needs.irradiance && !tables.irradiance;

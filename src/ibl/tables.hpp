@@ -24,12 +24,14 @@ struct Needs {
 // How the tables are made. Work is counted in texture fetches.
 struct Method {
   int cubeTaps = 4;          // equirect -> cube: taps per texel along each axis
+  int steepTaps = 16;        // where the taps differ by more than steepness times the map's mean radiance: suns, lamps.
+  double steepness = 16;     // At most a sixteenth of the sphere is that bright, so the cost is bounded
   int equirectWidth = 1024;  // a wider map is first reduced, texels weighted by solid angle
   int irradianceSize = 16;   // face of the irradiance map; summed over a 32^2 level
   int dfgSize = 64;
-  int dfgNodes = 16;       // Gauss-Legendre nodes along each axis
-  int samplesNarrow = 32;  // LD samples where perceptual roughness is below 0.25
-  int samplesWide = 96;    // and above
+  int dfgRadii = 32, dfgAngles = 8;  // Gauss-Legendre nodes over the visible normals
+  int samplesNarrow = 32;            // LD samples where perceptual roughness is below 0.25
+  int samplesWide = 96;              // and above
 };
 
 struct TableStatistics {
@@ -40,7 +42,7 @@ struct TableStatistics {
 };
 
 struct Tables {
-  gl::Texture dfg;           // RGBA16F, A, B and tilt over (sqrt NoV, perceptual roughness)
+  gl::Texture dfg;           // RGBA16F, dfg_table.glsl
   gl::Texture irradiance;    // RGBA16F cube, irradiance / pi
   gl::Texture mirrorLayers;  // RGBA16F cube array, LD layers 0 and 1
   gl::Texture roughLayers;   // RGBA16F cube array with levels, the rest

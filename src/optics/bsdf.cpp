@@ -2,32 +2,40 @@
 
 #include "optics/diffuse.hpp"
 #include "optics/fresnel.hpp"
-#include "optics/microfacet.hpp"
 
 namespace facet::optics {
 
 double alphaOf(const Surface& surface) { return surface.perceptualRoughness * surface.perceptualRoughness; }
 
-glm::dvec3 f0Of(const Surface& surface) {
-  return glm::dvec3(0.04 * (1 - surface.metallic)) + surface.baseColor * surface.metallic;
-}
-
-glm::dvec3 diffuseColorOf(const Surface& surface) { return surface.baseColor * (1 - surface.metallic); }
-
 Dfg dfgOf(const Surface& surface, double NoV) { return integrateDfg(NoV, alphaOf(surface)); }
 
 Reflected reflect(const Surface& surface, const Dfg& dfg, const glm::dvec3& N, const glm::dvec3& V,
                   const glm::dvec3& L) {
-  const Angles angles = anglesBetween(N, V, L);
+  return reflect(surface, dfg, anglesBetween(N, V, L));
+}
+
+Reflected reflect(const Surface& surface, const Dfg& dfg, const Angles& angles) {
   if (angles.NoV < 0 || angles.NoL <= 0) return {};
   const double alpha = alphaOf(surface);
-  const glm::dvec3 f0 = f0Of(surface);
-  const double lobe = D_GGX(angles, alpha) * V_SmithGGXCorrelated(angles.NoV, angles.NoL, alpha) * angles.NoL;
+  const double facets = D_GGX(angles, alpha) * V_SmithGGXCorrelated(angles.NoV, angles.NoL, alpha) * angles.NoL;
+  const auto lobe = [&](const glm::dvec3& f0) {
+    return facets * F_Schlick(angles.VoH, f0, 1) * compensationTurquin(dfg, f0);
+  };
+  const glm::dvec3 f0(dielectricF0);
+  const glm::dvec3 transmitted = glm::dvec3(1) - specularAlbedoTurquin(dfg, f0);
+  const double metal = surface.metallic, dielectric = 1 - metal;
   Reflected reflected;
-  reflected.specular = lobe * F_Schlick(angles.VoH, f0, 1) * compensationTurquin(dfg, f0);
-  reflected.diffuse =
-      diffuseColorOf(surface) * (glm::dvec3(1) - specularAlbedoTurquin(dfg, f0)) * Fd_Lambert() * angles.NoL;
+  reflected.specular = metal * lobe(surface.baseColor) + dielectric * lobe(f0);
+  reflected.diffuse = dielectric * surface.baseColor * transmitted * (Fd_Lambert() * angles.NoL);
   return reflected;
+}
+
+DistantWeights distantWeights(const Surface& surface, const Dfg& dfg) {
+  const SpecularEnergy metal = energyFdezAguera(dfg, surface.baseColor);
+  const SpecularEnergy dielectric = energyFdezAguera(dfg, glm::dvec3(dielectricF0));
+  const double m = surface.metallic;
+  return {m * metal.single + (1 - m) * dielectric.single,
+          m * metal.multiple + (1 - m) * (dielectric.multiple + surface.baseColor * dielectric.diffuse)};
 }
 
 }  // namespace facet::optics

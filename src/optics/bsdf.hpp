@@ -1,34 +1,47 @@
 #pragma once
 
-// The metallic-roughness surface of glTF 2.0, lit from one direction: GGX and Lambert, energy kept.
+// The metallic-roughness surface of glTF 2.0, appendix B.2.1: a mix of two complete BRDFs, a metal and a dielectric
+// over its diffuse base. Both have GGX lobes of one roughness; each keeps its own energy, so that any mix of white ones
+// is white. One lobe of mixed f0 would not be: a half metal would darken its own diffuse part.
 
 #include <glm/glm.hpp>
 
 #include "optics/energy.hpp"
+#include "optics/microfacet.hpp"
 
 namespace facet::optics {
 
+inline constexpr double dielectricF0 = 0.04;  // index of refraction 1.5
+
 struct Surface {
-  glm::dvec3 baseColor{1};  // linear
-  double metallic = 1;
+  glm::dvec3 baseColor{1};  // linear; f0 of the metal, albedo of the dielectric's diffuse part
+  double metallic = 1;      // share of the metal
   double perceptualRoughness = 1;
 };
 
-double alphaOf(const Surface& surface);             // perceptualRoughness^2
-glm::dvec3 f0Of(const Surface& surface);            // mix(0.04, baseColor, metallic)
-glm::dvec3 diffuseColorOf(const Surface& surface);  // baseColor (1 - metallic)
+double alphaOf(const Surface& surface);  // perceptualRoughness^2
 Dfg dfgOf(const Surface& surface, double NoV);
 
 // BSDF times NoL [1/sr], the two lobes apart.
 struct Reflected {
   glm::dvec3 specular{0}, diffuse{0};
 };
-// specular = D V F NoL (1 + f0 (1 / E - 1)), Turquin's compensation; diffuse = diffuseColor / pi (1 - Es) NoL with Es
-// the directional albedo, at V, of that very specular lobe, per channel. So white reflects exactly all of a white
-// furnace (metallic 0 or 1). Both factors look at V only: the sum is not reciprocal, D V F is. 0 if V or L is below the
-// horizon; alpha = 0 has no specular value here (a delta). dfg = dfgOf(surface, NoV), passed in because it costs an
-// integral.
+// Metal: D V F NoL (1 + f0 (1 / E - 1)) with f0 = baseColor, Turquin's compensation. Dielectric: the same with
+// f0 = 0.04, and baseColor / pi (1 - Es) NoL with Es the directional albedo, at V, of that very lobe. So white reflects
+// exactly all of a white furnace. Both factors look at V only: the sum is not reciprocal, D V F is. 0 if V or L is
+// below the horizon; alpha = 0 has no specular value here (a delta). dfg = dfgOf(surface, NoV), passed in because it
+// costs an integral.
 Reflected reflect(const Surface& surface, const Dfg& dfg, const glm::dvec3& N, const glm::dvec3& V,
                   const glm::dvec3& L);
+// The same where the angles are at hand.
+Reflected reflect(const Surface& surface, const Dfg& dfg, const Angles& angles);
+
+// What distant light is weighted with: the same mix, each part after Fdez-Aguera 2019.
+struct DistantWeights {
+  glm::dvec3 prefiltered{0};  // times the prefiltered radiance LD
+  glm::dvec3 irradiance{0};   // times irradiance / pi: multiple scattering and the diffuse part
+};
+// In a furnace of radiance 1 the sum of both is the albedo: baseColor 1 gives 1 for every mix.
+DistantWeights distantWeights(const Surface& surface, const Dfg& dfg);
 
 }  // namespace facet::optics

@@ -16,6 +16,13 @@ namespace {
 // the domain has no edge inside it, and by symmetry half of it is enough:
 //   E = 2 int_0^pi dphi int_0^rhoMax(phi) G2 (1 - rho cos(phi) tan) P22 rho drho.
 // rho = alpha tan w makes P22 rho drho = sin w cos w dw / pi: smooth also where NoV -> 0 and the weight grows like rho.
+struct Facet {
+  double weight;  // of the integrand for F = 1
+  double VoH;
+  double NoL;
+  double tangential;  // of L, on the side that faces away from V
+};
+
 struct SlopeIntegral {
   double cosV, sinV, alpha, tolerance;
 
@@ -25,7 +32,7 @@ struct SlopeIntegral {
     return b > 0 ? cosV / (root + b) : (root - b) / cosV;
   }
 
-  glm::dvec2 atSlope(double w, double cosPhi, double lambdaV) const {
+  Facet facetAt(double w, double cosPhi, double lambdaV) const {
     const double sinW = std::sin(w), cosW = std::cos(w);
     const double rho = alpha * sinW / cosW;
     const double cosVoverCosH = cosV - rho * cosPhi * sinV;  // VoH sqrt(1 + rho^2)
@@ -33,38 +40,54 @@ struct SlopeIntegral {
     const double NoL = std::clamp(2 * cosVoverCosH * cos2H - cosV, 0.0, 1.0);
     const double G2 = NoL > 0 ? 1 / (1 + lambdaV + Lambda_GGX(NoL, alpha)) : 0;
     const double value = 2 * sinW * cosW / pi * G2 * cosVoverCosH / cosV;
-    const double Fc = schlickWeight(cosVoverCosH * std::sqrt(cos2H));
-    return {value * (1 - Fc), value * Fc};
+    return {value, cosVoverCosH * std::sqrt(cos2H), NoL, sinV + 2 * cosVoverCosH * cos2H * rho * cosPhi};
   }
 
-  glm::dvec2 overRadius(double phi, double lambdaV) const {
-    const double cosPhi = std::cos(phi);
-    const auto f = [&](double w) { return atSlope(w, cosPhi, lambdaV); };
-    return integrateAdaptive<glm::dvec2>(f, 0, std::atan(rhoMax(cosPhi) / alpha), tolerance * 0.1);
-  }
-
-  glm::dvec2 total() const {
+  // Integral of weight * integrand(facet).
+  template <class Integrand>
+  glm::dvec2 total(const Integrand& integrand) const {
     const double lambdaV = Lambda_GGX(cosV, alpha);
-    const auto f = [&](double phi) { return overRadius(phi, lambdaV); };
+    const auto overRadius = [&](double phi) {
+      const double cosPhi = std::cos(phi);
+      const auto f = [&](double w) {
+        const Facet facet = facetAt(w, cosPhi, lambdaV);
+        return facet.weight * integrand(facet);
+      };
+      return integrateAdaptive<glm::dvec2>(f, 0, std::atan(rhoMax(cosPhi) / alpha), tolerance * 0.1);
+    };
     // The range of rho changes fastest at pi / 2 when V grazes.
-    return integrateAdaptive<glm::dvec2>(f, 0, pi / 2, tolerance / 2) +
-           integrateAdaptive<glm::dvec2>(f, pi / 2, pi, tolerance / 2);
+    return integrateAdaptive<glm::dvec2>(overRadius, 0, pi / 2, tolerance / 2) +
+           integrateAdaptive<glm::dvec2>(overRadius, pi / 2, pi, tolerance / 2);
   }
 };
+
+constexpr double smallestNoV = 1e-9;  // E(NoV) - E(0) is about NoV ln NoV at worst: 2e-8
+constexpr double mirrorAlpha = 1e-12;
+
+SlopeIntegral slopeIntegral(double NoV, double alpha, double tolerance) {
+  const double cosV = std::clamp(NoV, smallestNoV, 1.0);
+  return {cosV, std::sqrt((1 - cosV) * (1 + cosV)), alpha, tolerance};
+}
 
 }  // namespace
 
 Dfg integrateDfg(double NoV, double alpha, double tolerance) {
-  constexpr double smallestNoV = 1e-9;  // E(NoV) - E(0) is about NoV ln NoV at worst: 2e-8
-  constexpr double mirrorAlpha = 1e-12;
-  const double cosV = std::clamp(NoV, smallestNoV, 1.0);
   if (alpha < mirrorAlpha) {
     const double Fc = schlickWeight(NoV);
     return {1 - Fc, Fc};
   }
-  const double sinV = std::sqrt((1 - cosV) * (1 + cosV));
-  const glm::dvec2 sum = SlopeIntegral{cosV, sinV, alpha, tolerance}.total();
+  const glm::dvec2 sum = slopeIntegral(NoV, alpha, tolerance).total([](const Facet& facet) {
+    const double Fc = schlickWeight(facet.VoH);
+    return glm::dvec2(1 - Fc, Fc);
+  });
   return {sum.x, sum.y};
+}
+
+double meanDirectionSine(double NoV, double alpha, double tolerance) {
+  const SlopeIntegral integral = slopeIntegral(NoV, alpha, tolerance);
+  if (alpha < mirrorAlpha) return integral.sinV;
+  const glm::dvec2 mean = integral.total([](const Facet& facet) { return glm::dvec2(facet.tangential, facet.NoL); });
+  return mean.x / std::hypot(mean.x, mean.y);
 }
 
 SpecularEnergy energyFdezAguera(const Dfg& dfg, const glm::dvec3& f0, double f90) {

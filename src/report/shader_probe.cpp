@@ -40,7 +40,7 @@ Result<std::vector<glm::vec4>> runProbe(const Probe& probe, std::span<const glm:
   assert(probe.inputs > 0 && inputs.size() % static_cast<size_t>(probe.inputs) == 0);
   const std::string entry = "probe.comp.glsl", text = entryPoint(probe);
   const auto withEntry = [&](const std::string& path) { return path == entry ? std::optional(text) : reader(path); };
-  const Result<shading::AssembledShader> assembled = shading::assemble(entry, {}, withEntry);
+  const Result<shading::AssembledShader> assembled = shading::assemble(entry, probe.defines, withEntry);
   if (!assembled) return tl::unexpected(assembled.error());
   Result<gl::Program> program = gl::Program::build({{GL_COMPUTE_SHADER, assembled->text}}, "probe");
   if (!program) {

@@ -17,6 +17,7 @@ struct Probe {
   std::vector<std::string> chunks;  // "microfacet.glsl"
   std::string body;                 // GLSL statements: read in0, in1, ... (vec4), write out0, out1, ... (vec4)
   int inputs = 1, outputs = 1;      // vec4 per element
+  std::vector<shading::Define> defines = {};
 };
 
 // inputs.size() = elements * probe.inputs; returns elements * probe.outputs values. Errors: the shader does not

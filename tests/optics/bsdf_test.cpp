@@ -34,7 +34,7 @@ glm::dvec2 furnace(const Surface& surface, double NoV) {
 }  // namespace
 
 TEST_CASE("BSDF: white furnace") {
-  for (double metallic : {0.0, 1.0})
+  for (double metallic : {0.0, 0.5, 1.0})
     for (double r : {0.2, 0.4, 0.7, 1.0})
       for (double NoV : {0.1, 0.5, 1.0}) {
         const Surface white{glm::dvec3(1), metallic, r};
@@ -43,17 +43,44 @@ TEST_CASE("BSDF: white furnace") {
         CHECK(total.x + total.y == Approx(1).margin(2e-5));
         if (metallic == 1) CHECK(total.y == 0);
       }
-  // In between nothing is gained.
-  const glm::dvec2 half = furnace({glm::dvec3(1), 0.5, 0.5}, 0.5);
-  CHECK(half.x + half.y < 1);
-  CHECK(half.x + half.y > 0.7);
+}
+
+TEST_CASE("BSDF: a mix is linear in metallic, each part with its own compensation") {
+  const glm::dvec3 V(0.6, 0, 0.8), L = glm::normalize(glm::dvec3(-0.5, 0.2, 0.7)), color(0.8, 0.5, 0.1);
+  const Surface metal{color, 1, 0.9}, dielectric{color, 0, 0.9}, quarter{color, 0.25, 0.9};
+  const Dfg dfg = dfgOf(quarter, V.z);
+  const auto sum = [&](const Surface& s) {
+    const Reflected r = reflect(s, dfg, N, V, L);
+    return r.specular + r.diffuse;
+  };
+  const glm::dvec3 mixed = glm::mix(sum(dielectric), sum(metal), 0.25);
+  for (int i = 0; i < 3; ++i) CHECK(sum(quarter)[i] == Approx(mixed[i]).epsilon(1e-13));
+  // Red: (D V NoL) (0.25 F(0.8) (1 + 0.8 k) + 0.75 F(0.04) (1 + 0.04 k)), k = 1 / E - 1.
+  const Angles a = anglesBetween(N, V, L);
+  const double facets = D_GGX(a, 0.81) * V_SmithGGXCorrelated(a.NoV, a.NoL, 0.81) * a.NoL;
+  const double k = 1 / (dfg.A + dfg.B) - 1, Fc = std::pow(1 - a.VoH, 5);
+  CHECK(reflect(quarter, dfg, N, V, L).specular.x ==
+        Approx(facets * (0.25 * (0.8 + 0.2 * Fc) * (1 + 0.8 * k) + 0.75 * (0.04 + 0.96 * Fc) * (1 + 0.04 * k))));
+}
+
+TEST_CASE("BSDF: weights of distant light keep a white furnace white for every mix") {
+  for (double metallic : {0.0, 0.3, 0.5, 1.0})
+    for (double r : {0.0, 0.05, 0.5, 1.0})
+      for (double NoV : {0.0, 1e-4, 0.1, 1.0}) {
+        const Surface white{glm::dvec3(1), metallic, r};
+        const DistantWeights w = distantWeights(white, dfgOf(white, NoV));
+        INFO("metallic " << metallic << ", r " << r << ", NoV " << NoV);
+        CHECK((w.prefiltered + w.irradiance).x == Approx(1).epsilon(1e-14));
+      }
+  // Black dielectric: no more than the lobe; black metal at grazing incidence still mirrors (f90 = 1).
+  const Surface black{glm::dvec3(0), 0.5, 0};
+  const DistantWeights w = distantWeights(black, dfgOf(black, 0));
+  CHECK(w.prefiltered.x == Approx(1));
+  CHECK(w.irradiance.x == Approx(0).margin(1e-15));
 }
 
 TEST_CASE("BSDF: parameters") {
-  const Surface surface{{0.8, 0.5, 0.1}, 0.25, 0.6};
-  CHECK(alphaOf(surface) == Approx(0.36));
-  CHECK(f0Of(surface).x == Approx(0.03 + 0.2));
-  CHECK(diffuseColorOf(surface).y == Approx(0.375));
+  CHECK(alphaOf({{0.8, 0.5, 0.1}, 0.25, 0.6}) == Approx(0.36));
   // By hand: rough black dielectric along the normal: D V F NoL = 1/pi * 1/4 * 0.04, times 1 + 0.04 (1 / E - 1).
   const Surface black{glm::dvec3(0), 0, 1};
   const double E = 1 - std::log(2.0);

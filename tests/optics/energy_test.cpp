@@ -77,6 +77,33 @@ TEST_CASE("integrateDfg: a hundred times finer changes nothing, ends are continu
   }
 }
 
+TEST_CASE("meanDirectionSine: closed forms, and the definition integrated over light directions") {
+  for (double NoV : {0.0, 0.1, 0.5, 1.0}) {
+    CHECK(meanDirectionSine(NoV, 0) == Approx(std::sqrt(1 - NoV * NoV)).margin(1e-8));
+    CHECK(meanDirectionSine(NoV, 1e-5) == Approx(std::sqrt(1 - NoV * NoV)).margin(1e-3));
+    CHECK(meanDirectionSine(NoV, 1) == Approx(0).margin(1e-7));
+  }
+  CHECK(meanDirectionSine(1, 0.3) == Approx(0).margin(1e-7));
+  for (double alpha : {0.1, 0.5})
+    for (double NoV : {0.1, 0.6}) {
+      const glm::dvec3 N(0, 0, 1), V(-std::sqrt(1 - NoV * NoV), 0, NoV);
+      const auto mean = integrateAdaptive<glm::dvec2>(
+          [&](double theta) {
+            return integrateAdaptive<glm::dvec2>(
+                [&](double phi) {
+                  const glm::dvec3 L(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
+                  const Angles a = anglesBetween(N, V, L);
+                  return 2 * std::sin(theta) * D_GGX(a, alpha) * V_SmithGGXCorrelated(a.NoV, a.NoL, alpha) * a.NoL *
+                         glm::dvec2(L.x, L.z);
+                },
+                0, pi, 1e-8, 20);
+          },
+          0, pi / 2, 1e-7, 20);
+      INFO("alpha " << alpha << ", NoV " << NoV);
+      CHECK(meanDirectionSine(NoV, alpha) == Approx(mean.x / glm::length(mean)).margin(1e-6));
+    }
+}
+
 TEST_CASE("Energy: furnace is exactly one for white metal and white dielectric") {
   for (double alpha : {0.0, 1e-4, 0.04, 0.25, 1.0})
     for (double NoV : {0.0, 1e-8, 0.05, 0.5, 1.0}) {

@@ -1,0 +1,106 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "base/log.hpp"
+#include "commands/commands.hpp"
+#include "gl/context.hpp"
+#include "report/numerics.hpp"
+
+namespace facet::commands {
+
+namespace {
+
+using report::CheckResult;
+
+struct SelftestArguments {
+  bool asJson = false;
+  std::string shaderDir;
+};
+
+void printJson(const gl::ContextInfo& context, const std::vector<CheckResult>& results, bool passed) {
+  using json = nlohmann::ordered_json;
+  json checks = json::array();
+  for (const CheckResult& r : results) {
+    json check = {{"function", r.name},
+                  {"passed", r.passed},
+                  {"evaluations", r.evaluations},
+                  {"kind", r.relative ? "relative" : "absolute"},
+                  {"error", r.error},
+                  {"allowed", r.allowed},
+                  {"at", r.input},
+                  {"got", r.got},
+                  {"expected", r.expected},
+                  {"nonFinite", r.nonFinite}};
+    if (r.nonFinite > 0) check["firstNonFiniteAt"] = r.firstNonFinite;
+    check["reason"] = r.reason;
+    if (!r.clamped.empty()) check["clamped"] = r.clamped;
+    checks.push_back(check);
+  }
+  const json out = {
+      {"opengl", {{"platform", context.platform}, {"renderer", context.renderer}, {"version", context.version}}},
+      {"passed", passed},
+      {"checks", checks}};
+  std::cout << out.dump(2) << std::endl;
+}
+
+void printTable(const gl::ContextInfo& context, const std::vector<CheckResult>& results) {
+  std::cout << context.renderer << ", OpenGL " << context.version << " (" << context.platform << ")\n"
+            << "Shader functions against double precision; the input shown is where the error comes nearest to what is "
+               "allowed.\n\n";
+  char line[256];
+  std::snprintf(line, sizeof line, "%-24s %7s %-8s %9s %9s %10s  %s\n", "function", "inputs", "kind", "error",
+                "allowed", "not finite", "at");
+  std::cout << line;
+  for (const CheckResult& r : results) {
+    std::snprintf(line, sizeof line, "%-24s %7zu %-8s %9.2e %9.2e %10zu  ", r.name.c_str(), r.evaluations,
+                  r.relative ? "relative" : "absolute", r.error, r.allowed, r.nonFinite);
+    std::cout << line << r.input << (r.passed ? "" : "  FAILED") << "\n";
+  }
+  for (const CheckResult& r : results) {
+    if (r.passed) continue;
+    std::cout << "\n"
+              << r.name << " failed: got " << r.got << ", expected " << r.expected << " at " << r.input
+              << ". Allowed because: " << r.reason << ".";
+    if (r.nonFinite > 0) std::cout << " First value that is not finite: at " << r.firstNonFinite << ".";
+    std::cout << "\n";
+  }
+  const auto failed = std::ranges::count_if(results, [](const CheckResult& r) { return !r.passed; });
+  std::cout << "\n" << results.size() << " functions, " << failed << " failed" << std::endl;
+}
+
+int runSelftest(const SelftestArguments& arguments) {
+  const Result<gl::HeadlessContext> context = gl::HeadlessContext::create(false);
+  if (!context) {
+    log::error(describe(context.error()));
+    return exitNoOpenGL;
+  }
+  const shading::ShaderReader reader = shading::shaderReader(arguments.shaderDir);
+  std::vector<CheckResult> results;
+  for (const report::Check& check : report::numericalChecks()) {
+    Result<CheckResult> result = report::runCheck(check, reader);
+    if (!result) return badInput(result.error());
+    results.push_back(std::move(*result));
+  }
+  const bool passed = std::ranges::all_of(results, &CheckResult::passed);
+  if (arguments.asJson)
+    printJson(context->info(), results, passed);
+  else
+    printTable(context->info(), results);
+  return passed ? exitGood : exitFailed;
+}
+
+}  // namespace
+
+std::function<int()> addSelftest(CLI::App& app) {
+  auto arguments = std::make_shared<SelftestArguments>();
+  app.add_flag("--json", arguments->asJson, "for scripts");
+  app.add_option("--shader-dir", arguments->shaderDir, "test the shaders of this folder instead of the embedded ones")
+      ->type_name("DIR");
+  return [arguments] { return runSelftest(*arguments); };
+}
+
+}  // namespace facet::commands

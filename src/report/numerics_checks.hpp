@@ -1,0 +1,17 @@
+#pragma once
+
+// The rows of numericalChecks() by subject.
+
+#include "report/numerics.hpp"
+
+namespace facet::report {
+
+// Distance between 1 and the next float: tolerances are multiples of it.
+inline constexpr double floatEpsilon = 0x1p-23;
+
+std::vector<Check> surfaceChecks();  // microfacet, fresnel, diffuse, energy, bsdf, image_light
+std::vector<Check> lightChecks();    // lights
+std::vector<Check> displayChecks();  // color
+std::vector<Check> mappingChecks();  // mapping, environment_layers
+
+}  // namespace facet::report

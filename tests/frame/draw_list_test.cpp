@@ -1,0 +1,152 @@
+#include "frame/draw_list.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "scene/geometry.hpp"
+#include "support/gltf_load.hpp"
+
+using namespace facet;
+using nlohmann::json;
+
+namespace {
+
+scene::Model load(const test::GltfBuilder& builder) {
+  io::LoadedModel loaded = test::loaded(builder);
+  scene::completeGeometry(loaded.model, loaded.notes);
+  return std::move(loaded.model);
+}
+
+// The triangle of test::triangle() at each of the nodes.
+test::GltfBuilder placed(const std::vector<json>& nodes) {
+  test::GltfBuilder builder = test::triangle();
+  builder.json["nodes"] = json::array();
+  builder.json["scenes"][0]["nodes"] = json::array();
+  for (json node : nodes) {
+    node["mesh"] = 0;
+    builder.json["scenes"][0]["nodes"].push_back(builder.append("nodes", node));
+  }
+  return builder;
+}
+
+}  // namespace
+
+TEST_CASE("Draw list: nodes that share a mesh are one instanced draw, mirrored ones another") {
+  const scene::Model model = load(placed({{{"translation", {1, 0, 0}}},
+                                          {{"translation", {2, 0, 0}}},
+                                          {{"scale", {-1, 1, 1}}},
+                                          {{"translation", {3, 0, 0}}}}));
+  const frame::DrawList list = frame::buildDrawList(model, 0, {});
+  REQUIRE(list.opaque.size() == 2);
+  CHECK(list.blended.empty());
+  CHECK(list.instances.size() == 4);
+  const frame::Draw &upright = list.opaque[0], &mirrored = list.opaque[1];
+  CHECK(upright.instanceCount == 3);
+  CHECK_FALSE(upright.mirrored);
+  CHECK(mirrored.instanceCount == 1);
+  CHECK(mirrored.mirrored);
+  CHECK(mirrored.firstInstance == 3);
+  // Relative to the origin: the centre of x in [-1, 4], y in [0, 1].
+  CHECK(list.origin.x == Approx(1.5));
+  CHECK(list.origin.y == Approx(0.5));
+  CHECK(list.instances[0].worldFromLocal[3].x == Approx(-0.5));
+  CHECK(list.instances[3].normalFromLocal[0].w == -1);
+  CHECK(list.instances[0].normalFromLocal[0].w == 1);
+}
+
+TEST_CASE("Draw list: blended draws come one by one with their own centres; opaque ones sorted by program, material") {
+  test::GltfBuilder builder = test::triangle();
+  builder.json["materials"] = {{{"alphaMode", "BLEND"}}, json::object(), {{"doubleSided", true}}, json::object()};
+  builder.json["meshes"] = json::array();
+  for (const int material : {0, 3, 2, 1})
+    builder.append("meshes", {{"primitives", {{{"attributes", {{"POSITION", 0}}}, {"material", material}}}}});
+  builder.json["nodes"] = {{{"mesh", 0}, {"translation", {0, 0, 4}}},
+                           {{"mesh", 0}, {"translation", {0, 0, -4}}},
+                           {{"mesh", 1}},
+                           {{"mesh", 2}},
+                           {{"mesh", 3}}};
+  builder.json["scenes"][0]["nodes"] = {0, 1, 2, 3, 4};
+  const frame::DrawList list = frame::buildDrawList(load(builder), 0, {});
+  REQUIRE(list.blended.size() == 2);
+  CHECK(list.blended[0].instanceCount == 1);
+  CHECK(list.blended[0].firstInstance != list.blended[1].firstInstance);
+  CHECK(list.blended[0].center.z == Approx(4));
+  CHECK(list.blended[1].center.z == Approx(-4));
+  REQUIRE(list.opaque.size() == 3);
+  CHECK(list.opaque[0].material == 1);  // the plain variant first, by material
+  CHECK(list.opaque[1].material == 3);
+  CHECK(list.opaque[2].material == 2);
+  CHECK(list.opaque[2].doubleSided);
+}
+
+TEST_CASE("Draw list: what the draws need of the tables") {
+  const scene::Model lit = load(placed({json::object()}));
+  CHECK_FALSE(frame::buildDrawList(lit, 0, {}).needs(false).dfg);
+  const auto needs = [&](const frame::DrawOptions& options) {
+    return frame::buildDrawList(lit, 0, options).needs(true);
+  };
+  CHECK(needs({}).background);
+  const ibl::Needs demo = needs({.demoLights = true});
+  CHECK(demo.dfg);
+  CHECK_FALSE(demo.irradiance);
+  const ibl::Needs environment = needs({.features = {.environment = true}});
+  CHECK(environment.dfg);
+  CHECK(environment.irradiance);
+  CHECK(environment.layers);
+  CHECK_FALSE(environment.cube);
+  // Converging pictures sample the environment itself in place of the split sum's layers.
+  const ibl::Needs converging = needs({.features = {.environment = true, .imageLightSamples = 4}});
+  CHECK(converging.irradiance);
+  CHECK_FALSE(converging.layers);
+  CHECK(converging.cube);
+  // A debug view needs nothing.
+  const ibl::Needs view = needs({.features = {.environment = true, .channel = 1}, .demoLights = true});
+  CHECK_FALSE(view.dfg);
+  CHECK_FALSE(view.irradiance);
+}
+
+TEST_CASE("Draw list: lights relative to the origin, cones and ranges as the shader takes them") {
+  test::GltfBuilder builder = placed({{{"translation", {1e7, 0, 0}}}});
+  builder.json["extensionsUsed"] = {"KHR_lights_punctual"};
+  builder.json["extensions"]["KHR_lights_punctual"]["lights"] = {
+      {{"type", "spot"},
+       {"intensity", 5},
+       {"color", {1, 0.5, 0}},
+       {"range", 4},
+       {"spot", {{"innerConeAngle", 0.2}, {"outerConeAngle", 0.6}}}},
+      {{"type", "directional"}}};
+  const auto add = [&](int light, json node) {
+    node["extensions"]["KHR_lights_punctual"]["light"] = light;
+    builder.json["scenes"][0]["nodes"].push_back(builder.append("nodes", node));
+  };
+  add(0, {{"translation", {1e7 + 2, 3, 0}}});
+  add(1, {{"rotation", {1, 0, 0, 0}}});  // half a turn about X: shines along +Z
+  const scene::Model model = load(builder);
+  const frame::DrawList list = frame::buildDrawList(model, 0, {});
+  CHECK(list.features.punctualLights);
+  REQUIRE(list.lights.size() == 2);
+  const layout::LightUniforms &spot = list.lights[0], &sun = list.lights[1];
+  CHECK(spot.position.x == Approx(1.5));  // from the triangle's centre
+  CHECK(spot.position.y == Approx(2.5));
+  CHECK(spot.position.w == 2);
+  CHECK(spot.direction.w == Approx(1.0 / 16));
+  CHECK(spot.color.y == Approx(2.5));
+  CHECK(std::cos(0.2) * spot.cone.x + spot.cone.y == Approx(1));
+  CHECK(std::cos(0.6) * spot.cone.x + spot.cone.y == Approx(0).margin(1e-6));
+  CHECK(sun.position.w == 0);
+  CHECK(sun.direction.z == Approx(1));
+  CHECK(sun.direction.w == 0);
+  CHECK(frame::buildDrawList(model, 0, {.sceneLights = false}).lights.empty());
+}
+
+TEST_CASE("Draw list: one material in place of all, and none of the model's") {
+  test::GltfBuilder builder = test::triangle();
+  builder.json["materials"] = {{{"alphaMode", "BLEND"}}};
+  builder.json["meshes"][0]["primitives"][0]["material"] = 0;
+  scene::Material steel;
+  steel.name = "steel";
+  const frame::DrawList list = frame::buildDrawList(load(builder), 0, {.material = steel});
+  REQUIRE(list.opaque.size() == 1);
+  CHECK(list.blended.empty());
+  CHECK(list.materials[size_t(list.opaque[0].material)].name == "steel");
+}

@@ -1,0 +1,470 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstring>
+#include <iostream>
+
+#include "optics/bsdf.hpp"
+#include "optics/color.hpp"
+#include "support/picture.hpp"
+
+using namespace facet;
+using frame::PictureSettings;
+using nlohmann::json;
+using test::GltfBuilder;
+
+namespace {
+
+json material(const glm::vec4& color, double metallic = 0, double roughness = 1) {
+  return {{"pbrMetallicRoughness",
+           {{"baseColorFactor", {color.x, color.y, color.z, color.w}},
+            {"metallicFactor", metallic},
+            {"roughnessFactor", roughness}}}};
+}
+
+json unlit(const glm::vec4& color, const json& extra = json::object()) {
+  json m = material(color);
+  m["extensions"]["KHR_materials_unlit"] = json::object();
+  m.update(extra);
+  return m;
+}
+
+GltfBuilder emptyScene() {
+  GltfBuilder builder;
+  builder.json["scenes"] = {{{"nodes", json::array()}}};
+  builder.json["extensionsUsed"] = {"KHR_materials_unlit", "KHR_texture_transform", "KHR_lights_punctual"};
+  return builder;
+}
+
+json at(double x, double y, double z) { return {{"translation", {x, y, z}}}; }
+
+void checkPixel(const glm::vec4& got, const glm::vec4& expected, float margin = 1e-3f) {
+  INFO("got " << got.x << " " << got.y << " " << got.z << " " << got.w << ", expected " << expected.x << " "
+              << expected.y << " " << expected.z << " " << expected.w);
+  for (int i = 0; i < 4; ++i) CHECK(std::abs(got[i] - expected[i]) <= margin);
+}
+
+// Pixels covered in one picture only, and the largest difference over those covered in both.
+struct Difference {
+  size_t covered = 0, coverageDiffers = 0;
+  float largest = 0;
+};
+Difference compare(const frame::Picture& a, const frame::Picture& b) {
+  REQUIRE(a.radiance.pixels.size() == b.radiance.pixels.size());
+  Difference d;
+  for (size_t i = 0; i < a.radiance.pixels.size(); ++i) {
+    const glm::vec4 &p = a.radiance.pixels[i], &q = b.radiance.pixels[i];
+    if (p.w != q.w) {
+      ++d.coverageDiffers;
+    } else if (p.w > 0) {
+      ++d.covered;
+      const glm::vec4 e = glm::abs(p - q);
+      d.largest = std::max({d.largest, e.x, e.y, e.z});
+    }
+  }
+  return d;
+}
+
+std::vector<std::string> tableNames(const frame::Picture& picture) {
+  std::vector<std::string> names;
+  for (const ibl::TableStatistics& table : picture.statistics.tables) names.push_back(table.name);
+  return names;
+}
+
+using Names = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("White furnace: white metal and white dielectric of any roughness cannot be seen") {
+  const io::LoadedModel model = test::loadBuiltin("builtin:furnace");
+  PictureSettings settings = test::bareSettings(220, 44);
+  settings.environment = "builtin:white";
+  settings.orbit = frame::Orbit{0, 90, 32.2};  // nearly parallel: 11.2 m wide
+  settings.fovYDeg = 4;
+  const frame::Picture picture = test::Studio().render(model, settings);
+  CHECK(picture.statistics.nonFinitePixels == 0);
+  float worst[2] = {0, 0};  // metal above, dielectric below
+  size_t covered[2] = {0, 0};
+  for (int y = 0; y < 44; ++y)
+    for (int x = 0; x < 220; ++x) {
+      const glm::vec4& p = test::pixel(picture.radiance, x, y);
+      if (p.w < 1) continue;
+      ++covered[y < 22 ? 0 : 1];
+      for (int i = 0; i < 3; ++i) worst[y < 22 ? 0 : 1] = std::max(worst[y < 22 ? 0 : 1], std::abs(p[i] - 1));
+    }
+  std::cout << "white furnace: metal off by at most " << worst[0] << ", dielectric " << worst[1] << "\n";
+  CHECK(covered[0] > 2000);  // 11 discs of 9 pixels radius
+  CHECK(covered[1] > 2000);
+  CHECK(worst[0] <= 0.01f);
+  CHECK(worst[1] <= 0.015f);
+}
+
+TEST_CASE("White furnace: the converging picture keeps the energy too") {
+  const io::LoadedModel model = test::loadBuiltin("builtin:furnace");
+  PictureSettings settings = test::bareSettings(220, 44);
+  settings.environment = "builtin:white";
+  settings.orbit = frame::Orbit{0, 90, 32.2};
+  settings.fovYDeg = 4;
+  settings.samples = 16;
+  const frame::Picture picture = test::Studio().render(model, settings);
+  float worst = 0;
+  double sum = 0;
+  size_t covered = 0;
+  for (const glm::vec4& p : picture.radiance.pixels)
+    if (p.w == 1) ++covered, sum += double(p.x), worst = std::max(worst, std::abs(p.x - 1));
+  std::cout << "white furnace, 16 samples: off by at most " << worst << ", on average " << sum / double(covered) - 1
+            << "\n";
+  CHECK(covered > 4000);
+  // 64 samples of the lobe, the same ones in every pixel.
+  CHECK(std::abs(sum / double(covered) - 1) < 0.01);
+  CHECK(worst <= 0.06f);
+}
+
+TEST_CASE("A half-metallic white sphere keeps the furnace's energy too") {
+  GltfBuilder builder = emptyScene();
+  const int half = builder.append("materials", material({1, 1, 1, 1}, 0.5, 0.7));
+  test::addMeshNode(builder, test::addSphere(builder, 1), half);
+  PictureSettings settings = test::bareSettings(40, 40);
+  settings.environment = "builtin:white";
+  const frame::Picture picture = test::Studio().render(test::loadBuilt(builder), settings);
+  float worst = 0;
+  for (const glm::vec4& p : picture.radiance.pixels)
+    if (p.w == 1) worst = std::max(worst, std::abs(p.x - 1));
+  CHECK(test::pixel(picture.radiance, 20, 20).w == 1);
+  CHECK(worst <= 0.01f);
+}
+
+TEST_CASE("A point light on a plane, against the double-precision surface") {
+  GltfBuilder builder = emptyScene();
+  const glm::dvec3 color(0.8, 0.5, 0.1);
+  const double metallic = 0.5, roughness = 0.4;
+  const int mixed = builder.append("materials", material(glm::vec4(glm::vec3(color), 1), metallic, roughness));
+  test::addMeshNode(builder, test::addQuad(builder, {-1, -1}, {1, 1}), mixed);
+  builder.json["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}, {"intensity", 7}}};
+  const glm::dvec3 light(0.4, -0.3, 0.9);
+  json node = at(light.x, light.y, light.z);
+  node["extensions"]["KHR_lights_punctual"]["light"] = 0;
+  builder.json["scenes"][0]["nodes"].push_back(builder.append("nodes", node));
+  test::addOrthographicCamera(builder, 1, 1);
+  PictureSettings settings = test::bareSettings(16, 16);
+  settings.camera = "0";
+  const frame::Picture picture = test::Studio().render(test::loadBuilt(builder), settings);
+
+  const optics::Surface surface{color, metallic, roughness};
+  const glm::dvec3 N(0, 0, 1);
+  const optics::Dfg dfg = optics::dfgOf(surface, 1);
+  double worst = 0;
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 16; ++x) {
+      const glm::dvec3 towards = light - glm::dvec3((x + 0.5) / 8 - 1, 1 - (y + 0.5) / 8, 0);
+      const double distance2 = glm::dot(towards, towards);
+      const optics::Reflected r = optics::reflect(surface, dfg, N, N, towards / std::sqrt(distance2));
+      const glm::dvec3 expected = (r.specular + r.diffuse) * (7 / distance2);
+      const glm::vec4& got = test::pixel(picture.radiance, x, y);
+      for (int i = 0; i < 3; ++i) worst = std::max(worst, std::abs(double(got[i]) - expected[i]) / expected[i]);
+    }
+  std::cout << "point light on a plane: largest relative error " << worst << "\n";
+  CHECK(worst < 2e-3);  // half floats and the DFG table
+}
+
+TEST_CASE("Alpha modes: opaque ignores alpha, mask cuts, blend mixes from back to front") {
+  GltfBuilder builder = emptyScene();
+  const auto quad = [&](const json& m, const json& where) {
+    test::addMeshNode(builder, test::addQuad(builder, {-0.5, -0.5}, {0.5, 0.5}), builder.append("materials", m), where);
+  };
+  const json blend = {{"alphaMode", "BLEND"}}, mask = {{"alphaMode", "MASK"}};
+  quad(unlit({0.5, 0.25, 0.125, 0.3}), at(-2, 0, 0));
+  quad(unlit({0.5, 0.25, 0.125, 0.4}, mask), at(-1, 0, 0));
+  quad(unlit({0.5, 0.25, 0.125, 0.6}, mask), at(0, 0, 0));
+  quad(unlit({1, 0, 0, 0.25}, blend), at(1, 0, 1));  // in front, though first in the file
+  quad(unlit({0, 1, 0, 0.5}, blend), at(1, 0, 0));
+  quad(unlit({0, 0, 1, 0.5}, blend), at(2, 0, 1));
+  quad(unlit({1, 1, 0, 1}), at(2, 0, 0));
+  quad(unlit({1, 1, 1, 0.9}, blend), at(2, 0, -1));  // hidden
+  test::addOrthographicCamera(builder, 2.5, 0.5);
+  PictureSettings settings = test::bareSettings(20, 4);
+  settings.camera = "0";
+  test::Studio studio;
+  const frame::Picture picture = studio.render(test::loadBuilt(builder), settings);
+  const auto column = [&](int x) { return test::pixel(picture.radiance, 4 * x + 1, 2); };
+  checkPixel(column(0), {0.5, 0.25, 0.125, 1});
+  checkPixel(column(1), {0, 0, 0, 0});
+  checkPixel(column(2), {0.5, 0.25, 0.125, 1});
+  checkPixel(column(3), {0.25, 0.375, 0, 0.625});
+  checkPixel(column(4), {0.5, 0.5, 0.5, 1});
+  CHECK(picture.statistics.frame.passes == Names{"opaque", "blend", "display"});
+  // PNG keeps the surface's own colour: straight alpha.
+  const auto png = [&](int x, int channel) { return int(picture.display.data[size_t((2 * 20 + x) * 4 + channel)]); };
+  CHECK(png(13, 3) == Approx(0.625 * 255).margin(1));
+}
+
+TEST_CASE("Back faces show only where the material is double-sided, and then face the viewer") {
+  GltfBuilder builder = emptyScene();
+  json twoSided = material({1, 1, 1, 1});
+  twoSided["doubleSided"] = true;
+  const json turned = {{"rotation", {0, 1, 0, 0}}};
+  json left = turned, right = turned;
+  left["translation"] = {-0.5, 0, 0}, right["translation"] = {0.5, 0, 0};
+  test::addMeshNode(builder, test::addQuad(builder, {-0.5, -0.5}, {0.5, 0.5}),
+                    builder.append("materials", material({1, 1, 1, 1})), left);
+  test::addMeshNode(builder, test::addQuad(builder, {-0.5, -0.5}, {0.5, 0.5}), builder.append("materials", twoSided),
+                    right);
+  test::addOrthographicCamera(builder, 1, 0.5);
+  PictureSettings settings = test::bareSettings(8, 4);
+  settings.camera = "0";
+  settings.channel = "normal";
+  const frame::Picture picture = test::Studio().render(test::loadBuilt(builder), settings);
+  CHECK(test::pixel(picture.radiance, 1, 2).w == 0);
+  checkPixel(test::pixel(picture.radiance, 6, 2), {0.5, 0.5, 1, 1});
+}
+
+TEST_CASE("Textures: transform, sampler and vertex colour reach the pixel") {
+  GltfBuilder builder = emptyScene();
+  const std::vector<uint8_t> texels = {255, 0, 0, 0, 255, 0};
+  builder.append("images", {{"uri", test::dataUri(test::pngBytes(2, 1, 3, 8, texels), "image/png")}});
+  builder.append("samplers", {{"magFilter", 9728}, {"minFilter", 9728}});
+  builder.append("textures", {{"source", 0}, {"sampler", 0}});
+  const int uv = builder.add(std::vector<float>{0, 0, 1, 0, 1, 1, 0, 1}, test::floatType, "VEC2");
+  for (const double offset : {0.0, 0.5}) {
+    json m = unlit({1, 0.5, 1, 1});
+    m["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+    if (offset > 0)
+      m["pbrMetallicRoughness"]["baseColorTexture"]["extensions"]["KHR_texture_transform"]["offset"] = {offset, 0};
+    json quad = test::addQuad(builder, {-0.5, -0.5}, {0.5, 0.5});
+    quad["attributes"]["TEXCOORD_0"] = uv;
+    test::addMeshNode(builder, quad, builder.append("materials", m), at(offset * 2 - 0.5, 0, 0));
+  }
+  test::addOrthographicCamera(builder, 1, 0.5);
+  PictureSettings settings = test::bareSettings(8, 4);
+  settings.camera = "0";
+  const frame::Picture picture = test::Studio().render(test::loadBuilt(builder), settings);
+  checkPixel(test::pixel(picture.radiance, 1, 2), {1, 0, 0, 1});
+  checkPixel(test::pixel(picture.radiance, 3, 2), {0, 0.5, 0, 1});
+  checkPixel(test::pixel(picture.radiance, 5, 2), {0, 0.5, 0, 1});  // half a turn on
+  checkPixel(test::pixel(picture.radiance, 7, 2), {1, 0, 0, 1});
+  CHECK(picture.statistics.imagesDecoded == 1);
+}
+
+TEST_CASE("Tone mapping end to end: exposure, mapper, sRGB, 8 bits") {
+  GltfBuilder builder = emptyScene();
+  const glm::dvec3 color(0.2, 0.5, 0.9);
+  test::addMeshNode(builder, test::addQuad(builder, {-1, -1}, {1, 1}),
+                    builder.append("materials", unlit(glm::vec4(glm::vec3(color), 1))));
+  test::addOrthographicCamera(builder, 1, 1);
+  const io::LoadedModel model = test::loadBuilt(builder);
+  PictureSettings settings = test::bareSettings(2, 2);
+  settings.camera = "0";
+  test::Studio studio;
+  for (const optics::ToneMapper mapper : optics::toneMappers)
+    for (const float stops : {-2.0f, 0.0f, 3.0f}) {
+      settings.toneMapper = static_cast<frame::ToneMapper>(mapper);
+      settings.exposureStops = stops;
+      const frame::Picture picture = studio.render(model, settings);
+      const glm::dvec3 expected = optics::encodeSRGB(optics::toneMap(mapper, color * std::exp2(double(stops)))) * 255.0;
+      INFO(optics::nameOf(mapper) << ", " << stops << " stops");
+      for (int i = 0; i < 3; ++i) CHECK(std::abs(picture.display.data[size_t(i)] - expected[i]) <= 0.75);
+      // The scene-linear picture knows nothing of it.
+      checkPixel(picture.radiance.pixels[0], glm::vec4(glm::vec3(color), 1), 5e-4f);
+    }
+}
+
+TEST_CASE("The same picture twice is the same bytes") {
+  const io::LoadedModel model = test::loadBuiltin("builtin:spheres");
+  PictureSettings settings;
+  settings.width = settings.height = 64;
+  const frame::Picture a = test::Studio().render(model, settings), b = test::Studio().render(model, settings);
+  CHECK(std::memcmp(a.radiance.pixels.data(), b.radiance.pixels.data(), a.radiance.pixels.size() * sizeof(glm::vec4)) ==
+        0);
+  CHECK(a.display.data == b.display.data);
+  CHECK(a.statistics.nonFinitePixels == 0);
+}
+
+// ---- what a scene does not need -------------------------------------------------------------------------------------
+
+TEST_CASE("Frugality: an unlit scene decodes one image, compiles one mesh program and computes nothing") {
+  GltfBuilder builder = emptyScene();
+  for (int i = 0; i < 3; ++i)
+    builder.append(
+        "images", {{"uri", test::dataUri(test::pngBytes(1, 1, 3, 8, std::vector<uint8_t>{255, 128, 0}), "image/png")}});
+  for (int i = 0; i < 3; ++i) builder.append("textures", {{"source", i}});
+  json m = unlit({1, 1, 1, 1});
+  m["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+  m["pbrMetallicRoughness"]["metallicRoughnessTexture"] = {{"index", 1}};
+  m["emissiveTexture"] = {{"index", 1}};
+  m["emissiveFactor"] = {1, 1, 1};
+  builder.append("materials", m);
+  json unused = material({1, 1, 1, 1});
+  unused["normalTexture"] = {{"index", 2}};
+  builder.append("materials", unused);
+  json quad = test::addQuad(builder, {-1, -1}, {1, 1});
+  quad["attributes"]["TEXCOORD_0"] = builder.add(std::vector<float>(8, 0.5f), test::floatType, "VEC2");
+  test::addMeshNode(builder, quad, 0);
+  PictureSettings settings = test::bareSettings(8, 8);
+  settings.environment = "";  // none is chosen, for nothing could be lit
+  settings.background = frame::Background::environment;
+  const frame::Picture picture = test::Studio().render(test::loadBuilt(builder), settings);
+  const frame::PictureStatistics& s = picture.statistics;
+  CHECK(s.imagesDecoded == 1);
+  CHECK(s.programsCompiled == 2);  // the mesh's and the display's
+  CHECK(s.tables.empty());
+  CHECK(s.tableBytes == 0);
+  CHECK(s.frame.passes == Names{"opaque", "display"});
+  CHECK(s.frame.draws == 1);
+  CHECK(test::pixel(picture.radiance, 4, 4).x == 1);
+}
+
+TEST_CASE("Frugality: lights alone need the DFG table, an environment all tables, once") {
+  GltfBuilder builder = emptyScene();
+  builder.append("materials", material({1, 1, 1, 1}));
+  test::addMeshNode(builder, test::addQuad(builder, {-1, -1}, {1, 1}), 0);
+  const io::LoadedModel model = test::loadBuilt(builder);
+  PictureSettings settings = test::bareSettings(8, 8);
+  settings.lights = frame::Lights::demo;
+  {
+    const frame::Picture picture = test::Studio().render(model, settings);
+    CHECK(tableNames(picture) == Names{"DFG"});
+    CHECK(picture.statistics.programsCompiled == 3);  // mesh, display, DFG
+    CHECK(picture.statistics.imagesDecoded == 0);
+    CHECK(picture.statistics.tableBytes == 64 * 64 * 8);
+    CHECK(test::pixel(picture.radiance, 4, 4).x > 0.1f);
+  }
+  settings.lights = frame::Lights::scene;
+  settings.environment = "builtin:white";
+  test::Studio studio;
+  const frame::Picture hidden = studio.render(model, settings);
+  CHECK(tableNames(hidden) == Names{"DFG", "environment cube", "irradiance", "LD layers"});
+  // mesh, display, DFG, and five to filter the environment
+  CHECK(hidden.statistics.programsCompiled == 8);
+  CHECK(hidden.statistics.frame.passes == Names{"opaque", "display"});
+  // Then the sky: one more program, no table computed anew.
+  settings.background = frame::Background::environment;
+  settings.samples = 4;
+  const frame::Picture seen = studio.render(model, settings);
+  CHECK(seen.statistics.tables.empty());
+  CHECK(seen.statistics.programsCompiled == 1);
+  CHECK(seen.statistics.frame.passes == Names{"opaque", "sky", "resolve", "display"});
+  // An environment without strength is none.
+  settings.environmentStrength = 0;
+  settings.background = frame::Background::transparent;
+  const frame::Picture dark = test::Studio().render(model, settings);
+  CHECK(dark.statistics.tables.empty());
+}
+
+// ---- extremes -------------------------------------------------------------------------------------------------------
+
+namespace {
+
+// A glossy sphere and a quad beside it under the studio and four lights.
+io::LoadedModel still(const json& root, double geometryScale = 1) {
+  GltfBuilder builder = emptyScene();
+  const float s = static_cast<float>(geometryScale);
+  const int gold = builder.append("materials", material({1, 0.7, 0.3, 1}, 1, 0.3));
+  const int matt = builder.append("materials", material({0.3, 0.5, 0.8, 1}, 0, 0.6));
+  const int sphere = test::addMeshNode(builder, test::addSphere(builder, geometryScale), gold);
+  const int quad =
+      test::addMeshNode(builder, test::addQuad(builder, glm::vec2(-2, -1) * s, glm::vec2(-1.2f, 1) * s), matt);
+  json parent = root;
+  parent["children"] = {sphere, quad};
+  builder.json["scenes"][0]["nodes"] = {builder.append("nodes", parent)};
+  return test::loadBuilt(builder);
+}
+
+PictureSettings stillSettings() {
+  PictureSettings settings = test::bareSettings(64, 64);
+  settings.environment = "builtin:studio";
+  settings.lights = frame::Lights::demo;
+  return settings;
+}
+
+}  // namespace
+
+TEST_CASE("A scene far away or of extreme size gives the same picture") {
+  test::Studio studio;
+  const frame::Picture reference = studio.render(still(json::object()), stillSettings());
+  CHECK(reference.statistics.nonFinitePixels == 0);
+  struct Row {
+    const char* name;
+    json root;
+    double geometryScale;
+  };
+  const json small = {{"scale", {1e-6, 1e-6, 1e-6}}}, large = {{"scale", {1e6, 1e6, 1e6}}};
+  for (const Row& row : {Row{"1e7 m from the origin", at(1e7, 2e7, -1e7), 1}, Row{"a micrometre", small, 1},
+                         Row{"a thousand kilometres", large, 1}, Row{"a micrometre in the file", json::object(), 1e-6},
+                         Row{"1e6 in the file, scaled back", small, 1e6}}) {
+    const frame::Picture picture = studio.render(still(row.root, row.geometryScale), stillSettings());
+    const Difference d = compare(reference, picture);
+    INFO(row.name << ": largest difference " << d.largest << ", coverage differs in " << d.coverageDiffers);
+    std::cout << row.name << ": largest difference " << d.largest << ", coverage differs in " << d.coverageDiffers
+              << " of " << d.covered << " pixels\n";
+    CHECK(picture.statistics.nonFinitePixels == 0);
+    CHECK(d.covered > 800);
+    CHECK(d.coverageDiffers <= 4);
+    CHECK(d.largest < 0.03f);  // of radiance up to 10: four units of the last place of a half float
+  }
+}
+
+TEST_CASE("Mirrored nodes keep their outside") {
+  GltfBuilder plain = emptyScene(), mirrored = emptyScene();
+  for (GltfBuilder* builder : {&plain, &mirrored}) {
+    const int gold = builder->append("materials", material({1, 0.7, 0.3, 1}, 1, 0.3));
+    const json scale = {{"scale", {builder == &mirrored ? -1 : 1, 1, 1}}};
+    test::addMeshNode(*builder, test::addSphere(*builder, 1), gold, scale);
+  }
+  test::Studio studio;
+  const Difference d = compare(studio.render(test::loadBuilt(plain), stillSettings()),
+                               studio.render(test::loadBuilt(mirrored), stillSettings()));
+  INFO("largest difference " << d.largest << ", coverage differs in " << d.coverageDiffers);
+  CHECK(d.covered > 800);
+  CHECK(d.coverageDiffers <= 4);
+  CHECK(d.largest < 0.03f);  // of radiance up to 10: four units of the last place of a half float
+}
+
+TEST_CASE("A normal map on a mirrored node bends the way its picture is turned") {
+  GltfBuilder builder = emptyScene();
+  builder.append(
+      "images", {{"uri", test::dataUri(test::pngBytes(1, 1, 3, 8, std::vector<uint8_t>{204, 166, 217}), "image/png")}});
+  builder.append("textures", {{"source", 0}});
+  json m = material({1, 1, 1, 1});
+  m["normalTexture"] = {{"index", 0}};
+  builder.append("materials", m);
+  json quad = test::addQuad(builder, {-0.5, -0.5}, {0.5, 0.5});
+  quad["attributes"]["TEXCOORD_0"] = builder.add(std::vector<float>{0, 0, 1, 0, 1, 1, 0, 1}, test::floatType, "VEC2");
+  std::vector<float> tangents;
+  for (int i = 0; i < 4; ++i) tangents.insert(tangents.end(), {1, 0, 0, 1});
+  quad["attributes"]["TANGENT"] = builder.add(tangents, test::floatType, "VEC4");
+  test::addMeshNode(builder, quad, 0, at(-0.5, 0, 0));
+  json mirror = at(0.5, 0, 0);
+  mirror["scale"] = {-1, 1, 1};
+  test::addMeshNode(builder, quad, 0, mirror);
+  test::addOrthographicCamera(builder, 1, 0.5);
+  PictureSettings settings = test::bareSettings(8, 4);
+  settings.camera = "0";
+  settings.channel = "normal";
+  const frame::Picture picture = test::Studio().render(test::loadBuilt(builder), settings);
+  const glm::vec3 n = glm::normalize(glm::vec3(204, 166, 217) / 255.0f * 2.0f - 1.0f);
+  checkPixel(test::pixel(picture.radiance, 2, 2), glm::vec4(n * 0.5f + 0.5f, 1));
+  checkPixel(test::pixel(picture.radiance, 6, 2), glm::vec4(glm::vec3(-n.x, n.y, n.z) * 0.5f + 0.5f, 1));
+}
+
+TEST_CASE("Singular node matrices draw what is left of the shape, and stay finite") {
+  struct Row {
+    const char* name;
+    json root;
+    bool visible;
+  };
+  const Row row =
+      GENERATE(values<Row>({{"flat", {{"scale", {1, 1, 0}}}, true},
+                            {"a line", {{"scale", {1, 0, 0}}}, false},
+                            {"a point", {{"scale", {0, 0, 0}}}, false},
+                            {"skewed flat", {{"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 0, 1}}}, true},
+                            {"nearly flat", {{"scale", {1, 1, 1e-30}}}, true}}));
+  INFO(row.name);
+  const frame::Picture picture = test::Studio().render(still(row.root), stillSettings());
+  CHECK(picture.statistics.nonFinitePixels == 0);
+  size_t covered = 0;
+  for (const glm::vec4& p : picture.radiance.pixels) covered += p.w > 0;
+  if (row.visible)
+    CHECK(covered > 300);
+  else
+    CHECK(covered < 64);
+}

@@ -1,0 +1,107 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "report/numerics.hpp"
+#include "support/command.hpp"
+
+using namespace facet;
+
+namespace {
+
+// One test case per function, so that a failure names it.
+void checkFunction(const std::string& name) {
+  static const std::vector<report::Check> checks = report::numericalChecks();
+  bool found = false;
+  for (const report::Check& check : checks) {
+    if (check.name != name) continue;
+    found = true;
+    const Result<report::CheckResult> result = report::runCheck(check, shading::shaderReader());
+    REQUIRE(result);
+    INFO("error " << result->error << ", allowed " << result->allowed << " (" << check.reason << ") at "
+                  << result->input << ": got " << result->got << ", expected " << result->expected);
+    INFO("first value that is not finite: at " << result->firstNonFinite);
+    CHECK(result->nonFinite == 0);
+    CHECK(result->error <= result->allowed);
+    CHECK(result->passed);
+  }
+  REQUIRE(found);
+}
+
+}  // namespace
+
+#define TWIN(function) \
+  TEST_CASE("Twin: " function) { checkFunction(function); }
+
+TWIN("D_GGX")
+TWIN("V_SmithGGXCorrelated")
+TWIN("G1_GGX")
+TWIN("F_Schlick")
+TWIN("Fd_Lambert")
+TWIN("singleScatterAlbedo")
+TWIN("multipleScatterAlbedo")
+TWIN("energyCompensation")
+TWIN("evaluateBsdf")
+TWIN("irradianceAlbedo")
+TWIN("sampleVisibleNormal")
+TWIN("specularMeanDirection")
+TWIN("distanceAttenuation")
+TWIN("coneAttenuation")
+TWIN("encodeSrgb")
+TWIN("toneMap")
+TWIN("toneReinhard")
+TWIN("toneUncharted2")
+TWIN("toneAces")
+TWIN("toneAgx")
+TWIN("toneNeutral")
+TWIN("equirectFromDirection")
+TWIN("directionFromEquirect")
+TWIN("directionFromCube")
+TWIN("cubeSolidAngleDensity")
+TWIN("frameAround")
+TWIN("findLdLayer")
+
+TEST_CASE("Twin: the cases above are the whole table") { CHECK(report::numericalChecks().size() == 27); }
+
+TEST_CASE("A check sees a wrong function, and counts what is not finite") {
+  report::Check check{
+      "square", {{"constants.glsl"}, "out0.x = in0.x > 2.0 ? in0.x / in0.y : in0.x * in0.x;"}, {"x"}, {}};
+  check.inputs = {{1, 0, 0, 0}, {2, 0, 0, 0}};
+  check.twin = [](report::CheckVectors in) { return report::CheckValues{in[0].x * in[0].x}; };
+  check.tolerance = 1e-6;
+  const auto run = [&] { return report::runCheck(check, shading::shaderReader()); };
+  CHECK(run()->passed);
+  check.inputs.emplace_back(3, 0, 0, 0);  // 3 / 0
+  const auto infinite = run();
+  CHECK_FALSE(infinite->passed);
+  CHECK(infinite->nonFinite == 1);
+  CHECK(infinite->firstNonFinite == "x 3");
+  check.inputs.back() = {3, 1, 0, 0};  // 3 in place of 9
+  const auto wrong = run();
+  CHECK_FALSE(wrong->passed);
+  CHECK(wrong->nonFinite == 0);
+  CHECK(wrong->error == Approx(6.0 / 9));
+  CHECK(wrong->input == "x 3");
+  check.conditioning = [](report::CheckVectors in) { return in[0].x == 3 ? 1e6 : 1.0; };
+  CHECK(run()->passed);
+}
+
+TEST_CASE("facet selftest: table, JSON, exit status") {
+  const test::Outcome table = test::runFacet({"selftest"});
+  INFO(table.text);
+  CHECK(table.status == 0);
+  CHECK_THAT(table.text, Catch::Contains("D_GGX") && Catch::Contains("27 functions, 0 failed"));
+  const auto json = nlohmann::json::parse(test::runFacet({"--log-level", "error", "selftest", "--json"}).text);
+  CHECK(json["passed"] == true);
+  CHECK(json["checks"].size() == 27);
+  CHECK(json["checks"][0]["function"] == "D_GGX");
+
+  // A folder with one broken chunk: the failure is named and the exit status says so.
+  const test::TemporaryFolder folder;
+  const auto copied = std::filesystem::copy_options::recursive;
+  std::filesystem::copy(std::string(FACET_SOURCE_DIR) + "/shaders", folder.file("shaders"), copied);
+  folder.write("shaders/diffuse.glsl", std::string("float Fd_Lambert() { return 1.0; }\n"));
+  const test::Outcome broken = test::runFacet({"selftest", "--shader-dir", folder.file("shaders")});
+  CHECK(broken.status == 1);
+  CHECK_THAT(broken.text, Catch::Contains("Fd_Lambert failed: got 1, expected 0.31831"));
+}

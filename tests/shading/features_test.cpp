@@ -1,0 +1,150 @@
+#include "shading/features.hpp"
+
+#include <catch2/catch.hpp>
+#include <set>
+
+using namespace facet;
+using scene::Material;
+using scene::Primitive;
+using shading::FrameFeatures;
+
+namespace {
+
+constexpr FrameFeatures lit{.punctualLights = true, .environment = true};
+
+// A triangle with everything that a file can give it.
+Primitive fullPrimitive() {
+  Primitive p;
+  p.positions.resize(3);
+  p.normals.resize(3);
+  p.tangents.resize(3);
+  p.texCoords[0].resize(3);
+  p.texCoords[1].resize(3);
+  return p;
+}
+
+Material fullMaterial() {
+  Material m;
+  for (scene::TextureRef* ref : {&m.baseColor, &m.metallicRoughness, &m.normal, &m.occlusion, &m.emissive})
+    ref->texture = 0;
+  m.emissiveFactor = glm::vec3(1);
+  return m;
+}
+
+std::string variant(const Material& m, const Primitive& p, const FrameFeatures& frame) {
+  return shading::variantName(shading::variantKey({m, p, frame}));
+}
+
+FrameFeatures view(const char* channel) {
+  FrameFeatures frame = lit;
+  frame.channel = shading::channelIndex(channel);
+  return frame;
+}
+
+}  // namespace
+
+TEST_CASE("Variants hold what material, vertices and frame use, and nothing else") {
+  const Primitive full = fullPrimitive();
+  CHECK(variant({}, full, {}) == "normals");
+  CHECK(variant({}, full, lit) == "normals, punctual lights, environment");
+  CHECK(variant(fullMaterial(), full, lit) ==
+        "normals, tangents, uv0, base colour texture, metallic-roughness texture, normal texture, occlusion texture, "
+        "emissive texture, punctual lights, environment");
+
+  Material second = {};
+  second.baseColor.texture = 0;
+  second.baseColor.texCoord = 1;
+  CHECK(variant(second, full, {}) == "normals, uv1, base colour texture");
+  second.baseColor.transform.scale = glm::vec2(2);
+  CHECK(variant(second, full, {}) == "normals, uv1, base colour texture, texture transform");
+
+  Material glass;
+  glass.alphaMode = scene::AlphaMode::blend;
+  glass.doubleSided = true;
+  CHECK(variant(glass, full, lit) == "normals, alpha blend, double-sided, punctual lights, environment");
+  glass.alphaMode = scene::AlphaMode::mask;
+  CHECK(variant(glass, full, {}) == "normals, alpha mask, double-sided");
+
+  Primitive colored = full;
+  colored.colors.resize(3);
+  CHECK(variant({}, colored, {}) == "normals, vertex colours");
+}
+
+TEST_CASE("Variants: combinations without sense fold") {
+  const Primitive full = fullPrimitive();
+  // Unlit: no light, none of the textures that only light shows.
+  Material unlit = fullMaterial();
+  unlit.unlit = true;
+  CHECK(variant(unlit, full, lit) == "normals, uv0, base colour texture, unlit");
+  // Lines without normals cannot be lit.
+  Primitive lines = full;
+  lines.normals.clear();
+  lines.topology = scene::Topology::lines;
+  CHECK(variant(fullMaterial(), lines, lit) == "uv0, base colour texture, unlit");
+  // A normal texture without tangents, textures without coordinates.
+  Primitive plain = full;
+  plain.tangents.clear();
+  Material bumpy;
+  bumpy.normal.texture = 0;
+  CHECK(variant(bumpy, plain, {}) == "normals");
+  plain.texCoords[0].clear();
+  CHECK(variant(fullMaterial(), plain, lit) == "normals, punctual lights, environment");
+  // Occlusion dims distant light only, and can be switched off.
+  Material dim;
+  dim.occlusion.texture = 0;
+  CHECK(variant(dim, full, {.punctualLights = true}) == "normals, punctual lights");
+  CHECK(variant(dim, full, {.environment = true}) == "normals, uv0, occlusion texture, environment");
+  CHECK(variant(dim, full, {.environment = true, .occlusion = false}) == "normals, environment");
+  // Double-sided without a normal to turn round.
+  Material bothSides;
+  bothSides.doubleSided = true;
+  CHECK(variant(bothSides, lines, {}) == "unlit");
+  // A transform of a texture that is not read.
+  Material moved;
+  moved.occlusion.texture = 0;
+  moved.occlusion.transform.rotation = 1;
+  CHECK(variant(moved, full, {}) == "normals");
+}
+
+TEST_CASE("Debug views read what they show and nothing else") {
+  const Primitive full = fullPrimitive();
+  const Material all = fullMaterial();
+  CHECK(variant(all, full, view("roughness")) == "normals, uv0, metallic-roughness texture, unlit, view of roughness");
+  CHECK(variant(all, full, view("baseColor")) == "normals, uv0, base colour texture, unlit, view of baseColor");
+  CHECK(variant(all, full, view("uv")) == "normals, uv0, unlit, view of uv");
+  CHECK(variant(all, full, view("geometryNormal")) == "normals, unlit, view of geometryNormal");
+  CHECK(variant(all, full, view("normal")) == "normals, tangents, uv0, normal texture, unlit, view of normal");
+  CHECK(variant(all, full, view("occlusion")) == "normals, uv0, occlusion texture, unlit, view of occlusion");
+  // Mask still cuts, blend does not mix.
+  Material cut = all;
+  cut.alphaMode = scene::AlphaMode::mask;
+  CHECK(variant(cut, full, view("uv")) == "normals, uv0, base colour texture, alpha mask, unlit, view of uv");
+  cut.alphaMode = scene::AlphaMode::blend;
+  CHECK(variant(cut, full, view("uv")) == "normals, uv0, unlit, view of uv");
+}
+
+TEST_CASE("The feature table: one define and one bit each, keys compare by value") {
+  const auto table = shading::featureTable();
+  CHECK(table.size() <= 32);
+  std::set<std::string> names, defines;
+  for (const shading::FeatureRow& row : table) names.insert(row.name), defines.insert(row.define);
+  CHECK(names.size() == table.size());
+  CHECK(defines.size() == table.size());
+
+  const Primitive full = fullPrimitive();
+  const auto key = shading::variantKey({fullMaterial(), full, lit});
+  CHECK(key == shading::variantKey({fullMaterial(), full, lit}));
+  CHECK(key != shading::variantKey({fullMaterial(), full, {}}));
+  CHECK(shading::usesFeature(key, "HAS_ENVIRONMENT"));
+  CHECK_FALSE(shading::usesFeature(key, "UNLIT"));
+  const auto shown = shading::variantKey({Material{}, full, view("metallic")});
+  const auto list = shading::variantDefines(shown);
+  REQUIRE(list.size() == 3);
+  CHECK(list[0].name == "HAS_NORMAL");
+  CHECK(list[1].name == "UNLIT");
+  CHECK(list[2].name == "CHANNEL");
+  CHECK(list[2].value == std::to_string(shading::channelIndex("metallic")));
+  CHECK(shading::channelIndex("colour") == -1);
+  CHECK(shading::channelIsColor(shading::channelIndex("emissive")));
+  CHECK_FALSE(shading::channelIsColor(shading::channelIndex("normal")));
+}

@@ -1,0 +1,113 @@
+#include "support/picture.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "io/sources.hpp"
+#include "scene/geometry.hpp"
+#include "scene/shapes.hpp"
+#include "support/gltf_load.hpp"
+#include "support/gpu.hpp"
+
+namespace facet::test {
+
+using Json = nlohmann::json;
+
+io::LoadedModel loadBuilt(const GltfBuilder& builder) {
+  io::LoadedModel model = loaded(builder);
+  scene::completeGeometry(model.model, model.notes);
+  return model;
+}
+
+io::LoadedModel loadBuiltin(const std::string& name) {
+  Result<io::LoadedModel> loaded = io::loadModel(name);
+  REQUIRE(loaded);
+  return std::move(*loaded);
+}
+
+Studio::Studio() : programs_(makeProgramStore()) {}
+
+frame::Picture Studio::render(const io::LoadedModel& model, const frame::PictureSettings& settings) {
+  notes.clear();
+  const auto scene = frame::chooseScene(settings, model.model);
+  REQUIRE(scene);
+  const std::string name = frame::chooseEnvironment(settings, model.model.name, model.model, *scene);
+  const auto [entry, isNew] = lights_.try_emplace(name);
+  Light& light = entry->second;
+  if (isNew && name != "none") {
+    Result<scene::Environment> loaded = io::loadEnvironmentSource(name, notes);
+    REQUIRE(loaded);
+    light.environment = std::move(*loaded);
+    light.onGpu.environment = &light.environment;
+  }
+  frame::SceneOnGpu onGpu;
+  onGpu.source = model.model.name;
+  onGpu.model = &model.model;
+  Stages stages;
+  Result<frame::Picture> picture = frame::renderPicture(settings, {.radiance = true, .display = true}, onGpu,
+                                                        light.onGpu, programs_, contextInfo(), notes, stages);
+  INFO((picture ? std::string() : describe(picture.error())));
+  REQUIRE(picture);
+  return std::move(*picture);
+}
+
+frame::PictureSettings bareSettings(int width, int height) {
+  frame::PictureSettings settings;
+  settings.width = width;
+  settings.height = height;
+  settings.samples = 1;
+  settings.environment = "none";
+  settings.background = frame::Background::transparent;
+  return settings;
+}
+
+const glm::vec4& pixel(const io::RadianceImage& image, int x, int y) {
+  return image.pixels.at(static_cast<size_t>(y) * static_cast<size_t>(image.width) + static_cast<size_t>(x));
+}
+
+namespace {
+
+std::vector<float> flattened(const std::vector<glm::vec3>& vectors) {
+  std::vector<float> out;
+  for (const glm::vec3& v : vectors) out.insert(out.end(), {v.x, v.y, v.z});
+  return out;
+}
+
+Json primitive(GltfBuilder& builder, const std::vector<glm::vec3>& positions, const std::vector<glm::vec3>& normals,
+               const std::vector<uint32_t>& indices) {
+  const int position = builder.add(flattened(positions), floatType, "VEC3");
+  const int normal = builder.add(flattened(normals), floatType, "VEC3");
+  const int index = builder.add(indices, uintType, "SCALAR");
+  return {{"attributes", {{"POSITION", position}, {"NORMAL", normal}}}, {"indices", index}};
+}
+
+}  // namespace
+
+Json addSphere(GltfBuilder& builder, double radius, int stacks, int slices) {
+  scene::Shape shape = scene::sphereShape(stacks, slices);
+  for (glm::vec3& p : shape.positions) p *= static_cast<float>(radius);
+  return primitive(builder, shape.positions, shape.normals, shape.indices);
+}
+
+Json addQuad(GltfBuilder& builder, glm::vec2 low, glm::vec2 high) {
+  const std::vector<glm::vec3> positions = {{low, 0}, {high.x, low.y, 0}, {high, 0}, {low.x, high.y, 0}};
+  return primitive(builder, positions, std::vector<glm::vec3>(4, {0, 0, 1}), {0, 1, 2, 0, 2, 3});
+}
+
+int addMeshNode(GltfBuilder& builder, Json primitive, int material, const Json& extra) {
+  if (material >= 0) primitive["material"] = material;
+  Json node = extra.is_null() ? Json::object() : extra;
+  node["mesh"] = builder.append("meshes", {{"primitives", {primitive}}});
+  const int index = builder.append("nodes", node);
+  builder.json["scenes"][0]["nodes"].push_back(index);
+  return index;
+}
+
+void addOrthographicCamera(GltfBuilder& builder, double x, double y) {
+  const int camera = builder.append(
+      "cameras",
+      {{"type", "orthographic"}, {"orthographic", {{"xmag", x}, {"ymag", y}, {"znear", 0.1}, {"zfar", 100}}}});
+  const int node = builder.append("nodes", {{"camera", camera}, {"translation", {0, 0, 10}}});
+  builder.json["scenes"][0]["nodes"].push_back(node);
+}
+
+}  // namespace facet::test

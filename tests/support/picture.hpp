@@ -1,0 +1,49 @@
+#pragma once
+
+// Pictures of models made in a test, in the test's own context.
+
+#include <map>
+#include <string>
+
+#include "frame/picture.hpp"
+#include "io/gltf.hpp"
+#include "support/gltf_builder.hpp"
+
+namespace facet::test {
+
+io::LoadedModel loadBuilt(const GltfBuilder& builder);
+io::LoadedModel loadBuiltin(const std::string& name);  // "builtin:furnace"
+
+// Environments, their tables and programs are shared by its pictures; each picture uploads its model anew.
+class Studio {
+ public:
+  Studio();
+  // radiance and display are both filled.
+  frame::Picture render(const io::LoadedModel& model, const frame::PictureSettings& settings);
+  Notes notes;  // of the last picture
+
+ private:
+  struct Light {
+    scene::Environment environment;
+    frame::EnvironmentOnGpu onGpu;
+  };
+  shading::ProgramStore programs_;
+  std::map<std::string, Light> lights_;
+};
+
+// A grid of width x height samples a pixel 1, no environment, transparent background: for pictures with known values.
+frame::PictureSettings bareSettings(int width, int height);
+
+const glm::vec4& pixel(const io::RadianceImage& image, int x, int y);  // y down from the top
+
+// Adds vertices of a sphere around the origin with normals; returns the primitive's JSON without a material.
+nlohmann::json addSphere(GltfBuilder& builder, double radius, int stacks = 24, int slices = 48);
+// A quad in z = 0 with normals to +Z, from corner to corner.
+nlohmann::json addQuad(GltfBuilder& builder, glm::vec2 low, glm::vec2 high);
+// A mesh of one primitive and a node for it, also a root of scene 0; extra goes into the node. Returns the node's
+// index.
+int addMeshNode(GltfBuilder& builder, nlohmann::json primitive, int material, const nlohmann::json& extra = {});
+// Sees [-x, x] x [-y, y] from z = 10 towards -Z.
+void addOrthographicCamera(GltfBuilder& builder, double x, double y);
+
+}  // namespace facet::test
