@@ -1,5 +1,5 @@
-// The DFG table over u = sqrt(NoV), v = perceptual roughness, texel centres at the end points 0 and 1: A in x, B in y, in z
-// the sine of the angle from N to the lobe's mean direction over that of the mirror direction.
+// The DFG table over u = sqrt(NoV), v = perceptual roughness, texel centres at the end points 0 and 1: A in x, B in y,
+// in z the sine of the angle from N to the lobe's mean direction over that of the mirror direction.
 #include "layout.h"
 
 layout(binding = dfgUnit) uniform sampler2D dfgTable;

@@ -3,10 +3,10 @@
 //   int f NoL dw = int [D_v(H) / (4 VoH)] [G2 / G1] dw = mean over the unit square of G2 / G1,
 // where the square maps to half the disc of visible normals, the other half being its mirror image. Radii are squeezed
 // towards the rim, r^2 = 1 - (1 - t)^2, where L nears the horizon and the integrand falls to 0 within alpha. nodes[i] =
-// (position, weight) of Gauss-Legendre on [0, 1], first those of the radius, then those of the angle. 32 x 8: A and B are
-// off by at most 0.002 and 0.0008 for NoV >= 0.02 (16 x 16 without the squeezing: 0.011).
-// The weighted mean of L is where the lobe looks; stored is the sine of its angle to N over that of the mirror direction,
-// which varies little: the sine itself has an infinite slope at NoV = 1.
+// (position, weight) of Gauss-Legendre on [0, 1], first those of the radius, then those of the angle. 32 x 8: A and B
+// are off by at most 0.002 and 0.0008 for NoV >= 0.02 (16 x 16 without the squeezing: 0.011).
+// The weighted mean of L is where the lobe looks; stored is the sine of its angle to N over that of the mirror
+// direction, which varies little: the sine itself has an infinite slope at NoV = 1.
 #include "layout.h"
 #include "microfacet.glsl"
 

@@ -1,6 +1,6 @@
-// Equirectangular map -> cube map: each texel is the mean radiance over its solid angle, from taps x taps samples. Where
-// they differ by more than `steep` in a channel, from steepTaps x steepTaps: a sun of one source texel is a tent two texels
-// wide, whose flux 4 x 4 taps miss by up to 2 %, 16 x 16 by 0.12 %.
+// Equirectangular map -> cube map: each texel is the mean radiance over its solid angle, from taps x taps samples.
+// Where they differ by more than `steep` in a channel, from steepTaps x steepTaps: a sun of one source texel is a tent
+// two texels wide, whose flux 4 x 4 taps miss by up to 2 %, 16 x 16 by 0.12 %.
 #include "layout.h"
 #include "mapping.glsl"
 

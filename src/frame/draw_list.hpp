@@ -19,8 +19,8 @@ using MaterialOverride = std::optional<scene::Material>;
 
 struct DrawOptions {
   shading::FrameFeatures features = {};  // punctualLights is set by buildDrawList
-  bool sceneLights = true;          // the file's lights
-  bool demoLights = false;          // four point lights around the scene
+  bool sceneLights = true;               // the file's lights
+  bool demoLights = false;               // four point lights around the scene
   MaterialOverride material = {};
 };
 

@@ -21,9 +21,9 @@ struct Dfg {
 // alpha = 0 in closed form: A = 1 - (1 - NoV)^5, B = (1 - NoV)^5. Check at alpha = 1: A + B = 1 - NoV ln(1 + 1 / NoV).
 Dfg integrateDfg(double NoV, double alpha, double tolerance = 1e-9);
 
-// Where the lobe looks on average: with m = int L D V NoL dL (F = 1), the sine of the angle from N to m, positive on the
-// side that faces away from V. alpha = 0: sqrt(1 - NoV^2), the mirror direction. alpha = 1: 0, because
-// D V NoL = NoL / (2 pi (NoL + NoV)) there, which is symmetric about N. NoV = 1: 0. Domain and accuracy as above.
+// Where the lobe looks on average: with m = int L D V NoL dL (F = 1), the sine of the angle from N to m, positive on
+// the side that faces away from V. alpha = 0: sqrt(1 - NoV^2), the mirror direction. alpha = 1: 0, because D V NoL =
+// NoL / (2 pi (NoL + NoV)) there, which is symmetric about N. NoV = 1: 0. Domain and accuracy as above.
 double meanDirectionSine(double NoV, double alpha, double tolerance = 1e-9);
 
 // Weights of image-based light. Furnace: single + multiple + diffuse = 1 per channel (white albedo).

@@ -110,4 +110,33 @@ void addOrthographicCamera(GltfBuilder& builder, double x, double y) {
   builder.json["scenes"][0]["nodes"].push_back(node);
 }
 
+Json material(const glm::vec4& color, double metallic, double roughness) {
+  return {{"pbrMetallicRoughness",
+           {{"baseColorFactor", {color.x, color.y, color.z, color.w}},
+            {"metallicFactor", metallic},
+            {"roughnessFactor", roughness}}}};
+}
+
+Json unlit(const glm::vec4& color, const Json& extra) {
+  Json m = material(color);
+  m["extensions"]["KHR_materials_unlit"] = Json::object();
+  m.update(extra);
+  return m;
+}
+
+GltfBuilder emptyScene() {
+  GltfBuilder builder;
+  builder.json["scenes"] = {{{"nodes", Json::array()}}};
+  builder.json["extensionsUsed"] = {"KHR_materials_unlit", "KHR_texture_transform", "KHR_lights_punctual"};
+  return builder;
+}
+
+Json at(double x, double y, double z) { return {{"translation", {x, y, z}}}; }
+
+void checkPixel(const glm::vec4& got, const glm::vec4& expected, float margin) {
+  INFO("got " << got.x << " " << got.y << " " << got.z << " " << got.w << ", expected " << expected.x << " "
+              << expected.y << " " << expected.z << " " << expected.w);
+  for (int i = 0; i < 4; ++i) CHECK(std::abs(got[i] - expected[i]) <= margin);
+}
+
 }  // namespace facet::test

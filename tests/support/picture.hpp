@@ -46,4 +46,13 @@ int addMeshNode(GltfBuilder& builder, nlohmann::json primitive, int material, co
 // Sees [-x, x] x [-y, y] from z = 10 towards -Z.
 void addOrthographicCamera(GltfBuilder& builder, double x, double y);
 
+// Materials as JSON.
+nlohmann::json material(const glm::vec4& baseColor, double metallic = 0, double roughness = 1);
+nlohmann::json unlit(const glm::vec4& baseColor, const nlohmann::json& extra = nlohmann::json::object());
+GltfBuilder emptyScene();                         // with the extensions in use declared
+nlohmann::json at(double x, double y, double z);  // a node's translation
+
+// Each channel within margin.
+void checkPixel(const glm::vec4& got, const glm::vec4& expected, float margin = 1e-3f);
+
 }  // namespace facet::test
