@@ -43,8 +43,13 @@ frame::Picture Studio::render(const io::LoadedModel& model, const frame::Picture
   onGpu.source = model.model.name;
   onGpu.model = &model.model;
   Stages stages;
-  Result<frame::Picture> picture = frame::renderPicture(settings, {.radiance = true, .display = true}, onGpu,
-                                                        light.onGpu, programs_, contextInfo(), notes, stages);
+  Result<frame::PreparedPicture> prepared =
+      frame::preparePicture(settings, onGpu, light.onGpu, programs_, notes, stages);
+  INFO((prepared ? std::string() : describe(prepared.error())));
+  REQUIRE(prepared);
+  Result<frame::Picture> picture =
+      frame::drawPicture(settings, {.radiance = true, .display = true}, std::move(*prepared), onGpu, light.onGpu,
+                         programs_, contextInfo(), stages);
   INFO((picture ? std::string() : describe(picture.error())));
   REQUIRE(picture);
   return std::move(*picture);
