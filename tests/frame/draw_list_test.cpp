@@ -54,7 +54,7 @@ TEST_CASE("Draw list: nodes that share a mesh are one instanced draw, mirrored o
   CHECK(list.instances[0].normalFromLocal[0].w == 1);
 }
 
-TEST_CASE("Draw list: blended draws come one by one with their own centres; opaque ones sorted by program, material") {
+TEST_CASE("Draw list: blended draws come one by one with their own centres, opaque ones sorted by program, material") {
   test::GltfBuilder builder = test::triangle();
   builder.json["materials"] = {{{"alphaMode", "BLEND"}}, json::object(), {{"doubleSided", true}}, json::object()};
   builder.json["meshes"] = json::array();
