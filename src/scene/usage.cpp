@@ -72,22 +72,4 @@ std::vector<bool> drawnMeshes(const Model& model, int scene) {
   return drawn;
 }
 
-std::vector<bool> wantedImages(const Model& model, int scene) {
-  std::vector<bool> wanted(model.images.size(), false);
-  const std::vector<bool> drawn = drawnMeshes(model, scene);
-  for (size_t mesh = 0; mesh < drawn.size(); ++mesh) {
-    if (!drawn[mesh]) continue;
-    for (const Primitive& primitive : model.meshes[mesh].primitives) {
-      if (primitive.positions.empty()) continue;
-      forEachTexture(materialOf(model, primitive), primitive, [&](TextureSlot, const TextureRef& ref) {
-        const auto texture = size_t(ref.texture);
-        if (texture >= model.textures.size()) return;
-        const int image = model.textures[texture].image;
-        if (image >= 0 && size_t(image) < wanted.size()) wanted[size_t(image)] = true;
-      });
-    }
-  }
-  return wanted;
-}
-
 }  // namespace facet::scene

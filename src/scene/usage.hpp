@@ -46,8 +46,7 @@ void forEachTexture(const Material& material, const Primitive& primitive, Use&& 
 // The primitive's material; glTF's default material where it names none.
 const Material& materialOf(const Model& model, const Primitive& primitive);
 
-// Meshes drawn in the scene, and images that a drawn primitive uses: one entry per mesh or image of the model.
+// Meshes drawn in the scene: one entry per mesh of the model.
 std::vector<bool> drawnMeshes(const Model& model, int scene);
-std::vector<bool> wantedImages(const Model& model, int scene);
 
 }  // namespace facet::scene

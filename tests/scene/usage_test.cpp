@@ -102,26 +102,8 @@ TEST_CASE("A texture without its coordinates is not used") {
         std::vector<TextureSlot>{TextureSlot::baseColor, TextureSlot::metallicRoughness, TextureSlot::emissive});
 }
 
-TEST_CASE("Only images of what the scene draws are wanted") {
-  Material m = fullMaterial();
-  m.occlusionStrength = 0;
-  Model model = modelWith(m);
-  CHECK(wantedImages(model, 0) == std::vector<bool>{true, false, true, true, true});
-  CHECK(wantedImages(model, 1) == std::vector<bool>(5, false));
+TEST_CASE("Meshes are drawn where a node of the scene shows them") {
+  const Model model = modelWith(fullMaterial());
   CHECK(drawnMeshes(model, 0) == std::vector<bool>{true});
-
-  SECTION("unlit wants one") {
-    model.materials[0].unlit = true;
-    CHECK(wantedImages(model, 0) == std::vector<bool>{false, false, false, false, true});
-  }
-  SECTION("a mesh that no node of the scene shows wants nothing") {
-    model.scenes[0].nodes.clear();
-    CHECK(wantedImages(model, 0) == std::vector<bool>(5, false));
-  }
-  SECTION("the default material and a texture without image want nothing") {
-    model.textures[0].image = -1;
-    CHECK(wantedImages(model, 0) == std::vector<bool>{true, false, true, true, false});
-    model.meshes[0].primitives[0].material = -1;
-    CHECK(wantedImages(model, 0) == std::vector<bool>(5, false));
-  }
+  CHECK(drawnMeshes(model, 1) == std::vector<bool>{false});
 }
