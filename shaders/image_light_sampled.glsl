@@ -34,7 +34,8 @@ vec3 imageLight(Surface s) {
   int first = int(frame.options.y) * IMAGE_LIGHT_SAMPLES;
   float total = float(IMAGE_LIGHT_SAMPLES) * frame.options.z;
   for (int i = first; i < first + IMAGE_LIGHT_SAMPLES; ++i) {
-    vec2 u = fract(vec2(0.5) + float(i) * vec2(0.7548776662466927, 0.5698402909980532));
+    // in 32-bit fixed point, where no count loses digits
+    vec2 u = vec2(uvec2(i) * uvec2(3242174889u, 2447445414u) + 0x80000000u) * (1.0 / 4294967296.0);
     vec3 H = sampleVisibleNormal(V, alpha, u);
     float VoH = max(dot(V, H), 1e-6);
     vec3 L = 2.0 * VoH * H - V;

@@ -55,7 +55,10 @@ Varyings readVaryings() {
   v.color = inColor;
 #endif
 #ifdef DOUBLE_SIDED
-  if (!gl_FrontFacing) v.normal = -v.normal;  // and with it the bitangent; the tangent stays
+  if (!gl_FrontFacing) {  // glTF 2.0, 3.9.6: the back face has the reversed shading normal, bumps included
+    v.normal = -v.normal;
+    v.tangent = -v.tangent;  // with w, so that the bitangent turns round too
+  }
 #endif
   return v;
 }

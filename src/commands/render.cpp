@@ -60,7 +60,7 @@ nlohmann::ordered_json statsJson(const Job& job, const frame::Session& session, 
                   {"draws", s.frame.draws},
                   {"instances", s.frame.instances},
                   {"triangles", s.frame.triangles}};
-  out["pixels"] = {{"clamped", s.clampedPixels}, {"nonFinite", s.nonFinitePixels}};
+  if (isExr(job.output)) out["pixels"] = {{"fullyClamped", s.clampedPixels}, {"nonFinite", s.nonFinitePixels}};
   out["leftOut"] = report::leftOut(session.model()->model, s);
   json list = json::array();
   for (const Note& note : notes)
@@ -106,7 +106,9 @@ Result<JobResult> runJob(const Job& job, int repeat, bool last, frame::Session& 
   stages.mark("write");
   if (!job.stats.empty()) {
     std::ofstream file(job.stats);
-    file << statsJson(job, session, *picture, stages, notes).dump(2) << "\n";
+    file << statsJson(job, session, *picture, stages, notes)
+                .dump(2, ' ', false, nlohmann::json::error_handler_t::replace)
+         << "\n";
     if (!file) return fail(job.stats.string(), "", "cannot be written", "check the folder");
   }
   return JobResult{warned};
@@ -132,6 +134,10 @@ int runRender(const RenderArguments& arguments) {
   const Result<std::vector<Job>> jobs = listJobs(arguments);
   if (!jobs) return badInput(jobs.error());
   const std::string shaderDir = jobs->empty() ? "" : jobs->front().settings.shaderDir;
+  for (const Job& job : *jobs)
+    if (job.settings.shaderDir != shaderDir)
+      return badInput(
+          {arguments.jobs, "shader-dir", "differs from job to job", "give one for all, on the command line"});
   Result<std::unique_ptr<frame::Session>> session =
       frame::Session::create({.shaderDir = shaderDir, .diskCache = !arguments.noCache, .debug = arguments.glDebug});
   if (!session) {
@@ -165,7 +171,9 @@ std::function<int()> addRender(CLI::App& app) {
       ->type_name("FILE");
   app.add_option("--jobs", arguments->jobs, "many pictures in one process: a JSON list of jobs")->type_name("FILE");
   app.add_option("--stats", arguments->stats, "times, memory, work and what was left out, as JSON")->type_name("FILE");
-  app.add_option("--repeat", arguments->repeat, "draw N more frames, for timing")->type_name("N");
+  app.add_option("--repeat", arguments->repeat, "draw N more frames, for timing")
+      ->type_name("N")
+      ->check(CLI::NonNegativeNumber);
   app.add_flag("--strict", arguments->strict, "any warning makes the exit status 2");
   app.add_flag("--no-cache", arguments->noCache, "neither read nor write the cache of compiled shaders");
   app.add_flag("--gl-debug", arguments->glDebug, "log OpenGL's debug messages");

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "scene/geometry.hpp"
+
 namespace facet::frame {
 
 namespace {
@@ -49,8 +51,10 @@ layout::FrameUniforms frameUniforms(const FrameInput& in, int draw, int draws, c
   u.clipFromWorld = glm::mat4(shift * view.clipFromWorld * glm::translate(glm::dmat4(1), in.list.origin));
   const double tanX = view.orthographic ? 0 : 1 / view.clipFromView[0][0];
   const double tanY = view.orthographic ? 0 : 1 / view.clipFromView[1][1];
+  const glm::dvec3 skyForward = view.forward - view.right * (tanX * 2 * offsetPixels.x / in.settings.width) -
+                                view.up * (tanY * 2 * offsetPixels.y / in.settings.height);
   u.worldFromClip = glm::mat4(glm::dmat4(glm::dvec4(view.right * tanX, 0), glm::dvec4(view.up * tanY, 0), glm::dvec4(0),
-                                         glm::dvec4(view.forward, 0)));
+                                         glm::dvec4(skyForward, 0)));
   u.eye = glm::vec4(glm::vec3(view.eye - in.list.origin), view.orthographic ? 0.0f : 1.0f);
   u.towardsEye = glm::vec4(glm::vec3(-view.forward), 0);
   const float angle = glm::radians(in.settings.environmentRotationDeg);
@@ -129,7 +133,7 @@ Result<void> drawSorted(const FrameInput& in, const std::vector<const Draw*>& dr
     if (*program != current || draw->material != previous->material) bindMaterial(in, *draw);
     current = *program;
     previous = draw;
-    if (blended && draw->doubleSided) {
+    if (blended && draw->doubleSided && scene::hasTriangles(draw->primitive->topology)) {
       // The far side of a closed shape first.
       glEnable(GL_CULL_FACE);
       glCullFace(GL_FRONT);
@@ -193,8 +197,8 @@ Result<void> drawBlended(const FrameInput& in, ProgramStore& programs, FrameStat
 
 void clearTargets(const FrameInput& in, const Targets& targets) {
   glm::vec4 clear(0, 0, 0, 1);
-  if (in.settings.background == Background::transparent) clear.a = 0;
-  if (in.settings.background == Background::color) clear = glm::vec4(in.settings.backgroundColor, 1);
+  // A colour is put behind the finished picture, so that neither exposure nor tone mapping changes it.
+  if (in.settings.background != Background::environment) clear.a = 0;
   const float far = 0;
   glDepthMask(GL_TRUE);
   glClearNamedFramebufferfv(targets.drawn.id(), GL_COLOR, 0, &clear.x);
@@ -215,6 +219,7 @@ Result<FrameStatistics> drawScene(const FrameInput& in, const Targets& targets, 
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::lightBinding, in.gpu.lights.id());
   bindTables(in.tables);
   glCullFace(GL_BACK);
+  glBindVertexArray(targets.noAttributes.id());
   for (const auto pass : {drawOpaque, drawSky, drawBlended})
     if (Result<void> result = pass(in, programs, statistics); !result) return tl::unexpected(result.error());
   for (GLuint unit = 0; unit < layout::materialSlotCount; ++unit) glBindSampler(unit, 0);
@@ -229,6 +234,7 @@ Result<FrameStatistics> drawScene(const FrameInput& in, const Targets& targets, 
 void drawFullscreen(const gl::Framebuffer& target, const Targets& targets, const gl::Texture& source,
                     const gl::Program& program) {
   glBindFramebuffer(GL_FRAMEBUFFER, target.id());
+  glBindVertexArray(targets.noAttributes.id());
   glViewport(0, 0, targets.width, targets.height);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
@@ -245,6 +251,7 @@ Result<void> drawDisplay(const FrameInput& in, const Targets& targets, ProgramSt
   const bool encode = shading::channelIsColor(channel);
   (*program)->set(0, glm::vec4(shaded ? std::exp2(in.settings.exposureStops) : 1.0f,
                                shaded ? static_cast<float>(in.settings.toneMapper) : 0.0f, encode ? 1.0f : 0.0f, 0));
+  (*program)->set(1, glm::vec4(in.settings.backgroundColor, in.settings.background == Background::color ? 1.0f : 0.0f));
   drawFullscreen(targets.shown, targets, targets.sum ? targets.sum : targets.color, **program);
   return {};
 }

@@ -9,6 +9,7 @@
 #include "frame/gpu_scene.hpp"
 #include "frame/settings.hpp"
 #include "gl/texture.hpp"
+#include "gl/vertex_array.hpp"
 #include "ibl/tables.hpp"
 #include "io/radiance.hpp"
 #include "scene/camera.hpp"
@@ -27,6 +28,7 @@ struct Targets {
   gl::Texture sum;          // RGBA32F, only while several draws are gathered
   gl::Texture display;      // RGBA8, sRGB-encoded, straight alpha
   gl::Framebuffer drawn, resolved, gathered, shown;
+  gl::VertexArray noAttributes;  // core profile draws nothing without a vertex array, full-screen passes too
 };
 Targets createTargets(int width, int height, int samples, bool gather);
 

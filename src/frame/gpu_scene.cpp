@@ -67,7 +67,7 @@ void addIndices(GpuPrimitive& gpu, const Primitive& primitive) {
 
 GpuPrimitive uploadPrimitive(const Primitive& primitive, const shading::VariantKey& key) {
   GpuPrimitive gpu;
-  gpu.features = key.features;
+  gpu.attributes = shading::attributeBits(key);
   gpu.mode = drawMode(primitive.topology);
   addAttribute(gpu, layout::positionLocation, 3, primitive.positions, "positions");
   if (shading::usesFeature(key, "HAS_NORMAL"))
@@ -239,8 +239,8 @@ void upload(GpuScene& gpu, const scene::Model& model, const DrawList& list, std:
     const auto found = gpu.primitives.find(draw.primitive);
     if (found == gpu.primitives.end())
       gpu.primitives.emplace(draw.primitive, uploadPrimitive(*draw.primitive, draw.key));
-    else if ((draw.key.features & ~found->second.features) != 0)
-      found->second = uploadPrimitive(*draw.primitive, {found->second.features | draw.key.features, 0, 0});
+    else if ((shading::attributeBits(draw.key) & ~found->second.attributes) != 0)
+      found->second = uploadPrimitive(*draw.primitive, {found->second.attributes | draw.key.features, 0, 0});
   });
   if (!gpu.placeholder)
     gpu.placeholder = uploadTexture(io::placeholderImage(), {.image = -1, .srgb = true, .channels = 0b0111}, true);

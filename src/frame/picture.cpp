@@ -67,6 +67,8 @@ void readBand(Picture& picture, const PictureRequest& request, const Targets& ta
   const auto width = static_cast<size_t>(settings.width), height = static_cast<size_t>(settings.height);
   if (request.radiance) {
     io::RadianceImage band = readRadiance(targets);
+    if (settings.background == Background::color)
+      for (glm::vec4& p : band.pixels) p = glm::vec4(glm::vec3(p) + (1 - p.a) * settings.backgroundColor, 1);
     picture.radiance.width = settings.width, picture.radiance.height = settings.height;
     picture.radiance.pixels.resize(width * height);
     placeBand(picture.radiance.pixels, band.pixels, width, settings.height, firstRow);

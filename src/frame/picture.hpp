@@ -23,7 +23,7 @@ struct EnvironmentOnGpu {
 };
 
 // More samples a pixel than this: each is a draw of its own and samples the environment instead of reading the split
-// sum's tables, so that the picture converges to the true integral, not to the approximation.
+// sum's tables, so that its specular part converges to the true integral, not to the approximation.
 inline constexpr int convergedAbove = 4;
 inline constexpr int convergedLightSamples = 4;  // environment samples per draw
 
@@ -57,7 +57,7 @@ struct PictureStatistics {
   int programsCompiled = 0, programsFromDisk = 0;
   std::vector<ibl::TableStatistics> tables;
   size_t textureBytes = 0, geometryBytes = 0, tableBytes = 0;
-  uint64_t clampedPixels = 0;    // a channel at the largest half float; counted on read-back of radiance
+  uint64_t clampedPixels = 0;    // all samples of a channel at the largest half float; counted where radiance is read
   uint64_t nonFinitePixels = 0;  // likewise
   std::vector<double> frameMs;   // the first frame, then the repeated ones; each waited for
 };

@@ -8,6 +8,8 @@ namespace facet::frame {
 
 namespace {
 
+constexpr size_t keptEnvironments = 4;
+
 std::string driverName(const gl::ContextInfo& info) { return info.vendor + "\n" + info.renderer + "\n" + info.version; }
 
 }  // namespace
@@ -48,7 +50,11 @@ Result<LoadedEnvironment*> Session::findEnvironment(const std::string& source, N
     made->onGpu.environment = &made->environment;
   }
   entry = std::move(made);
-  return entry.get();
+  LoadedEnvironment* const found = entry.get();
+  // A suite that goes through many maps should not keep them all.
+  if (environments_.size() > keptEnvironments)
+    std::erase_if(environments_, [&](const auto& kept) { return kept.second.get() != found; });
+  return found;
 }
 
 Result<Picture> Session::render(const std::string& model, const PictureSettings& settings,

@@ -177,8 +177,8 @@ uint64_t layerFetches(const Layer& layer, const Method& method) {
          static_cast<uint64_t>(sampleCount(layer, method));
 }
 
-Result<void> computeLayer(const Layer& layer, const Tables& tables, const gl::Texture& cube, ProgramStore& programs,
-                          const Method& method) {
+Result<void> computeLayer(const Layer& layer, const gl::Texture& target, const gl::Texture& cube,
+                          ProgramStore& programs, const Method& method) {
   const auto program = programs.compute("passes/prefilter.comp.glsl");
   if (!program) return tl::unexpected(program.error());
   std::vector<glm::vec4> samples;
@@ -186,7 +186,6 @@ Result<void> computeLayer(const Layer& layer, const Tables& tables, const gl::Te
   for (const KernelSample& s : kernelSamples(alpha, sampleCount(layer, method), mirrorSize))
     samples.emplace_back(glm::vec3(s.direction), static_cast<float>(s.level));
   const gl::Buffer input = gl::Buffer::of(samples, "LD samples");
-  const gl::Texture& target = layer.mirror ? tables.mirrorLayers : tables.roughLayers;
   glUseProgram((*program)->id());
   (*program)->set(0, layer.cube);
   cube.bind(layout::sourceUnit);
@@ -272,17 +271,20 @@ Result<void> computeTables(Tables& tables, const scene::Environment* environment
     if (auto r = timed(booked, "irradiance", 6 * faceTexels * 8, 6 * faceTexels * 6 * 32 * 32, make); !r) return r;
   }
   if (layersWanted) {
-    tables.mirrorLayers = cubeArray(mirrorSize, layout::ldMirrorLayerCount, 1, "LD mirror layers");
-    tables.roughLayers = cubeArray(roughSize, roughCubes, 3, "LD rough layers");
+    gl::Texture mirrorLayers = cubeArray(mirrorSize, layout::ldMirrorLayerCount, 1, "LD mirror layers");
+    gl::Texture roughLayers = cubeArray(roughSize, roughCubes, 3, "LD rough layers");
     uint64_t fetches = 0;
     for (const Layer& layer : layers) fetches += layerFetches(layer, method);
     const auto make = [&]() -> Result<void> {
       for (const Layer& layer : layers)
-        if (Result<void> r = computeLayer(layer, tables, cube, programs, method); !r) return r;
+        if (Result<void> r = computeLayer(layer, layer.mirror ? mirrorLayers : roughLayers, cube, programs, method); !r)
+          return r;
       return {};
     };
-    const size_t bytes = tables.mirrorLayers.bytes() + tables.roughLayers.bytes();
+    const size_t bytes = mirrorLayers.bytes() + roughLayers.bytes();
     if (auto r = timed(booked, "LD layers", bytes, fetches, make); !r) return r;
+    tables.mirrorLayers = std::move(mirrorLayers);
+    tables.roughLayers = std::move(roughLayers);
   }
   if (cubeWanted) tables.cube = std::move(made);
   return {};

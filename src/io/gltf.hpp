@@ -18,6 +18,7 @@ namespace facet::io {
 struct Limits {
   uint64_t fileBytes = uint64_t{4} << 30;       // one file
   uint64_t totalBytes = uint64_t{8} << 30;      // all files of a model together
+  uint64_t imageSide = 16384;                   // of any image: what every OpenGL 4.5 can hold
   uint64_t imagePixels = uint64_t{1} << 28;     // one image, 16384 x 16384
   uint64_t totalPixels = uint64_t{1} << 30;     // all images of a model together
   uint64_t radiancePixels = uint64_t{1} << 27;  // one .hdr or .exr, 16384 x 8192

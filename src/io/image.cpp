@@ -89,6 +89,12 @@ Result<Header> readHeader(Bytes bytes, const std::string& name, const Limits& li
         "the image has " + sizeText(header) + " pixels, more than the limit of " + std::to_string(limits.imagePixels),
         "use a smaller image");
   }
+  if (static_cast<uint64_t>(std::max(header.width, header.height)) > limits.imageSide) {
+    return fail(name, "",
+                "the image is " + sizeText(header) + ", and a side of " + std::to_string(limits.imageSide) +
+                    " is the most that can be shown",
+                "use a smaller image");
+  }
   header.sixteenBit = png && stbi_is_16_bit_from_memory(bytes.data(), size);
   if (png && header.pixels() / 8 > bytes.size() * largestDeflateRatio) {  // 1 bit per pixel is the least
     return fail(name, "", "the file is too short for " + sizeText(header) + " pixels", "save it again");

@@ -22,6 +22,12 @@ Result<RadianceImage> readRadiance(const std::filesystem::path& path, const Limi
 Result<scene::Environment> loadEnvironment(const std::filesystem::path& path, Notes& notes, const Limits& limits) {
   auto image = readRadiance(path, limits);
   if (!image) return tl::unexpected(image.error());
+  if (static_cast<uint64_t>(std::max(image->width, image->height)) > limits.imageSide) {
+    return fail(path.string(), "",
+                "has " + std::to_string(image->width) + " x " + std::to_string(image->height) +
+                    " pixels, and a side of " + std::to_string(limits.imageSide) + " is the most that can be shown",
+                "use a smaller picture");
+  }
   scene::Environment environment;
   environment.name = path.filename().string();
   environment.width = image->width;

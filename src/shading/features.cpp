@@ -26,11 +26,15 @@ bool wanted(const FeatureInput& in, const char* channel) {
   return in.frame.channel == 0 ? !unlit(in) : channelIs(in, channel);
 }
 
-bool baseColorTexture(const FeatureInput& in) {
-  const bool alphaTested = in.material.alphaMode == AlphaMode::mask;
-  const bool shown = in.frame.channel == 0 || channelIs(in, "baseColor") || channelIs(in, "alpha");
-  return sampled(in, TextureSlot::baseColor) && (shown || alphaTested);
+bool readsNormal(const FeatureInput& in) {
+  if (in.primitive.normals.empty()) return false;
+  return in.frame.channel == 0 ? !in.material.unlit : channelIs(in, "normal") || channelIs(in, "geometryNormal");
 }
+bool readsBaseColor(const FeatureInput& in) {
+  const bool alphaTested = in.material.alphaMode == AlphaMode::mask;
+  return in.frame.channel == 0 || channelIs(in, "baseColor") || channelIs(in, "alpha") || alphaTested;
+}
+bool baseColorTexture(const FeatureInput& in) { return sampled(in, TextureSlot::baseColor) && readsBaseColor(in); }
 bool metallicRoughnessTexture(const FeatureInput& in) {
   return sampled(in, TextureSlot::metallicRoughness) && (wanted(in, "metallic") || channelIs(in, "roughness"));
 }
@@ -66,7 +70,7 @@ bool anySlot(const FeatureInput& in, bool (*test)(const TextureRef&)) {
 }
 
 constexpr FeatureRow rows[] = {
-    {"normals", "HAS_NORMAL", [](const FeatureInput& in) { return !in.primitive.normals.empty(); }},
+    {"normals", "HAS_NORMAL", readsNormal},
     {"tangents", "HAS_TANGENT",
      [](const FeatureInput& in) {
        return normalTexture(in) || (channelIs(in, "tangent") && !in.primitive.tangents.empty());
@@ -78,7 +82,8 @@ constexpr FeatureRow rows[] = {
      }},
     {"uv1", "HAS_TEXCOORD_1",
      [](const FeatureInput& in) { return anySlot(in, [](const TextureRef& ref) { return ref.texCoord == 1; }); }},
-    {"vertex colours", "HAS_VERTEX_COLOR", [](const FeatureInput& in) { return !in.primitive.colors.empty(); }},
+    {"vertex colours", "HAS_VERTEX_COLOR",
+     [](const FeatureInput& in) { return !in.primitive.colors.empty() && readsBaseColor(in); }},
     {"base colour texture", "HAS_BASE_COLOR_TEXTURE", baseColorTexture},
     {"metallic-roughness texture", "HAS_METALLIC_ROUGHNESS_TEXTURE", metallicRoughnessTexture},
     {"normal texture", "HAS_NORMAL_TEXTURE", normalTexture},
@@ -91,8 +96,7 @@ constexpr FeatureRow rows[] = {
     {"alpha mask", "ALPHA_MASK", [](const FeatureInput& in) { return in.material.alphaMode == AlphaMode::mask; }},
     {"alpha blend", "ALPHA_BLEND",
      [](const FeatureInput& in) { return in.material.alphaMode == AlphaMode::blend && in.frame.channel == 0; }},
-    {"double-sided", "DOUBLE_SIDED",
-     [](const FeatureInput& in) { return in.material.doubleSided && !in.primitive.normals.empty(); }},
+    {"double-sided", "DOUBLE_SIDED", [](const FeatureInput& in) { return in.material.doubleSided && readsNormal(in); }},
     {"unlit", "UNLIT", [](const FeatureInput& in) { return unlit(in) || in.frame.channel != 0; }},
     {"punctual lights", "HAS_PUNCTUAL_LIGHTS",
      [](const FeatureInput& in) { return in.frame.punctualLights && !unlit(in) && in.frame.channel == 0; }},
@@ -142,6 +146,16 @@ std::string variantName(const VariantKey& key) {
   if (key.channel != 0) name += (name.empty() ? "" : ", ") + std::string("view of ") + channelNames[key.channel];
   if (key.imageLightSamples != 0) name += ", environment sampled";
   return name.empty() ? "plain" : name;
+}
+
+uint32_t attributeBits(const VariantKey& key) {
+  constexpr const char* attributes[] = {"HAS_NORMAL", "HAS_TANGENT", "HAS_TEXCOORD_0", "HAS_TEXCOORD_1",
+                                        "HAS_VERTEX_COLOR"};
+  uint32_t bits = 0;
+  for (size_t i = 0; i < std::size(rows); ++i)
+    for (const char* attribute : attributes)
+      if (std::strcmp(rows[i].define, attribute) == 0) bits |= key.features & (1u << i);
+  return bits;
 }
 
 bool usesFeature(const VariantKey& key, const char* define) {

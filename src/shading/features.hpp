@@ -62,6 +62,9 @@ VariantKey variantKey(const FeatureInput& input);
 std::vector<Define> variantDefines(const VariantKey& key);
 std::string variantName(const VariantKey& key);  // "normal, uv0, base colour texture, environment"
 
+// The bits of the key that ask for a vertex attribute.
+uint32_t attributeBits(const VariantKey& key);
+
 // True where the key's draws read punctual lights, the environment, the DFG table.
 bool usesFeature(const VariantKey& key, const char* define);
 

@@ -52,7 +52,11 @@ void writeBinary(const std::filesystem::path& path, const std::string& key, cons
     file.write(key.data(), static_cast<std::streamsize>(key.size()));
     file.write(reinterpret_cast<const char*>(&binary.format), sizeof binary.format);
     file.write(reinterpret_cast<const char*>(binary.bytes.data()), static_cast<std::streamsize>(binary.bytes.size()));
-    if (!file) return;
+    file.close();
+    if (!file) {
+      std::filesystem::remove(temporary, ignored);
+      return;
+    }
   }
   std::filesystem::rename(temporary, path, ignored);
 }

@@ -169,6 +169,61 @@ TEST_CASE("Back faces show only where the material is double-sided, and then fac
   checkPixel(test::pixel(picture.radiance, 6, 2), {0.5, 0.5, 1, 1});
 }
 
+TEST_CASE("A double-sided back face has the reversed shading normal, bumps included") {
+  GltfBuilder builder = emptyScene();
+  const std::vector<uint8_t> texel = {218, 128, 218};  // tilted along the tangent
+  builder.append("images", {{"uri", test::dataUri(test::pngBytes(1, 1, 3, 8, texel), "image/png")}});
+  builder.append("textures", {{"source", 0}});
+  const int uv = builder.add(std::vector<float>{0, 0, 1, 0, 1, 1, 0, 1}, test::floatType, "VEC2");
+  const int tangent =
+      builder.add(std::vector<float>{1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1}, test::floatType, "VEC4");
+  json m = material({1, 1, 1, 1});
+  m["doubleSided"] = true;
+  m["normalTexture"] = {{"index", 0}};
+  json quad = test::addQuad(builder, {-1, -1}, {1, 1});
+  quad["attributes"]["TEXCOORD_0"] = uv;
+  quad["attributes"]["TANGENT"] = tangent;
+  const bool back = GENERATE(false, true);
+  test::addMeshNode(builder, quad, builder.append("materials", m),
+                    back ? json{{"rotation", {0, 1, 0, 0}}} : json::object());
+  test::addOrthographicCamera(builder, 1, 1);
+  PictureSettings settings = test::bareSettings(4, 4);
+  settings.camera = "0";
+  settings.channel = "normal";
+  const frame::Picture picture = test::Studio().render(test::loadBuilt(builder), settings);
+  // The front's normal is (a, 0, a); turned about +Y the surface has (-a, 0, -a) outside, so (a, 0, a) towards the
+  // viewer.
+  checkPixel(test::pixel(picture.radiance, 2, 2), {218 / 255.0f, 0.5f, 218 / 255.0f, 1}, 6e-3f);
+}
+
+TEST_CASE("The sky is drawn where nothing else is, and an empty scene still is a picture") {
+  GltfBuilder builder = emptyScene();
+  const bool blended = GENERATE(false, true);
+  if (blended)
+    test::addMeshNode(builder, test::addQuad(builder, {-1, -1}, {1, 1}),
+                      builder.append("materials", unlit({1, 0, 0, 0.5}, {{"alphaMode", "BLEND"}})));
+  PictureSettings settings = test::bareSettings(8, 8);
+  settings.environment = "builtin:white";
+  settings.background = frame::Background::environment;
+  settings.orbit = frame::Orbit{0, 90, 20.0};
+  const frame::Picture picture = test::Studio().render(test::loadBuilt(builder), settings);
+  checkPixel(test::pixel(picture.radiance, 0, 0), {1, 1, 1, 1});
+}
+
+TEST_CASE("A background colour is that colour in the PNG, whatever exposure and tone mapper") {
+  GltfBuilder builder = emptyScene();
+  PictureSettings settings = test::bareSettings(4, 4);
+  settings.background = frame::Background::color;
+  settings.backgroundColor = {1, 0.21404114f, 0};  // #ff8000 in linear light
+  settings.exposureStops = 2;
+  const frame::Picture picture = test::Studio().render(test::loadBuilt(builder), settings);
+  REQUIRE(picture.display.channels == 3);
+  CHECK(picture.display.data[0] == 255);
+  CHECK(std::abs(picture.display.data[1] - 128) <= 1);
+  CHECK(picture.display.data[2] == 0);
+  checkPixel(test::pixel(picture.radiance, 1, 1), {1, 0.21404114f, 0, 1});
+}
+
 TEST_CASE("Textures: transform, sampler and vertex colour reach the pixel") {
   GltfBuilder builder = emptyScene();
   const std::vector<uint8_t> texels = {255, 0, 0, 0, 255, 0};

@@ -75,7 +75,7 @@ TEST_CASE("Variants: combinations without sense fold") {
   // Unlit: no light, none of the textures that only light shows.
   Material unlit = fullMaterial();
   unlit.unlit = true;
-  CHECK(variant(unlit, full, lit) == "normals, uv0, base colour texture, unlit");
+  CHECK(variant(unlit, full, lit) == "uv0, base colour texture, unlit");
   // Lines without normals cannot be lit.
   Primitive lines = full;
   lines.normals.clear();
@@ -109,18 +109,18 @@ TEST_CASE("Variants: combinations without sense fold") {
 TEST_CASE("Debug views read what they show and nothing else") {
   const Primitive full = fullPrimitive();
   const Material all = fullMaterial();
-  CHECK(variant(all, full, view("roughness")) == "normals, uv0, metallic-roughness texture, unlit, view of roughness");
-  CHECK(variant(all, full, view("baseColor")) == "normals, uv0, base colour texture, unlit, view of baseColor");
-  CHECK(variant(all, full, view("uv")) == "normals, uv0, unlit, view of uv");
+  CHECK(variant(all, full, view("roughness")) == "uv0, metallic-roughness texture, unlit, view of roughness");
+  CHECK(variant(all, full, view("baseColor")) == "uv0, base colour texture, unlit, view of baseColor");
+  CHECK(variant(all, full, view("uv")) == "uv0, unlit, view of uv");
   CHECK(variant(all, full, view("geometryNormal")) == "normals, unlit, view of geometryNormal");
   CHECK(variant(all, full, view("normal")) == "normals, tangents, uv0, normal texture, unlit, view of normal");
-  CHECK(variant(all, full, view("occlusion")) == "normals, uv0, occlusion texture, unlit, view of occlusion");
+  CHECK(variant(all, full, view("occlusion")) == "uv0, occlusion texture, unlit, view of occlusion");
   // Mask still cuts, blend does not mix.
   Material cut = all;
   cut.alphaMode = scene::AlphaMode::mask;
-  CHECK(variant(cut, full, view("uv")) == "normals, uv0, base colour texture, alpha mask, unlit, view of uv");
+  CHECK(variant(cut, full, view("uv")) == "uv0, base colour texture, alpha mask, unlit, view of uv");
   cut.alphaMode = scene::AlphaMode::blend;
-  CHECK(variant(cut, full, view("uv")) == "normals, uv0, unlit, view of uv");
+  CHECK(variant(cut, full, view("uv")) == "uv0, unlit, view of uv");
 }
 
 TEST_CASE("The feature table: one define and one bit each, keys compare by value") {
@@ -139,11 +139,10 @@ TEST_CASE("The feature table: one define and one bit each, keys compare by value
   CHECK_FALSE(shading::usesFeature(key, "UNLIT"));
   const auto shown = shading::variantKey({Material{}, full, view("metallic")});
   const auto list = shading::variantDefines(shown);
-  REQUIRE(list.size() == 3);
-  CHECK(list[0].name == "HAS_NORMAL");
-  CHECK(list[1].name == "UNLIT");
-  CHECK(list[2].name == "CHANNEL");
-  CHECK(list[2].value == std::to_string(shading::channelIndex("metallic")));
+  REQUIRE(list.size() == 2);
+  CHECK(list[0].name == "UNLIT");
+  CHECK(list[1].name == "CHANNEL");
+  CHECK(list[1].value == std::to_string(shading::channelIndex("metallic")));
   CHECK(shading::channelIndex("colour") == -1);
   CHECK(shading::channelIsColor(shading::channelIndex("emissive")));
   CHECK_FALSE(shading::channelIsColor(shading::channelIndex("normal")));
