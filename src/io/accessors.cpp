@@ -4,6 +4,8 @@
 #include <cstring>
 #include <limits>
 
+#include "io/gltf_draco.hpp"
+
 namespace facet::io {
 
 namespace {
@@ -117,7 +119,8 @@ Result<void> checkSparse(const Document& doc, const tinygltf::Accessor& accessor
   return {};
 }
 
-Result<void> checkAccessor(const Document& doc, const tinygltf::Accessor& accessor, const std::string& place) {
+Result<void> checkAccessor(const Document& doc, const tinygltf::Accessor& accessor, const std::string& place,
+                           bool draco) {
   const size_t size = elementSize(accessor.componentType, accessor.type);
   if (size == 0) {
     return doc.error(place + "/componentType", std::to_string(accessor.componentType) + " is not a component type");
@@ -127,7 +130,7 @@ Result<void> checkAccessor(const Document& doc, const tinygltf::Accessor& access
     return doc.error(place + "/count", std::to_string(accessor.count) + " elements are more than 2^32 - 1");
   }
   if (accessor.bufferView == -1) {
-    if (accessor.count > maxZeroElements) {
+    if (accessor.count > maxZeroElements && !draco) {
       return doc.error(place + "/count", std::to_string(accessor.count) +
                                              " elements without a buffer view are more than " +
                                              std::to_string(maxZeroElements));
@@ -162,32 +165,6 @@ void convert(const uint8_t* data, size_t stride, size_t count, int components, b
   const auto used = static_cast<size_t>(std::min(components, width));
   for (size_t i = 0; i < count; ++i, data += stride, out += width) {
     for (size_t c = 0; c < used; ++c) out[c] = toFloat(load<T>(data + c * sizeof(T)), normalized);
-  }
-}
-
-void convertAny(const Elements& from, bool normalized, int width, float* out) {
-  const auto run = [&]<class T>(T) {
-    convert<T>(from.data, from.stride, from.count, from.components, normalized, width, out);
-  };
-  switch (from.componentType) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE:
-      return run(int8_t{});
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-      return run(uint8_t{});
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
-      return run(int16_t{});
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-      return run(uint16_t{});
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-      return run(uint32_t{});
-    default:
-      break;
-  }
-  const size_t tight = static_cast<size_t>(width) * sizeof(float);
-  if (from.components == width && from.stride == tight && from.count > 0) {
-    std::memcpy(out, from.data, tight * from.count);
-  } else {
-    run(float{});
   }
 }
 
@@ -230,8 +207,9 @@ Result<void> checkBufferViews(const Document& doc) {
 }
 
 Result<void> checkAccessors(const Document& doc) {
+  const std::vector<bool> draco = accessorsOfDraco(doc);
   for (size_t i = 0; i < doc.gltf.accessors.size(); ++i) {
-    if (auto ok = checkAccessor(doc, doc.gltf.accessors[i], pointer("/accessors", i)); !ok) return ok;
+    if (auto ok = checkAccessor(doc, doc.gltf.accessors[i], pointer("/accessors", i), draco[i]); !ok) return ok;
   }
   return {};
 }
@@ -257,12 +235,38 @@ Elements elements(const Document& doc, int accessor) {
   return result;
 }
 
+void convertElements(const Elements& from, bool normalized, int width, float* out) {
+  const auto run = [&]<class T>(T) {
+    convert<T>(from.data, from.stride, from.count, from.components, normalized, width, out);
+  };
+  switch (from.componentType) {
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+      return run(int8_t{});
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return run(uint8_t{});
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+      return run(int16_t{});
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      return run(uint16_t{});
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+      return run(uint32_t{});
+    default:
+      break;
+  }
+  const size_t tight = static_cast<size_t>(width) * sizeof(float);
+  if (from.components == width && from.stride == tight && from.count > 0) {
+    std::memcpy(out, from.data, tight * from.count);
+  } else {
+    run(float{});
+  }
+}
+
 void readFloats(const Document& doc, int accessor, int width, float* out, bool alwaysNormalized) {
   const auto& a = doc.gltf.accessors[static_cast<size_t>(accessor)];
   Elements from = elements(doc, accessor);
   const bool normalized = from.normalized || alwaysNormalized;
   if (from.data != nullptr) {
-    convertAny(from, normalized, width, out);
+    convertElements(from, normalized, width, out);
   } else {
     const auto used = static_cast<size_t>(std::min(from.components, width));
     for (size_t i = 0; i < from.count; ++i) std::fill_n(out + i * static_cast<size_t>(width), used, 0.0f);
@@ -276,7 +280,7 @@ void readFloats(const Document& doc, int accessor, int width, float* out, bool a
   for (int i = 0; i < a.sparse.count; ++i) {
     const uint32_t index = loadUnsigned(indices + static_cast<size_t>(i) * componentSize(indexType), indexType);
     from.data = values + static_cast<size_t>(i) * from.stride;
-    convertAny(from, normalized, width, out + static_cast<size_t>(index) * static_cast<size_t>(width));
+    convertElements(from, normalized, width, out + static_cast<size_t>(index) * static_cast<size_t>(width));
   }
 }
 

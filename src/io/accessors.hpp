@@ -33,6 +33,9 @@ std::span<const uint8_t> viewBytes(const Document& doc, int view);
 // The dense part of a checked accessor.
 Elements elements(const Document& doc, int accessor);
 
+// Into rows of `width` floats, as readFloats; without sparse substitution. data must not be null.
+void convertElements(const Elements& from, bool normalized, int width, float* out);
+
 // Reads a checked accessor with sparse substitution into rows of `width` floats, of which the first min(width,
 // components) are written: integers as f = c / max (normalised; c / max >= -1 when signed) or as they are. out must
 // hold count * width floats, zero or the default where the accessor has fewer components.

@@ -218,7 +218,7 @@ Result<LoadedModel> load(Document& doc, std::span<const uint8_t> bytes) {
   if (!outline) return doc.error(outline.error().place, outline.error().problem, outline.error().remedy);
   doc.outline = std::move(*outline);
   // In this order: what a file may ask for first, then bytes, then what refers to them.
-  for (const auto step : {readAsset, checkExtensions, readBuffers, parse}) {
+  for (const auto step : {readAsset, checkExtensions, readBuffers, parse, decodeMeshopt}) {
     if (auto ok = step(doc); !ok) return tl::unexpected(ok.error());
   }
   if (auto ok = checkBufferViews(doc); !ok) return tl::unexpected(ok.error());

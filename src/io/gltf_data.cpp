@@ -1,19 +1,14 @@
 // Buffers and images: the two sections whose bytes lie outside the JSON. They are read here and taken out of the text
 // that tinygltf gets, so that it never sees a file name, never copies a buffer and never decodes an image.
 
-#include <nlohmann/json.hpp>
-
 #include "io/accessors.hpp"
-#include "io/gltf_document.hpp"
+#include "io/json_section.hpp"
 #include "io/uri.hpp"
 
 namespace facet::io {
 
-namespace {
-
 using Json = nlohmann::json;
 
-// The root's array of this name; an empty one where the key is missing.
 Result<Json> section(const Document& doc, std::string_view key) {
   const JsonMember* member = doc.outline.find(key);
   if (member == nullptr) return Json::array();
@@ -27,6 +22,15 @@ Result<Json> section(const Document& doc, std::string_view key) {
   }
   return value;
 }
+
+const Json* extensionOf(const Json& object, const char* name) {
+  const auto extensions = object.find("extensions");
+  if (extensions == object.end() || !extensions->is_object()) return nullptr;
+  const auto found = extensions->find(name);
+  return found != extensions->end() && found->is_object() ? &*found : nullptr;
+}
+
+namespace {
 
 // Null where the key is missing or holds something else than a string.
 const std::string* stringAt(const Json& object, const char* key) {
@@ -77,6 +81,12 @@ Result<void> readBuffer(Document& doc, const Json& buffer, size_t index) {
   }
   const auto bytes = length->get<uint64_t>();
   if (bytes == 0) return doc.error(place + "/byteLength", "the buffer has a length of zero");
+  const Json* meshopt = extensionOf(buffer, "EXT_meshopt_compression");
+  doc.isFallback.push_back(meshopt && meshopt->value("fallback", Json()) == true);
+  if (doc.isFallback.back()) {  // for readers that do not know the extension: not read, often not there
+    doc.buffers.emplace_back();
+    return {};
+  }
   const auto span = bufferBytes(doc, buffer, index, place);
   if (!span) return tl::unexpected(span.error());
   if (span->size() < bytes) {

@@ -34,6 +34,7 @@ struct Document {
 
   tinygltf::Model gltf;                           // without buffers and images
   std::vector<std::span<const uint8_t>> buffers;  // by index; into storage or binary
+  std::vector<bool> isFallback;                   // by the file's buffer: EXT_meshopt_compression's stand-in, empty
   std::vector<FileBytes> files;                   // storage
   std::vector<std::vector<uint8_t>> embedded;     // storage
   scene::Model model;
@@ -64,6 +65,9 @@ Result<void> checkIndex(const Document& doc, int index, size_t count, const std:
 // gltf_data.cpp: needs only the text. Buffers are read; images are found, not read.
 Result<void> readBuffers(Document& doc);
 Result<void> readImages(Document& doc);  // after tinygltf's buffer views
+
+// gltf_meshopt.cpp: EXT_meshopt_compression. Before checkBufferViews; its views point to decoded bytes afterwards.
+Result<void> decodeMeshopt(Document& doc);
 
 // gltf_nodes.cpp
 Result<void> readNodes(Document& doc);  // and scenes

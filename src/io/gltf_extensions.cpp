@@ -14,6 +14,9 @@ constexpr std::string_view supportedExtensions[] = {
     "KHR_materials_unlit",              // gltf_materials.cpp
     "KHR_materials_emissive_strength",  // gltf_materials.cpp
     "KHR_mesh_quantization",            // accessors.cpp: all component types are read anyway
+    "KHR_draco_mesh_compression",       // gltf_draco.cpp
+    "EXT_meshopt_compression",          // gltf_meshopt.cpp
+    "EXT_texture_webp",                 // gltf_materials.cpp, image.cpp
 };
 
 // Where a required extension can be had without.
@@ -21,11 +24,9 @@ struct Remedy {
   std::string_view extension, remedy;
 };
 constexpr Remedy remedies[] = {
-    {"KHR_draco_mesh_compression", "export the model without Draco compression"},
-    {"EXT_meshopt_compression", "export the model without meshopt compression"},
     {"KHR_meshopt_compression", "export the model without meshopt compression"},
-    {"EXT_texture_webp", "export the model with PNG or JPEG textures"},
-    {"KHR_texture_basisu", "export the model with PNG or JPEG textures"},
+    {"KHR_texture_basisu",
+     "export the model with PNG, JPEG or WebP textures: KTX2 needs a Basis Universal transcoder, which facet lacks"},
 };
 
 bool supported(std::string_view name) {

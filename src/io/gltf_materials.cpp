@@ -91,18 +91,29 @@ scene::Sampler readSampler(Document& doc, const tinygltf::Sampler& from, const s
   return sampler;
 }
 
-// Which image: extensions with formats of their own will be asked first.
+// Which image: that of an extension whose format is read, else the core's. KHR_texture_basisu has to fall back.
 Result<int> textureImage(Document& doc, const tinygltf::Texture& from, const std::string& place) {
-  if (from.source != -1) {
-    if (auto ok = checkIndex(doc, from.source, doc.model.images.size(), place + "/source", "image"); !ok) {
+  int source = from.source;
+  std::string at = place + "/source";
+  if (const Value* webp = find(from.extensions, "EXT_texture_webp")) {
+    const Value& image = webp->Get("source");
+    if (image.Type() != tinygltf::NULL_TYPE) {
+      at = place + "/extensions/EXT_texture_webp/source";
+      if (!image.IsInt()) return doc.error(at, "is not a whole number");
+      source = image.GetNumberAsInt();
+      if (source < 0) source = -2;  // -1 would mean "not given"
+    }
+  }
+  if (source != -1) {
+    if (auto ok = checkIndex(doc, source, doc.model.images.size(), at, "image"); !ok) {
       return tl::unexpected(ok.error());
     }
-    return from.source;
+    return source;
   }
-  for (const char* extension : {"EXT_texture_webp", "KHR_texture_basisu"}) {
-    if (!find(from.extensions, extension)) continue;
-    doc.warning(place, std::string("its image is only given through ") + extension +
-                           ", which is not supported yet: a placeholder is shown");
+  if (find(from.extensions, "KHR_texture_basisu")) {
+    doc.warning(place,
+                "its image is only given through KHR_texture_basisu, which is not supported yet: a placeholder is "
+                "shown");
     return -1;
   }
   doc.warning(place, "has no image: a placeholder is shown");

@@ -4,6 +4,7 @@
 #include "base/parallel.hpp"
 #include "io/accessors.hpp"
 #include "io/gltf_document.hpp"
+#include "io/gltf_draco.hpp"
 #include "io/uri.hpp"
 #include "io/vertex_repair.hpp"
 
@@ -15,6 +16,7 @@ struct Job {
   const tinygltf::Primitive* from = nullptr;
   std::string place;
   scene::Primitive primitive;
+  DracoGeometry draco;
   Notes notes;
   std::optional<Error> error;
 
@@ -109,6 +111,9 @@ Result<void> checkPrimitive(Document& doc, const tinygltf::Primitive& primitive,
   }
   if (auto ok = checkTypes(doc, primitive, place); !ok) return ok;
   if (auto ok = checkIndices(doc, primitive, place); !ok) return ok;
+  if (isDraco(primitive)) {
+    if (auto ok = checkDraco(doc, primitive, place); !ok) return ok;
+  }
   use = vertexCount > 0 && (primitive.indices == -1 || count(doc, primitive.indices) > 0);
   if (!use) doc.info(place, "has no vertices: not shown");
   return {};
@@ -133,10 +138,18 @@ int attribute(const Job& job, const char* name) {
 }
 
 template <class V>
-void readVectors(const Document& doc, int accessor, std::vector<V>& out, V initial, bool alwaysNormalized = false) {
+void readVectors(const Document& doc, const Job& job, const std::string& name, std::vector<V>& out, V initial,
+                 bool alwaysNormalized = false) {
+  const int accessor = attribute(job, name.c_str());
   if (accessor == -1) return;
   out.assign(count(doc, accessor), initial);
-  readFloats(doc, accessor, V::length(), &out.data()->x, alwaysNormalized);
+  const auto decoded = job.draco.attributes.find(name);
+  if (decoded == job.draco.attributes.end()) {
+    readFloats(doc, accessor, V::length(), &out.data()->x, alwaysNormalized);
+  } else {
+    const Elements from = decodedElements(doc, accessor, decoded->second);
+    convertElements(from, from.normalized || alwaysNormalized, V::length(), &out.data()->x);
+  }
 }
 
 template <class V>
@@ -159,7 +172,7 @@ size_t replaceNonFinite(std::vector<V>& vectors, V by) {
 bool readPositions(const Document& doc, Job& job) {
   const int accessor = attribute(job, "POSITION");
   auto& primitive = job.primitive;
-  readVectors(doc, accessor, primitive.positions, glm::vec3(0));
+  readVectors(doc, job, "POSITION", primitive.positions, glm::vec3(0));
   glm::vec3 low(std::numeric_limits<float>::max()), high(-std::numeric_limits<float>::max());
   for (size_t i = 0; i < primitive.positions.size(); ++i) {
     const glm::vec3& p = primitive.positions[i];
@@ -179,7 +192,7 @@ bool readPositions(const Document& doc, Job& job) {
 bool readPrimitiveIndices(const Document& doc, Job& job) {
   if (job.from->indices == -1) return true;
   auto& indices = job.primitive.indices;
-  indices = readIndices(doc, job.from->indices);
+  indices = isDraco(*job.from) ? std::move(job.draco.indices) : readIndices(doc, job.from->indices);
   const size_t vertexCount = job.primitive.positions.size();
   uint32_t largest = 0;
   for (const uint32_t index : indices) largest = std::max(largest, index);
@@ -205,15 +218,14 @@ void noteRepairs(Job& job, const char* key, const Repairs& repairs, const char* 
 
 void readFrames(const Document& doc, Job& job) {
   auto& primitive = job.primitive;
-  readVectors(doc, attribute(job, "NORMAL"), primitive.normals, glm::vec3(0));
+  readVectors(doc, job, "NORMAL", primitive.normals, glm::vec3(0));
   noteRepairs(job, "/attributes/NORMAL", repairNormals(primitive), "those of the triangles");
-  const int tangents = attribute(job, "TANGENT");
-  if (tangents == -1) return;
+  if (attribute(job, "TANGENT") == -1) return;
   if (primitive.normals.empty()) {
     job.note(Note::Severity::info, "/attributes/TANGENT", "there are no normals: ignored");
     return;
   }
-  readVectors(doc, tangents, primitive.tangents, glm::vec4(0));
+  readVectors(doc, job, "TANGENT", primitive.tangents, glm::vec4(0));
   noteRepairs(job, "/attributes/TANGENT", repairTangents(primitive), "a perpendicular of the normal");
 }
 
@@ -222,23 +234,40 @@ void readSurfaceData(const Document& doc, Job& job) {
   for (int set = 0; set < scene::maxTexCoordSets; ++set) {
     const std::string name = "TEXCOORD_" + std::to_string(set);
     auto& texCoords = primitive.texCoords[static_cast<size_t>(set)];
-    readVectors(doc, attribute(job, name.c_str()), texCoords, glm::vec2(0));
+    readVectors(doc, job, name, texCoords, glm::vec2(0));
     if (const size_t n = replaceNonFinite(texCoords, glm::vec2(0)); n > 0) {
       job.note(Note::Severity::warning, "/attributes/" + name, std::to_string(n) + " are not finite: replaced by zero");
     }
   }
-  readVectors(doc, attribute(job, "COLOR_0"), primitive.colors, glm::vec4(1), true);
+  readVectors(doc, job, "COLOR_0", primitive.colors, glm::vec4(1), true);
   if (const size_t n = replaceNonFinite(primitive.colors, glm::vec4(1)); n > 0) {
     job.note(Note::Severity::warning, "/attributes/COLOR_0", std::to_string(n) + " are not finite: replaced by white");
   }
 }
 
+// False after an error.
+bool decodeCompressed(const Document& doc, Job& job) {
+  if (!isDraco(*job.from)) return true;
+  std::vector<const char*> wanted;
+  for (const auto& rule : attributeRules) wanted.push_back(rule.name);
+  auto geometry = decodeDraco(doc, *job.from, job.place, wanted);
+  if (geometry) {
+    job.draco = std::move(*geometry);
+    // A strip's triangles come out one by one.
+    job.primitive.topology = scene::Topology::triangles;
+  } else {
+    job.error = std::move(geometry.error());
+  }
+  return geometry.has_value();
+}
+
 void readPrimitive(const Document& doc, Job& job) {
   job.primitive.topology = static_cast<scene::Topology>(job.from->mode);
   job.primitive.material = job.from->material;
-  if (!readPositions(doc, job) || !readPrimitiveIndices(doc, job)) return;
+  if (!decodeCompressed(doc, job) || !readPositions(doc, job) || !readPrimitiveIndices(doc, job)) return;
   readFrames(doc, job);
   readSurfaceData(doc, job);
+  job.draco = {};
 }
 
 // Exceptions must not leave a thread.
@@ -267,7 +296,7 @@ Result<void> readMeshes(Document& doc) {
       if (auto ok = checkPrimitive(doc, mesh.primitives[p], place, use); !ok) return ok;
       if (!use) continue;
       bytes += decodedBytes(doc, mesh.primitives[p]);
-      jobs.push_back({&mesh.primitives[p], std::move(place), {}, {}, {}});
+      jobs.push_back({&mesh.primitives[p], std::move(place), {}, {}, {}, {}});
       meshOf.push_back(m);
     }
   }

@@ -2,6 +2,7 @@
 
 #include <stb_image.h>
 #include <stb_image_write.h>
+#include <webp/decode.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -24,6 +25,7 @@ using Bytes = std::span<const uint8_t>;
 struct Header {
   int width = 0, height = 0, channels = 0;
   bool sixteenBit = false;
+  bool webp = false;
   uint64_t pixels() const { return static_cast<uint64_t>(width) * static_cast<uint64_t>(height); }
 };
 
@@ -40,8 +42,7 @@ const char* foreignFormat(Bytes bytes) {
     std::string_view magic;
     size_t at;
     const char* name;
-  } formats[] = {{"WEBP", 8, "WebP"},
-                 {std::string_view("\xabKTX 20\xbb", 8), 0, "KTX2"},
+  } formats[] = {{std::string_view("\xabKTX 20\xbb", 8), 0, "KTX2"},
                  {std::string_view("\xabKTX 11\xbb", 8), 0, "KTX"},
                  {"DDS ", 0, "DDS"},
                  {"GIF8", 0, "GIF"},
@@ -63,26 +64,47 @@ std::string sizeText(const Header& h) { return std::to_string(h.width) + " x " +
 // Deflate cannot shrink more than this (zlib's manual: 1032:1), so a header that claims more lies.
 constexpr uint64_t largestDeflateRatio = 1040;
 
+bool isWebp(Bytes bytes) { return startsWith(bytes, "RIFF") && startsWith(bytes, "WEBP", 8); }
+
+// Errors come without a name.
+Result<Header> readWebpHeader(Bytes bytes) {
+  WebPBitstreamFeatures features;
+  if (WebPGetFeatures(bytes.data(), bytes.size(), &features) != VP8_STATUS_OK || features.width <= 0 ||
+      features.height <= 0) {
+    return fail("", "", "the image's header is damaged", "save it again");
+  }
+  if (features.has_animation) return fail("", "", "is an animated WebP image", "use a still image");
+  return Header{features.width, features.height, features.has_alpha ? 4 : 3, false, true};
+}
+
+Result<Header> readStbHeader(Bytes bytes) {
+  Header header;
+  const int size = static_cast<int>(bytes.size());
+  if (!stbi_info_from_memory(bytes.data(), size, &header.width, &header.height, &header.channels) ||
+      header.width <= 0 || header.height <= 0) {
+    return fail("", "", "the image's header is damaged", "save it again");
+  }
+  return header;
+}
+
 Result<Header> readHeader(Bytes bytes, const std::string& name, const Limits& limits) {
   constexpr const char* convert = "convert it to PNG or JPEG";
   const bool png = startsWith(bytes, pngMagic);
-  if (!png && !startsWith(bytes, jpegMagic)) {
+  const bool webp = isWebp(bytes);
+  if (!png && !webp && !startsWith(bytes, jpegMagic)) {
     const char* format = foreignFormat(bytes);
     if (bytes.empty()) return fail(name, "", "the image is empty", "save it again");
     return fail(name, "",
                 format ? std::string("is a ") + format + " image, which is not supported"
-                       : std::string("is neither a PNG nor a JPEG image"),
+                       : std::string("is no PNG, JPEG or WebP image"),
                 convert);
   }
   if (bytes.size() > static_cast<size_t>(std::numeric_limits<int>::max())) {
     return fail(name, "", "the image file is larger than 2 GiB", "use a smaller image");
   }
-  Header header;
-  const int size = static_cast<int>(bytes.size());
-  if (!stbi_info_from_memory(bytes.data(), size, &header.width, &header.height, &header.channels) ||
-      header.width <= 0 || header.height <= 0) {
-    return fail(name, "", "the image's header is damaged", "save it again");
-  }
+  auto read = webp ? readWebpHeader(bytes) : readStbHeader(bytes);
+  if (!read) return fail(name, "", read.error().problem, read.error().remedy);
+  Header header = *read;
   if (header.pixels() > limits.imagePixels) {
     return fail(
         name, "",
@@ -95,7 +117,7 @@ Result<Header> readHeader(Bytes bytes, const std::string& name, const Limits& li
                     " is the most that can be shown",
                 "use a smaller image");
   }
-  header.sixteenBit = png && stbi_is_16_bit_from_memory(bytes.data(), size);
+  header.sixteenBit = png && stbi_is_16_bit_from_memory(bytes.data(), static_cast<int>(bytes.size()));
   if (png && header.pixels() / 8 > bytes.size() * largestDeflateRatio) {  // 1 bit per pixel is the least
     return fail(name, "", "the file is too short for " + sizeText(header) + " pixels", "save it again");
   }
@@ -106,7 +128,21 @@ struct Free {
   void operator()(void* data) const { stbi_image_free(data); }
 };
 
+Result<Pixels> decodeWebp(Bytes bytes, const Header& header, const std::string& name) {
+  Pixels pixels;
+  pixels.width = header.width;
+  pixels.height = header.height;
+  pixels.channels = header.channels;
+  pixels.data.resize(header.pixels() * static_cast<uint64_t>(header.channels));
+  const auto function = header.channels == 4 ? WebPDecodeRGBAInto : WebPDecodeRGBInto;
+  if (!function(bytes.data(), bytes.size(), pixels.data.data(), pixels.data.size(), header.width * header.channels)) {
+    return fail(name, "", "the image is damaged: its WebP data is faulty or too short", "save it again");
+  }
+  return pixels;
+}
+
 Result<Pixels> decode(Bytes bytes, const Header& header, const std::string& name) {
+  if (header.webp) return decodeWebp(bytes, header, name);
   Pixels pixels;
   const int size = static_cast<int>(bytes.size());
   int *w = &pixels.width, *h = &pixels.height, *c = &pixels.channels;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Colour images: PNG and JPEG in (header checked against the pixel budget before anything is decoded), PNG out.
+// Colour images: PNG, JPEG and WebP in (header checked against the pixel budget before anything is decoded), PNG out.
 
 #include <cstdint>
 #include <filesystem>

@@ -41,9 +41,10 @@ const Row rows[] = {
      },
      "m: /extensionsRequired/1: the model requires the extension \"ACME_x\", which is not supported; export the model "
      "without it."},
-    {"required Draco", [](GltfBuilder& b) { b.json["extensionsRequired"] = {"KHR_draco_mesh_compression"}; },
-     "m: /extensionsRequired/0: the model requires the extension \"KHR_draco_mesh_compression\", which is not "
-     "supported; export the model without Draco compression."},
+    {"required KTX2", [](GltfBuilder& b) { b.json["extensionsRequired"] = {"KHR_texture_basisu"}; },
+     "m: /extensionsRequired/0: the model requires the extension \"KHR_texture_basisu\", which is not supported; "
+     "export "
+     "the model with PNG, JPEG or WebP textures: KTX2 needs a Basis Universal transcoder, which facet lacks."},
     // Buffers
     {"buffer shorter than declared",
      [](GltfBuilder& b) {

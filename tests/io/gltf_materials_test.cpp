@@ -124,12 +124,35 @@ TEST_CASE("Material extensions", "[io][gltf]") {
 
 TEST_CASE("Textures whose image is only in a format that is not read", "[io][gltf]") {
   GltfBuilder b;
-  b.append("textures", {{"extensions", {{"EXT_texture_webp", {{"source", 0}}}}}});
+  b.append("textures", {{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}});
   b.append("textures", Json::object());
   const auto model = loaded(b);
   CHECK(model.model.textures[0].image == -1);
   CHECK(notes(model) ==
-        "! /textures/0: its image is only given through EXT_texture_webp, which is not supported yet: a placeholder is "
-        "shown\n"
+        "! /textures/0: its image is only given through KHR_texture_basisu, which is not supported yet: a placeholder "
+        "is shown\n"
         "! /textures/1: has no image: a placeholder is shown\n");
+}
+
+TEST_CASE("Images of textures with extensions", "[io][gltf]") {
+  GltfBuilder b;
+  for (int i = 0; i < 2; ++i) b.append("images", {{"uri", test::dataUri(std::vector<uint8_t>{1})}});
+  const Json second = {{"source", 1}}, webp = {{"EXT_texture_webp", second}}, basisu = {{"KHR_texture_basisu", second}};
+  b.append("textures", {{"extensions", webp}});
+  b.append("textures", {{"source", 0}, {"extensions", webp}});
+  b.append("textures", {{"source", 0}, {"extensions", basisu}});
+  b.append("textures", {{"source", 0}, {"extensions", {{"EXT_texture_webp", Json::object()}}}});
+  const auto model = loaded(b);
+  CHECK(notes(model) == "");
+  CHECK(model.model.textures[0].image == 1);
+  CHECK(model.model.textures[1].image == 1);
+  CHECK(model.model.textures[2].image == 0);  // KTX2 is not read
+  CHECK(model.model.textures[3].image == 0);
+  const auto refused = [&](const Json& source) {
+    b.json["textures"][1]["extensions"]["EXT_texture_webp"]["source"] = source;
+    return test::outcome(b.text());
+  };
+  const std::string place = "m: /textures/1/extensions/EXT_texture_webp/source: ";
+  CHECK(refused(2) == place + "image 2 does not exist; there are 2; export the model again.");
+  CHECK(refused("x") == place + "is not a whole number; export the model again.");
 }

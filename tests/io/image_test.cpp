@@ -1,6 +1,7 @@
 #include "io/image.hpp"
 
 #include <sys/stat.h>
+#include <webp/encode.h>
 
 #include <catch2/catch.hpp>
 
@@ -35,7 +36,50 @@ Bytes greyJpeg() {
   return jpeg;
 }
 
+// Lossless.
+Bytes webpBytes(int width, int height, int channels, const Bytes& data) {
+  uint8_t* out = nullptr;
+  const auto encode = channels == 4 ? WebPEncodeLosslessRGBA : WebPEncodeLosslessRGB;
+  const size_t size = encode(data.data(), width, height, width * channels, &out);
+  const Bytes bytes(out, out + size);
+  WebPFree(out);
+  return bytes;
+}
+
+// Every sample differs from its neighbours, alpha is never 0 (the encoder may drop the colour there).
+Bytes samples(size_t count) {
+  Bytes data(count);
+  for (size_t i = 0; i < count; ++i) data[i] = static_cast<uint8_t>(1 + 37 * i % 255);
+  return data;
+}
+
 }  // namespace
+
+TEST_CASE("WebP, RGB and RGBA", "[io][image]") {
+  for (const int channels : {3, 4}) {
+    const Bytes data = samples(static_cast<size_t>(5 * 3 * channels));
+    const auto pixels = io::decodeImage(webpBytes(5, 3, channels, data), "i");
+    REQUIRE(outcome(pixels) == "decoded");
+    CHECK(pixels->width == 5);
+    CHECK(pixels->height == 3);
+    CHECK(pixels->channels == channels);
+    CHECK(pixels->bytesPerSample == 1);
+    CHECK(pixels->data == data);
+  }
+}
+
+TEST_CASE("Faulty WebP says why", "[io][image]") {
+  const Bytes good = webpBytes(16, 16, 3, samples(16 * 16 * 3));
+  CHECK(decode(Bytes(good.begin(), good.begin() + 24)) == "i: the image's header is damaged; save it again.");
+  CHECK(decode(Bytes(good.begin(), good.end() - 40)) ==
+        "i: the image is damaged: its WebP data is faulty or too short; save it again.");
+  io::Limits limits;
+  limits.imagePixels = 255;
+  CHECK(decode(good, limits) == "i: the image has 16 x 16 pixels, more than the limit of 255; use a smaller image.");
+  // RIFF, VP8X with the flag for animation, 1 x 1 pixel
+  CHECK(decode(text(std::string_view("RIFF\x16\0\0\0WEBPVP8X\x0a\0\0\0\x02\0\0\0\0\0\0\0\0\0", 30))) ==
+        "i: is an animated WebP image; use a still image.");
+}
 
 TEST_CASE("PNG keeps its channels and its depth", "[io][image]") {
   for (int channels = 1; channels <= 4; ++channels) {
@@ -78,15 +122,16 @@ TEST_CASE("Images that are refused say why", "[io][image]") {
   const std::string convert = ", which is not supported; convert it to PNG or JPEG.";
   CHECK(decode(png) == "decoded");
   CHECK(decode({}) == "i: the image is empty; save it again.");
-  CHECK(decode(text("hello, world")) == "i: is neither a PNG nor a JPEG image; convert it to PNG or JPEG.");
-  CHECK(decode(text(std::string_view("RIFF\x04\0\0\0WEBPVP8 ", 16))) == "i: is a WebP image" + convert);
+  CHECK(decode(text("hello, world")) == "i: is no PNG, JPEG or WebP image; convert it to PNG or JPEG.");
+  CHECK(decode(text(std::string_view("RIFF\x04\0\0\0WEBPVP8 ", 16))) ==
+        "i: the image's header is damaged; save it again.");
   CHECK(decode(text("\xabKTX 20\xbb\r\n\x1a\n")) == "i: is a KTX2 image" + convert);
   CHECK(decode(text("GIF89a")) == "i: is a GIF image" + convert);
   CHECK(decode(text("BM123456")) == "i: is a BMP image" + convert);
   CHECK(decode(text("#?RADIANCE\n")) == "i: is a Radiance HDR image" + convert);
   // 18 bytes of TGA that claim 23170 x 23170 pixels
   CHECK(decode({0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0x82, 0x5a, 0x82, 0x5a, 32, 0}) ==
-        "i: is neither a PNG nor a JPEG image; convert it to PNG or JPEG.");
+        "i: is no PNG, JPEG or WebP image; convert it to PNG or JPEG.");
   CHECK(decode(Bytes(png.begin(), png.begin() + 20)) == "i: the image's header is damaged; save it again.");
   CHECK(decode(Bytes(png.begin(), png.begin() + 50)) == "i: the image is damaged: outofdata; save it again.");
   CHECK(decode(test::pngBytes(0, 4, 1, 8, {})) == "i: the image's header is damaged; save it again.");
@@ -119,7 +164,7 @@ TEST_CASE("Damage anywhere never crashes the decoders", "[io][image]") {
   const auto random = [&] { return (state = state * 1664525u + 1013904223u) >> 8; };
   io::Limits limits;
   limits.imagePixels = 1 << 16;
-  for (const Bytes& good : {test::pngBytes(16, 16, 3, 8, data), greyJpeg()}) {
+  for (const Bytes& good : {test::pngBytes(16, 16, 3, 8, data), greyJpeg(), webpBytes(16, 16, 3, data)}) {
     for (int round = 0; round < 2000; ++round) {
       Bytes bytes = good;
       for (int change = 0; change < 1 + round % 3; ++change)
@@ -172,7 +217,7 @@ TEST_CASE("Missing and corrupt images become placeholders with a warning", "[io]
   const std::string instead = "; a placeholder takes its place\n";
   CHECK(all == "/images/2: the image \"lost\" cannot be shown: no such file" + instead +
                    "/images/3: the image \"pipe\" cannot be shown: is not a regular file" + instead +
-                   "/images/4: the image \"broken\" cannot be shown: is neither a PNG nor a JPEG image" + instead +
+                   "/images/4: the image \"broken\" cannot be shown: is no PNG, JPEG or WebP image" + instead +
                    "/images/5: the image \"named\" cannot be shown: the file \"x.png\" does not exist" + instead +
                    "/images/7: the image \"short\" cannot be shown: the image is damaged: outofdata" + instead);
 }
@@ -243,7 +288,7 @@ TEST_CASE("Pictures that cannot be written or read say why", "[io][image]") {
   CHECK(outcome(io::readImage(inNoFolder)) == inNoFolder.string() + ": no such file; check the path.");
   const auto wrong = folder.write("x.png", std::string("text"));
   CHECK(outcome(io::readImage(wrong)) ==
-        wrong.string() + ": is neither a PNG nor a JPEG image; convert it to PNG or JPEG.");
+        wrong.string() + ": is no PNG, JPEG or WebP image; convert it to PNG or JPEG.");
   const auto full = io::writePng("/dev/full", io::placeholderImage());
   REQUIRE_FALSE(full);
   CHECK(describe(full.error()) ==
