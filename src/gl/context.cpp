@@ -86,8 +86,11 @@ Result<ContextInfo> adoptCurrentContext(const std::string& platform, bool debug)
   glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  log::debug(platform + ": OpenGL " + info.version + ", " + info.renderer +
-             (info.minor < 6 ? " (4.5 with the extensions in use)" : ""));
+  const std::string found = platform + ": OpenGL " + info.version + ", " + info.renderer;
+  if (info.minor < 6)
+    log::info(found + ": 4.5 with the extensions in use, instead of 4.6");
+  else
+    log::debug(found);
   return info;
 }
 

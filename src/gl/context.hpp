@@ -9,6 +9,13 @@ struct GLFWwindow;
 
 namespace facet::gl {
 
+// Debug builds ask for a debug context always, others on request.
+#ifdef NDEBUG
+inline constexpr bool debugBuild = false;
+#else
+inline constexpr bool debugBuild = true;
+#endif
+
 // What the current context is and may do.
 struct ContextInfo {
   std::string platform;  // "EGL surfaceless", "EGL device", "EGL default display", "GLFW window"

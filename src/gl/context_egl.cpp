@@ -77,6 +77,7 @@ HeadlessContext& HeadlessContext::operator=(HeadlessContext&&) noexcept = defaul
 HeadlessContext::~HeadlessContext() = default;
 
 Result<HeadlessContext> HeadlessContext::create(bool debug) {
+  debug = debug || debugBuild;
   std::string tried;
   for (const Candidate& candidate : candidates()) {
     HeadlessContext out;

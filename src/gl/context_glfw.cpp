@@ -44,6 +44,7 @@ WindowContext::~WindowContext() {
 }
 
 Result<WindowContext> WindowContext::create(int width, int height, const std::string& title, bool debug) {
+  debug = debug || debugBuild;
   if (!glfwInit())
     return fail("window", "", "no display could be opened: " + glfwProblem(),
                 "set DISPLAY or WAYLAND_DISPLAY, or use 'facet render', which needs no display");
