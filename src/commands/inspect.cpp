@@ -5,6 +5,7 @@
 
 #include "base/log.hpp"
 #include "commands/commands.hpp"
+#include "commands/notes_json.hpp"
 #include "frame/picture.hpp"
 #include "io/image.hpp"
 #include "io/sources.hpp"
@@ -89,12 +90,7 @@ json describeModel(const scene::Model& model, const Notes& notes, const frame::D
   out["drawCalls"] = list.opaque.size() + list.blended.size();
   out["materials"] = describeMaterials(model, list);
   out["leftOut"] = describeLeftOut(model, list);
-  json problems = json::array();
-  for (const Note& note : notes)
-    problems.push_back({{"severity", note.severity == Note::Severity::warning ? "warning" : "info"},
-                        {"place", note.place},
-                        {"text", note.text}});
-  out["notes"] = problems;
+  out["notes"] = notesJson(notes);
   return out;
 }
 

@@ -9,6 +9,7 @@
 #include "base/log.hpp"
 #include "commands/commands.hpp"
 #include "commands/jobs.hpp"
+#include "commands/notes_json.hpp"
 #include "commands/picture_options.hpp"
 #include "frame/session.hpp"
 #include "report/left_out.hpp"
@@ -62,12 +63,7 @@ nlohmann::ordered_json statsJson(const Job& job, const frame::Session& session, 
                   {"triangles", s.frame.triangles}};
   if (isExr(job.output)) out["pixels"] = {{"fullyClamped", s.clampedPixels}, {"nonFinite", s.nonFinitePixels}};
   out["leftOut"] = report::leftOut(session.model()->model, s);
-  json list = json::array();
-  for (const Note& note : notes)
-    list.push_back({{"severity", note.severity == Note::Severity::warning ? "warning" : "info"},
-                    {"place", note.place},
-                    {"text", note.text}});
-  out["notes"] = list;
+  out["notes"] = notesJson(notes);
   return out;
 }
 

@@ -71,7 +71,7 @@ struct Picture {
 struct PictureRequest {
   bool radiance = false, display = false;
   int repeat = 0;  // further frames, for timing
-  // Nothing is rendered after this: what is on the GPU is freed elsewhere (Session).
+  // Nothing is rendered after this: Session frees in main memory what is on the GPU by then.
   bool last = false;
 };
 
