@@ -113,7 +113,7 @@ ibl::Needs DrawList::needs(bool environmentVisible) const {
 DrawList buildDrawList(const scene::Model& model, int scene, const DrawOptions& options) {
   DrawList list;
   const scene::FlatScene flat = scene::flatten(model, scene);
-  list.bounds = scene::sceneBounds(model, flat.instances);
+  list.bounds = scene::sceneBounds(model, flat);
   list.origin = list.bounds.empty() ? glm::dvec3(0) : list.bounds.center();
   list.cameras = flat.cameras;
   list.overflowed = flat.overflowed;

@@ -289,7 +289,7 @@ Result<void> readMeshes(Document& doc) {
   uint64_t bytes = 0;
   for (size_t m = 0; m < doc.gltf.meshes.size(); ++m) {
     const auto& mesh = doc.gltf.meshes[m];
-    doc.model.meshes.push_back({mesh.name, {}});
+    doc.model.meshes.emplace_back().name = mesh.name;
     for (size_t p = 0; p < mesh.primitives.size(); ++p) {
       std::string place = pointer(pointer("/meshes", m) + "/primitives", p);
       bool use = false;

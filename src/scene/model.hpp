@@ -68,6 +68,9 @@ struct TextureRef {
   explicit operator bool() const { return texture >= 0; }
 };
 
+// The textures that a material can name.
+enum class TextureSlot : uint8_t { baseColor, metallicRoughness, normal, occlusion, emissive };
+
 // ---- Materials ------------------------------------------------------------------------------------------------------
 
 enum class AlphaMode : uint8_t { opaque, mask, blend };
@@ -98,7 +101,20 @@ struct Material {
 
 enum class Topology : uint8_t { points, lines, lineLoop, lineStrip, triangles, triangleStrip, triangleFan };
 
-inline constexpr int maxTexCoordSets = 2;
+inline constexpr int maxTexCoordSets = 8;
+
+// What a weight of 1 adds to a primitive's vertices. Each array is empty (adds nothing) or as long as the positions.
+struct MorphTarget {
+  std::vector<glm::vec3> positions, normals, tangents;  // differences, finite
+  std::vector<glm::vec4> colors;
+  Bounds bounds;  // of the position differences; empty where there are none
+};
+
+// A joint's share of a vertex.
+struct Influence {
+  uint32_t joint = 0;  // index in Skin::joints, in range for every skin that the mesh is drawn with
+  float weight = 0;    // >= 0
+};
 
 // One draw's geometry. Each attribute array is either empty (absent) or as long as positions.
 struct Primitive {
@@ -107,15 +123,31 @@ struct Primitive {
   std::vector<glm::vec3> normals;    // unit
   std::vector<glm::vec4> tangents;   // xyz unit; bitangent = w cross(normal, tangent), w = +-1
   std::array<std::vector<glm::vec2>, maxTexCoordSets> texCoords;
-  std::vector<glm::vec4> colors;  // linear, multiplies the base colour
-  std::vector<uint32_t> indices;  // empty: vertices in order; all < positions.size()
-  int material = -1;              // -1: the default material
-  Bounds bounds;
+  std::vector<glm::vec4> colors;      // linear, multiplies the base colour
+  std::vector<uint32_t> indices;      // empty: vertices in order; all < positions.size()
+  int material = -1;                  // -1: the default material
+  std::vector<int> variantMaterials;  // KHR_materials_variants: by variant; -1: `material`. May be shorter or empty
+  // Vertex v: entries v * influencesPerVertex and on; the weights of each vertex sum up to 1. Empty: not skinned.
+  std::vector<Influence> influences;
+  int influencesPerVertex = 0;
+  std::vector<MorphTarget> targets;
+  Bounds bounds;                    // of the vertices as they are
+  std::vector<Bounds> jointBounds;  // by joint: of the vertices that it has a share of; for skinned primitives
 };
 
 struct Mesh {
   std::string name;
   std::vector<Primitive> primitives;
+  std::vector<float> weights;            // of the morph targets; shorter: the rest is 0
+  std::vector<std::string> targetNames;  // may be shorter or empty
+};
+
+// A skinned vertex lies at sum of weight * worldFromJoint * inverseBindMatrix * position; the node that draws the mesh
+// does not move it.
+struct Skin {
+  std::string name;
+  std::vector<int> joints;                      // nodes
+  std::vector<glm::dmat4> inverseBindMatrices;  // one for each joint; empty: identities
 };
 
 // ---- Lights, cameras, nodes -----------------------------------------------------------------------------------------
@@ -152,7 +184,69 @@ struct Node {
   glm::dvec3 translation = glm::dvec3(0);
   glm::dquat rotation = glm::dquat(1, 0, 0, 0);  // w, x, y, z; unit
   glm::dvec3 scale = glm::dvec3(1);
-  int mesh = -1, camera = -1, light = -1;
+  int mesh = -1, camera = -1, light = -1, skin = -1;
+  std::vector<float> weights;         // of the mesh's morph targets; empty: the mesh's own
+  bool visible = true;                // KHR_node_visibility: false hides the node and all below it
+  std::vector<glm::dmat4> instances;  // EXT_mesh_gpu_instancing: node from instance; empty: the mesh is drawn once
+};
+
+// ---- Animation ------------------------------------------------------------------------------------------------------
+
+enum class Interpolation : uint8_t { step, linear, cubicSpline };
+
+// Keys; at least one. Each key has `width` numbers; a cubic spline three times as many: in-tangent, value, out-tangent.
+struct AnimationSampler {
+  Interpolation interpolation = Interpolation::linear;
+  std::vector<float> times;   // seconds, finite, rising strictly
+  std::vector<float> values;  // finite
+  int width = 0;
+};
+
+// What a channel sets. All but those of a node come from KHR_animation_pointer.
+enum class AnimatedProperty : uint8_t {
+  // of a node
+  translation,
+  rotation,  // x, y, z, w
+  scale,
+  weights,
+  visible,
+  // of a material
+  baseColorFactor,
+  metallicFactor,
+  roughnessFactor,
+  emissiveFactor,
+  emissiveStrength,
+  normalScale,
+  occlusionStrength,
+  alphaCutoff,
+  textureOffset,    // of `slot`
+  textureRotation,  // likewise
+  textureScale,     // likewise
+  // of a light
+  lightColor,
+  lightIntensity,
+  lightRange,
+  lightInnerConeAngle,
+  lightOuterConeAngle,
+  // of a camera
+  cameraFovY,
+  cameraZNear,
+  cameraZFar,
+  cameraXMag,
+  cameraYMag,
+};
+
+struct AnimationChannel {
+  int sampler = 0;  // of the animation
+  AnimatedProperty property = AnimatedProperty::translation;
+  int object = -1;  // index of the node, material, light or camera
+  TextureSlot slot = TextureSlot::baseColor;
+};
+
+struct Animation {
+  std::string name;
+  std::vector<AnimationSampler> samplers;
+  std::vector<AnimationChannel> channels;  // each sampler has the width that its property wants
 };
 
 struct Scene {
@@ -171,6 +265,9 @@ struct Model {
   std::vector<Image> images;
   std::vector<Light> lights;
   std::vector<Camera> cameras;
+  std::vector<Skin> skins;
+  std::vector<Animation> animations;
+  std::vector<std::string> variants;  // KHR_materials_variants
   // For inspect.
   std::string generator, copyright;
   std::vector<std::string> extensionsUsed, extensionsRequired;

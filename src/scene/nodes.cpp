@@ -17,8 +17,8 @@ bool isFinite(const glm::dmat4& m) {
   return true;
 }
 
-// Reached nodes, each once and parents first; transforms are filled on the way.
-std::vector<int> traverse(const Model& model, int scene, NodeTransforms& out) {
+// Reached nodes that are not hidden, each once and parents first; transforms are filled on the way.
+std::vector<int> traverse(const Model& model, int scene, const Pose& pose, NodeTransforms& out) {
   std::vector<int> order;
   out.worldFromNode.assign(model.nodes.size(), glm::dmat4(1));
   out.reached.assign(model.nodes.size(), false);
@@ -39,10 +39,12 @@ std::vector<int> traverse(const Model& model, int scene, NodeTransforms& out) {
     const auto n = size_t(visit.node);
     if (out.reached[n]) continue;  // a node listed twice is drawn once
     out.reached[n] = true;
+    const Node& node = pose.nodes.of(model.nodes, visit.node);
+    if (!node.visible) continue;
     order.push_back(visit.node);
-    const glm::dmat4 local = localTransform(model.nodes[n]);
+    const glm::dmat4 local = localTransform(node);
     out.worldFromNode[n] = visit.parent < 0 ? local : out.worldFromNode[size_t(visit.parent)] * local;
-    push(model.nodes[n].children, visit.node);
+    push(node.children, visit.node);
   }
   return order;
 }
@@ -66,15 +68,15 @@ glm::dmat4 localTransform(const Node& node) {
 
 NodeTransforms worldTransforms(const Model& model, int scene) {
   NodeTransforms out;
-  traverse(model, scene, out);
+  traverse(model, scene, {}, out);
   return out;
 }
 
-FlatScene flatten(const Model& model, int scene) {
+FlatScene flatten(const Model& model, int scene, const Pose& pose) {
   FlatScene flat;
   NodeTransforms transforms;
-  for (const int n : traverse(model, scene, transforms)) {
-    const Node& node = model.nodes[size_t(n)];
+  for (const int n : traverse(model, scene, pose, transforms)) {
+    const Node& node = pose.nodes.of(model.nodes, n);
     const glm::dmat4& world = transforms.worldFromNode[size_t(n)];
     const bool drawn = isIndex(node.mesh, model.meshes.size()) && !model.meshes[size_t(node.mesh)].primitives.empty();
     const bool shines = isIndex(node.light, model.lights.size());
@@ -105,9 +107,9 @@ Bounds transformed(const Bounds& bounds, const glm::dmat4& matrix) {
   return {center - reach, center + reach};
 }
 
-Bounds sceneBounds(const Model& model, const std::vector<Instance>& instances) {
+Bounds sceneBounds(const Model& model, const FlatScene& flat, const Pose&) {
   Bounds all;
-  for (const Instance& instance : instances)
+  for (const Instance& instance : flat.instances)
     for (const Primitive& primitive : model.meshes[size_t(instance.mesh)].primitives) {
       const Bounds placed = transformed(primitive.bounds, instance.worldFromNode);
       if (placed.empty()) continue;
@@ -117,7 +119,9 @@ Bounds sceneBounds(const Model& model, const std::vector<Instance>& instances) {
   return all;
 }
 
-Bounds sceneBounds(const Model& model, int scene) { return sceneBounds(model, flatten(model, scene).instances); }
+Bounds sceneBounds(const Model& model, int scene, const Pose& pose) {
+  return sceneBounds(model, flatten(model, scene, pose), pose);
+}
 
 bool isMirrored(const glm::dmat4& matrix) {
   return glm::dot(glm::cross(safeNormalize(matrix[0]), safeNormalize(matrix[1])), safeNormalize(matrix[2])) < 0;

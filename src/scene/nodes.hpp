@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "scene/model.hpp"
+#include "scene/pose.hpp"
 
 namespace facet::scene {
 
@@ -24,8 +24,9 @@ NodeTransforms worldTransforms(const Model& model, int scene);
 // A mesh placed in the world.
 struct Instance {
   int node = -1, mesh = -1;
-  glm::dmat4 worldFromNode = glm::dmat4(1);
-  bool mirrored = false;  // left-handed matrix: front faces wind clockwise
+  glm::dmat4 worldFromNode = glm::dmat4(1);  // of a skinned mesh: the identity, because its joints place it
+  bool mirrored = false;                     // left-handed matrix: front faces wind clockwise
+  int skin = -1;                             // index in FlatScene::joints; only where the mesh has influences
 };
 
 struct PlacedLight {
@@ -44,15 +45,19 @@ struct FlatScene {
   std::vector<Instance> instances;
   std::vector<PlacedLight> lights;
   std::vector<PlacedCamera> cameras;
+  // By skin of the model: world from mesh for each joint, empty where no instance uses the skin. Joints outside the
+  // scene stand where their own parents put them.
+  std::vector<std::vector<glm::dmat4>> joints;
   int overflowed = 0;  // nodes left out because their transform is not finite
 };
 
-FlatScene flatten(const Model& model, int scene);
+// Leaves out hidden nodes (Node::visible) with all below them; draws a node's mesh once for each of Node::instances.
+FlatScene flatten(const Model& model, int scene, const Pose& pose = {});
 
-// Box around all instances' primitives (Primitive::bounds), as the union of their transformed boxes: never too small,
-// up to sqrt(3) too large where a node turns its mesh by odd angles. Empty where nothing is drawn.
-Bounds sceneBounds(const Model& model, const std::vector<Instance>& instances);
-Bounds sceneBounds(const Model& model, int scene);
+// Box around all instances' primitives as they are in the pose, as the union of their transformed boxes: never too
+// small, up to sqrt(3) too large where a node turns its mesh by odd angles. Empty where nothing is drawn.
+Bounds sceneBounds(const Model& model, const FlatScene& flat, const Pose& pose = {});
+Bounds sceneBounds(const Model& model, int scene, const Pose& pose = {});
 
 // The box around the transformed box (Arvo 1990, "Transforming axis-aligned bounding boxes").
 Bounds transformed(const Bounds& bounds, const glm::dmat4& matrix);

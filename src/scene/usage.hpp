@@ -10,8 +10,6 @@
 
 namespace facet::scene {
 
-enum class TextureSlot : uint8_t { baseColor, metallicRoughness, normal, occlusion, emissive };
-
 inline constexpr std::array<TextureSlot, 5> textureSlots = {TextureSlot::baseColor, TextureSlot::metallicRoughness,
                                                             TextureSlot::normal, TextureSlot::occlusion,
                                                             TextureSlot::emissive};

@@ -1,0 +1,30 @@
+#pragma once
+
+// Animations -> the pose at a time (glTF 2.0, 3.11 and appendix C). Pure functions, double precision.
+
+#include <span>
+#include <string>
+
+#include "base/error.hpp"
+#include "scene/pose.hpp"
+
+namespace facet::scene {
+
+// The sampler's value at a time; out has sampler.width numbers. Before the first key its value, after the last key its
+// value (3.11). Rotations (isRotation, width 4): linear is a spherical interpolation along the shortest way (C.3), the
+// cubic spline's result is normalised (C.5); a result without length is the identity.
+void sampleAt(const AnimationSampler& sampler, double time, bool isRotation, std::span<double> out);
+
+// Last key of all channels, seconds; 0 for an animation without channels.
+double duration(const Animation& animation);
+
+// The one with that name, else with that index; "all" is every one, empty is none. Errors: there is none; lists those
+// that there are.
+Result<std::vector<int>> chooseAnimations(const Model& model, const std::string& wanted);
+
+// The model when these animations stand at `time` seconds; of two that set the same property the later one wins. A
+// node with a matrix that is animated has its matrix taken apart first (it has translation, rotation, scale; shear is
+// lost, glTF forbids it).
+Pose poseAt(const Model& model, std::span<const int> animations, double time);
+
+}  // namespace facet::scene
