@@ -138,8 +138,8 @@ struct Primitive {
 struct Mesh {
   std::string name;
   std::vector<Primitive> primitives;
-  std::vector<float> weights;            // of the morph targets; shorter: the rest is 0
-  std::vector<std::string> targetNames;  // may be shorter or empty
+  std::vector<float> weights;                 // of the morph targets; shorter: the rest is 0
+  std::vector<std::string> targetNames = {};  // may be shorter or empty
 };
 
 // A skinned vertex lies at sum of weight * worldFromJoint * inverseBindMatrix * position; the node that draws the mesh
