@@ -138,7 +138,7 @@ struct Primitive {
 struct Mesh {
   std::string name;
   std::vector<Primitive> primitives;
-  std::vector<float> weights;                 // of the morph targets; shorter: the rest is 0
+  std::vector<float> weights = {};            // of the morph targets; shorter: the rest is 0
   std::vector<std::string> targetNames = {};  // may be shorter or empty
 };
 
