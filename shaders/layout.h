@@ -2,11 +2,14 @@
 #ifdef __cplusplus
 #pragma once
 
+#include <cstdint>
 #include <glm/glm.hpp>
 
 namespace facet::layout {
 using glm::mat4;
+using glm::uvec4;
 using glm::vec4;
+using uint = uint32_t;
 #define LAYOUT_CONST inline constexpr int
 #else
 #define LAYOUT_CONST const int
@@ -29,6 +32,11 @@ LAYOUT_CONST instanceBinding = 0;
 LAYOUT_CONST lightBinding = 1;
 LAYOUT_CONST computeInputBinding = 2;
 LAYOUT_CONST computeOutputBinding = 3;
+LAYOUT_CONST visibleBinding = 4;       // indices of instances
+LAYOUT_CONST influenceBinding = 5;     // of one primitive
+LAYOUT_CONST jointBinding = 6;         // of all skins
+LAYOUT_CONST morphTargetBinding = 7;   // of one primitive
+LAYOUT_CONST morphWeightBinding = 8;   // of all instances
 
 // Texture units. The first five are the material's slots in the order of scene::TextureSlot.
 LAYOUT_CONST baseColorUnit = 0;
@@ -71,6 +79,17 @@ struct MaterialUniforms {
 struct Instance {
   mat4 worldFromLocal;
   vec4 normalFromLocal[3];  // columns of the cofactor matrix, signed so that mirrored nodes keep their outside
+  uvec4 deformation;        // x first joint of the skin; y first morph weight, z their number; w unused
+};
+
+// World from mesh, for one joint of a skin.
+struct Joint {
+  vec4 rows[3];
+};
+
+struct MorphWeight {
+  uint target;
+  float weight;
 };
 
 struct LightUniforms {
@@ -84,7 +103,9 @@ struct LightUniforms {
 #undef LAYOUT_CONST
 static_assert(sizeof(MaterialUniforms) == 16 * 16);
 static_assert(sizeof(FrameUniforms) == 13 * 16);
-static_assert(sizeof(Instance) == 7 * 16);
+static_assert(sizeof(Instance) == 8 * 16);
+static_assert(sizeof(Joint) == 3 * 16);
+static_assert(sizeof(MorphWeight) == 8);
 static_assert(sizeof(LightUniforms) == 4 * 16);
 }  // namespace facet::layout
 #endif

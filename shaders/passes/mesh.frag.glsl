@@ -54,6 +54,10 @@ Varyings readVaryings() {
 #ifdef HAS_VERTEX_COLOR
   v.color = inColor;
 #endif
+#ifdef FLAT_NORMALS
+  vec3 facing = cross(dFdx(inPosition), dFdy(inPosition));  // towards the viewer, whichever way the triangle winds
+  v.normal = safeNormalize(gl_FrontFacing ? facing : -facing, inNormal);
+#endif
 #ifdef DOUBLE_SIDED
   if (!gl_FrontFacing) {  // glTF 2.0, 3.9.6: the back face has the reversed shading normal, bumps included
     v.normal = -v.normal;

@@ -1,7 +1,10 @@
 #extension GL_ARB_shader_draw_parameters : require
 #include "frame.glsl"
+#include "deformation.glsl"
 
 layout(std430, binding = instanceBinding) readonly buffer InstanceBlock { Instance instances[]; };
+
+layout(std430, binding = visibleBinding) readonly buffer VisibleBlock { uint visibleInstances[]; };
 
 layout(location = positionLocation) in vec3 inPosition;
 layout(location = 0) out vec3 outPosition;
@@ -33,16 +36,40 @@ vec3 direction(vec3 v) {
 }
 
 void main() {
-  Instance instance = instances[gl_BaseInstanceARB + gl_InstanceID];
-  vec4 world = instance.worldFromLocal * vec4(inPosition, 1.0);
+  Instance instance = instances[visibleInstances[gl_BaseInstanceARB + gl_InstanceID]];
+  vec3 position = inPosition;
+#ifdef HAS_NORMAL
+  vec3 normal = inNormal;
+#endif
+#ifdef HAS_TANGENT
+  vec3 tangent = inTangent.xyz;
+#endif
+#ifdef HAS_MORPH
+  Offsets offsets = morphOffsets(instance, uint(gl_VertexID));
+  position += offsets.position;
+#ifdef MORPH_NORMALS
+  normal += offsets.normal;
+#endif
+#ifdef MORPH_TANGENTS
+  tangent += offsets.tangent;
+#endif
+#endif
+#ifdef HAS_SKIN
+  mat4 worldFromLocal = skinMatrix(instance, uint(gl_VertexID));
+  mat3 normalFromLocal = normalMatrix(mat3(worldFromLocal));
+#else
+  mat4 worldFromLocal = instance.worldFromLocal;
+  mat3 normalFromLocal =
+      mat3(instance.normalFromLocal[0].xyz, instance.normalFromLocal[1].xyz, instance.normalFromLocal[2].xyz);
+#endif
+  vec4 world = worldFromLocal * vec4(position, 1.0);
   outPosition = world.xyz;
 #ifdef HAS_NORMAL
-  outNormal = direction(mat3(instance.normalFromLocal[0].xyz, instance.normalFromLocal[1].xyz,
-                             instance.normalFromLocal[2].xyz) * inNormal);
+  outNormal = direction(normalFromLocal * normal);
 #endif
 #ifdef HAS_TANGENT
   // w of the first column is the sign of the determinant: a mirrored node turns the bitangent round.
-  outTangent = vec4(direction(mat3(instance.worldFromLocal) * inTangent.xyz), inTangent.w * instance.normalFromLocal[0].w);
+  outTangent = vec4(direction(mat3(worldFromLocal) * tangent), inTangent.w * instance.normalFromLocal[0].w);
 #endif
 #ifdef HAS_TEXCOORD_0
   outTexCoord0 = inTexCoord0;
@@ -52,6 +79,9 @@ void main() {
 #endif
 #ifdef HAS_VERTEX_COLOR
   outColor = inColor;
+#ifdef MORPH_COLORS
+  outColor = clamp(outColor + offsets.color, 0.0, 1.0);  // glTF 2.0, 3.7.2.2
+#endif
 #endif
   gl_Position = frame.clipFromWorld * world;
 }

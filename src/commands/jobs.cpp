@@ -148,4 +148,34 @@ Result<std::vector<Job>> readJobs(const std::filesystem::path& file, const Pictu
   return parseJobs(text, file.string(), file.parent_path(), overrides);
 }
 
+Result<std::string> numberedName(const std::string& pattern, int number) {
+  std::string name;
+  int numbers = 0;
+  const auto wrong = [&] {
+    return fail({}, "-o", pattern + " does not say where the frame's number goes", "give a name like frame_%04d.png");
+  };
+  for (size_t i = 0; i < pattern.size(); ++i) {
+    if (pattern[i] != '%') {
+      name += pattern[i];
+      continue;
+    }
+    const std::string_view rest = std::string_view(pattern).substr(i + 1);
+    if (rest.starts_with('%')) {
+      name += '%', ++i;
+      continue;
+    }
+    size_t width = 0, length = 0;  // of what follows the percent sign, "d" included
+    if (rest.starts_with('d'))
+      length = 1;
+    else if (rest.size() >= 3 && rest[0] == '0' && rest[1] >= '1' && rest[1] <= '9' && rest[2] == 'd')
+      width = static_cast<size_t>(rest[1] - '0'), length = 3;
+    if (length == 0) return wrong();
+    const std::string digits = std::to_string(number);
+    name += std::string(width > digits.size() ? width - digits.size() : 0, '0') + digits;
+    ++numbers, i += length;
+  }
+  if (numbers != 1) return wrong();
+  return name;
+}
+
 }  // namespace facet::commands

@@ -30,6 +30,9 @@ Result<std::vector<Job>> readJobs(const std::filesystem::path& file, const Pictu
 Result<std::vector<Job>> parseJobs(std::string_view text, const std::string& name, const std::filesystem::path& folder,
                                    const PictureArguments& overrides = {});
 
+// "frame_%04d.png", 7 -> "frame_0007.png". Errors: not exactly one %d or %0Nd (N from 1 to 9); %% is a percent sign.
+Result<std::string> numberedName(const std::string& pattern, int number);
+
 // A picture is written as .png or .exr, whatever the letters' case.
 Result<void> checkOutputName(const std::filesystem::path& output);
 

@@ -166,6 +166,10 @@ std::string writeScene(const PictureSettings& settings) {
   return settings.scene < 0 ? std::string() : number(settings.scene);
 }
 
+std::string writeTime(const PictureSettings& settings) {
+  return settings.animation.empty() ? std::string() : number(settings.timeSeconds);
+}
+
 Result<void> parseBackground(Text text, PictureSettings& settings) {
   if (text == "env" || text == "transparent") {
     settings.background = text == "env" ? frame::Background::environment : frame::Background::transparent;
@@ -209,6 +213,10 @@ constexpr PictureOption table[] = {
      writeNumber<&S::fovYDeg>},
     {"camera", "NAME|INDEX", "a camera of the file", parseText<&S::camera>, writeText<&S::camera>},
     {"scene", "N", "index of the scene (the file's default)", parseScene, writeScene},
+    {"animation", "NAME|INDEX|all", "an animation of the file, or all at once (none: at rest)",
+     parseText<&S::animation>, writeText<&S::animation>},
+    {"time", "S", "seconds at which the animation stands (0)", parseNumberInto<&S::timeSeconds, 0, 1'000'000>,
+     writeTime},
     {"env", "FILE|builtin:NAME|none", "environment: .hdr, .exr, builtin:studio, builtin:sky, builtin:white",
      parseText<&S::environment>, writeText<&S::environment>, ',', true},
     {"env-rotation", "DEG", "turns the environment about +Y (0)",
@@ -317,6 +325,8 @@ Result<void> apply(const nlohmann::json& object, std::span<const Text> others, c
 }
 
 Result<void> checkTogether(const PictureSettings& settings) {
+  if (settings.timeSeconds != 0 && settings.animation.empty())
+    return fail({}, "--time", "nothing moves without an animation", "give --animation NAME, or --animation all");
   if (settings.camera.empty() || (!settings.orbit && !settings.target)) return {};
   return fail({}, settings.orbit ? "--orbit" : "--target", "the camera of the file has its own place",
               "give either this or --camera");

@@ -23,7 +23,12 @@ struct RenderArguments {
   std::string model, output, stats, jobs;
   bool strict = false, noCache = false, glDebug = false;
   int repeat = 0;
+  int frames = 0;  // 0: one picture
+  double fps = 30;
 };
+
+// Far beyond what anybody renders; a typing error otherwise fills the disk.
+constexpr int maxFrames = 100'000;
 
 bool isExr(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
@@ -110,8 +115,26 @@ Result<JobResult> runJob(const Job& job, int repeat, bool last, frame::Session& 
   return JobResult{warned};
 }
 
+// Frame by frame from --time on.
+Result<std::vector<Job>> listFrames(const Job& first, const RenderArguments& arguments) {
+  if (first.settings.animation.empty())
+    return fail({}, "--frames", "nothing moves without an animation", "give --animation NAME, or --animation all");
+  if (!first.stats.empty()) return fail({}, "--stats", "is for one picture", "leave out --frames");
+  std::vector<Job> jobs;
+  for (int i = 0; i < arguments.frames; ++i) {
+    const Result<std::string> output = numberedName(first.output.string(), i);
+    if (!output) return tl::unexpected(output.error());
+    Job job = first;
+    job.output = *output;
+    job.settings.timeSeconds += i / arguments.fps;
+    jobs.push_back(std::move(job));
+  }
+  return jobs;
+}
+
 Result<std::vector<Job>> listJobs(const RenderArguments& arguments) {
   if (!arguments.jobs.empty()) {
+    if (arguments.frames > 0) return fail({}, "--frames", "does not go with --jobs", "give the jobs their times");
     if (!arguments.model.empty() || !arguments.output.empty())
       return fail({}, "--jobs", "names models and outputs itself", "leave out MODEL and -o");
     return readJobs(arguments.jobs, arguments.picture);
@@ -122,6 +145,7 @@ Result<std::vector<Job>> listJobs(const RenderArguments& arguments) {
   if (Result<void> r = checkOutputName(job.output); !r) return tl::unexpected(r.error());
   if (Result<void> r = apply(arguments.picture, job.settings); !r) return tl::unexpected(r.error());
   if (Result<void> r = checkTogether(job.settings); !r) return tl::unexpected(r.error());
+  if (arguments.frames > 0) return listFrames(job, arguments);
   return std::vector<Job>{job};
 }
 
@@ -170,6 +194,10 @@ std::function<int()> addRender(CLI::App& app) {
   app.add_option("--repeat", arguments->repeat, "draw N more frames, for timing")
       ->type_name("N")
       ->check(CLI::NonNegativeNumber);
+  app.add_option("--frames", arguments->frames, "as many pictures of the animation, from --time on: -o frame_%04d.png")
+      ->type_name("N")
+      ->check(CLI::Range(1, maxFrames));
+  app.add_option("--fps", arguments->fps, "frames per second (30)")->type_name("F")->check(CLI::Range(1e-3, 1e6));
   app.add_flag("--strict", arguments->strict, "any warning makes the exit status 2");
   app.add_flag("--no-cache", arguments->noCache, "neither read nor write the cache of compiled shaders");
   app.add_flag("--gl-debug", arguments->glDebug, "log OpenGL's debug messages");

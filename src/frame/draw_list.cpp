@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <tuple>
+
+#include "scene/deformation.hpp"
 
 namespace facet::frame {
 
@@ -44,20 +47,32 @@ void addDemoLights(DrawList& list) {
 }
 
 layout::Instance instanceUniforms(const scene::Instance& instance, const glm::dvec3& origin) {
+  layout::Instance out{};
+  const bool skinned = instance.skin >= 0;  // the joints hold the origin then
   glm::dmat4 world = instance.worldFromNode;
-  world[3] -= glm::dvec4(origin, 0);
+  if (!skinned) world[3] -= glm::dvec4(origin, 0);
   const glm::dmat3 normals = scene::normalTransform(instance.worldFromNode);
-  layout::Instance out;
   out.worldFromLocal = glm::mat4(world);
   for (int column = 0; column < 3; ++column) out.normalFromLocal[column] = glm::vec4(glm::vec3(normals[column]), 0);
   out.normalFromLocal[0].w = instance.mirrored ? -1.0f : 1.0f;
   return out;
 }
 
-glm::dvec3 primitiveCenter(const scene::Primitive& primitive, const scene::Instance& instance,
-                           const glm::dvec3& origin) {
-  if (primitive.bounds.empty()) return glm::dvec3(instance.worldFromNode[3]) - origin;
-  return glm::dvec3(instance.worldFromNode * glm::dvec4(primitive.bounds.center(), 1)) - origin;
+layout::Joint jointUniforms(const glm::dmat4& worldFromMesh, const glm::dvec3& origin) {
+  glm::dmat4 world = worldFromMesh;
+  world[3] -= glm::dvec4(origin, 0);
+  const glm::mat4 rows(glm::transpose(world));
+  return {{rows[0], rows[1], rows[2]}};
+}
+
+// Where each skin's matrices begin; -1: not used.
+std::vector<int> addJoints(DrawList& list, const scene::FlatScene& flat) {
+  std::vector<int> first;
+  for (const std::vector<glm::dmat4>& joints : flat.joints) {
+    first.push_back(joints.empty() ? -1 : static_cast<int>(list.joints.size()));
+    for (const glm::dmat4& joint : joints) list.joints.push_back(jointUniforms(joint, list.origin));
+  }
+  return first;
 }
 
 int materialIndex(const scene::Primitive& primitive, const DrawList& list, const DrawOptions& options) {
@@ -66,33 +81,89 @@ int materialIndex(const scene::Primitive& primitive, const DrawList& list, const
   return primitive.material >= 0 ? primitive.material : defaultMaterial;
 }
 
-// Nodes that share a mesh become one draw per primitive (and handedness).
-void addInstances(DrawList& list, const scene::Mesh& mesh, const std::vector<const scene::Instance*>& placed,
-                  const DrawOptions& options) {
+// What is drawn of one mesh by one call: same handedness, all with a skin or all without.
+struct Placed {
+  const scene::Instance* instance = nullptr;
+  std::vector<float> weights;         // of morph targets; empty: the mesh has none
+  std::vector<scene::Bounds> bounds;  // world; by primitive
+};
+
+bool anyWeight(const std::vector<Placed>& placed) {
+  return std::ranges::any_of(
+      placed, [](const Placed& p) { return std::ranges::any_of(p.weights, [](float w) { return w != 0; }); });
+}
+
+// The targets that every morphed primitive of the mesh has.
+size_t commonTargets(const scene::Mesh& mesh) {
+  size_t count = std::numeric_limits<size_t>::max();
+  for (const scene::Primitive& primitive : mesh.primitives)
+    if (!primitive.targets.empty()) count = std::min(count, primitive.targets.size());
+  return count;
+}
+
+void addInstance(DrawList& list, const scene::Mesh& mesh, const Placed& placed, const std::vector<int>& firstJoints) {
+  layout::Instance uniforms = instanceUniforms(*placed.instance, list.origin);
+  if (placed.instance->skin >= 0)
+    uniforms.deformation.x = static_cast<uint32_t>(firstJoints[static_cast<size_t>(placed.instance->skin)]);
+  uniforms.deformation.y = static_cast<uint32_t>(list.morphWeights.size());
+  const size_t targets = std::min(placed.weights.size(), commonTargets(mesh));
+  for (size_t target = 0; target < targets; ++target)
+    if (placed.weights[target] != 0)
+      list.morphWeights.push_back({static_cast<uint32_t>(target), placed.weights[target]});
+  uniforms.deformation.z = static_cast<uint32_t>(list.morphWeights.size()) - uniforms.deformation.y;
+  list.instances.push_back(uniforms);
+}
+
+// Nodes that share a mesh become one draw per primitive.
+void addInstances(DrawList& list, const scene::Mesh& mesh, const std::vector<Placed>& placed,
+                  const std::vector<int>& firstJoints, const DrawOptions& options) {
   const auto first = static_cast<uint32_t>(list.instances.size());
-  for (const scene::Instance* instance : placed) list.instances.push_back(instanceUniforms(*instance, list.origin));
-  for (const scene::Primitive& primitive : mesh.primitives) {
+  for (const Placed& p : placed) addInstance(list, mesh, p, firstJoints);
+  const shading::Deformation deformation{placed.front().instance->skin >= 0, options.moving || anyWeight(placed)};
+  for (size_t i = 0; i < mesh.primitives.size(); ++i) {
+    const scene::Primitive& primitive = mesh.primitives[i];
     if (primitive.positions.empty()) continue;
     Draw draw;
     draw.primitive = &primitive;
     draw.material = materialIndex(primitive, list, options);
     const scene::Material& material = list.materials[static_cast<size_t>(draw.material)];
-    draw.key = shading::variantKey({material, primitive, list.features});
-    draw.mirrored = placed.front()->mirrored;
+    draw.key = shading::variantKey({material, primitive, list.features, deformation});
+    draw.mirrored = placed.front().instance->mirrored;
     draw.doubleSided = material.doubleSided;
     draw.firstInstance = first;
+    draw.firstBounds = static_cast<uint32_t>(list.instanceBounds.size());
     draw.instanceCount = static_cast<uint32_t>(placed.size());
+    for (const Placed& p : placed) list.instanceBounds.push_back(p.bounds[i]);
     if (material.alphaMode != AlphaMode::blend || list.features.channel != 0) {
       list.opaque.push_back(draw);
       continue;
     }
     draw.instanceCount = 1;
-    for (const scene::Instance* instance : placed) {
-      draw.center = glm::vec3(primitiveCenter(primitive, *instance, list.origin));
+    for (size_t instance = 0; instance < placed.size(); ++instance, ++draw.firstInstance, ++draw.firstBounds)
       list.blended.push_back(draw);
-      ++draw.firstInstance;
-    }
   }
+}
+
+Placed place(const scene::Model& model, const scene::FlatScene& flat, const scene::Instance& instance,
+             const scene::Pose& pose) {
+  Placed placed{&instance, {}, {}};
+  const scene::Mesh& mesh = model.meshes[static_cast<size_t>(instance.mesh)];
+  placed.weights = scene::morphWeights(mesh, pose.nodes.of(model.nodes, instance.node));
+  std::span<const glm::dmat4> joints;
+  if (instance.skin >= 0) joints = flat.joints[static_cast<size_t>(instance.skin)];
+  for (const scene::Primitive& primitive : mesh.primitives)
+    placed.bounds.push_back(scene::deformedBounds(primitive, placed.weights, joints, instance.worldFromNode));
+  return placed;
+}
+
+void addMaterials(DrawList& list, const scene::Model& model, const DrawOptions& options, const scene::Pose& pose) {
+  if (options.material) {
+    list.materials = {*options.material};
+  } else {
+    list.materials = model.materials;
+    for (const auto& [index, material] : pose.materials.changed) list.materials[static_cast<size_t>(index)] = material;
+  }
+  list.materials.emplace_back();
 }
 
 }  // namespace
@@ -110,30 +181,31 @@ ibl::Needs DrawList::needs(bool environmentVisible) const {
   return needs;
 }
 
-DrawList buildDrawList(const scene::Model& model, int scene, const DrawOptions& options) {
+DrawList buildDrawList(const scene::Model& model, int scene, const DrawOptions& options, const scene::Pose& pose) {
   DrawList list;
-  const scene::FlatScene flat = scene::flatten(model, scene);
-  list.bounds = scene::sceneBounds(model, flat);
+  const scene::FlatScene flat = scene::flatten(model, scene, pose);
+  // Instances of one call: mesh, handedness, with or without a skin.
+  std::map<std::tuple<int, bool, bool>, std::vector<Placed>> groups;
+  for (const scene::Instance& instance : flat.instances) {
+    Placed placed = place(model, flat, instance, pose);
+    for (const scene::Bounds& bounds : placed.bounds)
+      if (!bounds.empty()) list.bounds.add(bounds.min), list.bounds.add(bounds.max);
+    groups[{instance.mesh, instance.mirrored, instance.skin >= 0}].push_back(std::move(placed));
+  }
   list.origin = list.bounds.empty() ? glm::dvec3(0) : list.bounds.center();
-  list.cameras = flat.cameras;
+  for (const scene::PlacedCamera& placed : flat.cameras)
+    list.cameras.push_back({placed, pose.cameras.of(model.cameras, placed.camera)});
   list.overflowed = flat.overflowed;
-  if (options.material)
-    list.materials = {*options.material};
-  else
-    list.materials = model.materials;
-  list.materials.emplace_back();
+  addMaterials(list, model, options, pose);
   if (options.sceneLights)
     for (const scene::PlacedLight& light : flat.lights)
-      list.lights.push_back(lightUniforms(model.lights[static_cast<size_t>(light.light)], light, list.origin));
+      list.lights.push_back(lightUniforms(pose.lights.of(model.lights, light.light), light, list.origin));
   if (options.demoLights) addDemoLights(list);
   list.features = options.features;
   list.features.punctualLights = !list.lights.empty();
-
-  std::map<std::pair<int, bool>, std::vector<const scene::Instance*>> placed;
-  for (const scene::Instance& instance : flat.instances)
-    placed[{instance.mesh, instance.mirrored}].push_back(&instance);
-  for (const auto& [key, instances] : placed)
-    addInstances(list, model.meshes[static_cast<size_t>(key.first)], instances, options);
+  const std::vector<int> firstJoints = addJoints(list, flat);
+  for (const auto& [key, placed] : groups)
+    addInstances(list, model.meshes[static_cast<size_t>(std::get<0>(key))], placed, firstJoints, options);
   std::ranges::stable_sort(list.opaque, {}, [](const Draw& d) { return std::tuple(d.key, d.material); });
   return list;
 }

@@ -22,6 +22,7 @@ struct DrawOptions {
   bool sceneLights = true;               // the file's lights
   bool demoLights = false;               // four point lights around the scene
   MaterialOverride material = {};
+  bool moving = false;  // other poses will follow: morph targets keep their program while all weights are 0
 };
 
 // One instanced draw call.
@@ -30,9 +31,15 @@ struct Draw {
   int material = 0;  // index in DrawList::materials
   shading::VariantKey key;
   uint32_t firstInstance = 0, instanceCount = 1;
+  uint32_t firstBounds = 0;  // in DrawList::instanceBounds: one for each instance
   bool mirrored = false;
   bool doubleSided = false;
-  glm::vec3 center = glm::vec3(0);  // of the bounds, for sorting blended draws
+};
+
+// A camera of the file where the pose puts it.
+struct FileCamera {
+  scene::PlacedCamera placed;
+  scene::Camera lens;
 };
 
 struct DrawList {
@@ -40,17 +47,20 @@ struct DrawList {
   scene::Bounds bounds;                    // world
   std::vector<scene::Material> materials;  // the model's, then the default material
   std::vector<layout::Instance> instances;
+  std::vector<scene::Bounds> instanceBounds;  // world; of one primitive in one instance
+  std::vector<layout::Joint> joints;
+  std::vector<layout::MorphWeight> morphWeights;  // those that are not 0
   std::vector<layout::LightUniforms> lights;
   std::vector<Draw> opaque;   // opaque and mask, sorted by program and material
   std::vector<Draw> blended;  // one instance each; sorted by distance when drawn
   shading::FrameFeatures features;
-  std::vector<scene::PlacedCamera> cameras;
+  std::vector<FileCamera> cameras;
   int overflowed = 0;  // nodes left out because their transform is not finite
 
   // What the draws read from src/ibl/.
   ibl::Needs needs(bool environmentVisible) const;
 };
 
-DrawList buildDrawList(const scene::Model& model, int scene, const DrawOptions& options);
+DrawList buildDrawList(const scene::Model& model, int scene, const DrawOptions& options, const scene::Pose& pose = {});
 
 }  // namespace facet::frame

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "frame/visibility.hpp"
 #include "scene/geometry.hpp"
 
 namespace facet::frame {
@@ -102,6 +103,10 @@ void issue(const FrameInput& in, const Draw& draw, FrameStatistics& statistics) 
   const GpuPrimitive& primitive = in.gpu.primitives.at(draw.primitive);
   glBindVertexArray(primitive.vertexArray.id());
   glFrontFace(draw.mirrored ? GL_CW : GL_CCW);
+  if (shading::usesFeature(draw.key, "HAS_SKIN"))
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::influenceBinding, primitive.influences.id());
+  if (shading::usesFeature(draw.key, "HAS_MORPH"))
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::morphTargetBinding, primitive.morphTargets.id());
   const auto instances = static_cast<GLsizei>(draw.instanceCount);
   if (primitive.indexType == GL_NONE)
     glDrawArraysInstancedBaseInstance(primitive.mode, 0, primitive.count, instances, draw.firstInstance);
@@ -121,42 +126,41 @@ void setCulling(bool doubleSided) {
 }
 
 // Draws a run of the list, changing program and material only where they change.
-Result<void> drawSorted(const FrameInput& in, const std::vector<const Draw*>& draws, bool blended,
-                        ProgramStore& programs, FrameStatistics& statistics) {
+Result<void> drawSorted(const FrameInput& in, const std::vector<Draw>& draws, bool blended, ProgramStore& programs,
+                        FrameStatistics& statistics) {
   const gl::Program* current = nullptr;
   const Draw* previous = nullptr;
-  for (const Draw* draw : draws) {
-    const auto program = meshProgram(draw->key, programs);
+  for (const Draw& draw : draws) {
+    const auto program = meshProgram(draw.key, programs);
     if (!program) return tl::unexpected(program.error());
     if (*program != current) glUseProgram((*program)->id());
     // The slots that are read depend on the primitive's attributes too, which the key holds.
-    if (*program != current || draw->material != previous->material) bindMaterial(in, *draw);
+    if (*program != current || draw.material != previous->material) bindMaterial(in, draw);
     current = *program;
-    previous = draw;
-    if (blended && draw->doubleSided && scene::hasTriangles(draw->primitive->topology)) {
+    previous = &draw;
+    if (blended && draw.doubleSided && scene::hasTriangles(draw.primitive->topology)) {
       // The far side of a closed shape first.
       glEnable(GL_CULL_FACE);
       glCullFace(GL_FRONT);
-      issue(in, *draw, statistics);
+      issue(in, draw, statistics);
       glCullFace(GL_BACK);
-      issue(in, *draw, statistics);
+      issue(in, draw, statistics);
       continue;
     }
-    setCulling(draw->doubleSided);
-    issue(in, *draw, statistics);
+    setCulling(draw.doubleSided);
+    issue(in, draw, statistics);
   }
   return {};
 }
 
-Result<void> drawOpaque(const FrameInput& in, ProgramStore& programs, FrameStatistics& statistics) {
-  if (in.list.opaque.empty()) return {};
+Result<void> drawOpaque(const FrameInput& in, const VisibleDraws& visible, ProgramStore& programs,
+                        FrameStatistics& statistics) {
+  if (visible.opaque.empty()) return {};
   statistics.passes.emplace_back("opaque");
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_GREATER);
   glDepthMask(GL_TRUE);
-  std::vector<const Draw*> draws;
-  for (const Draw& draw : in.list.opaque) draws.push_back(&draw);
-  return drawSorted(in, draws, false, programs, statistics);
+  return drawSorted(in, visible.opaque, false, programs, statistics);
 }
 
 Result<void> drawSky(const FrameInput& in, ProgramStore& programs, FrameStatistics& statistics) {
@@ -174,25 +178,27 @@ Result<void> drawSky(const FrameInput& in, ProgramStore& programs, FrameStatisti
   return {};
 }
 
-Result<void> drawBlended(const FrameInput& in, ProgramStore& programs, FrameStatistics& statistics) {
-  if (in.list.blended.empty()) return {};
+Result<void> drawBlended(const FrameInput& in, const VisibleDraws& visible, ProgramStore& programs,
+                         FrameStatistics& statistics) {
+  if (visible.blended.empty()) return {};
   statistics.passes.emplace_back("blend");
-  std::vector<const Draw*> draws;
-  for (const Draw& draw : in.list.blended) draws.push_back(&draw);
-  const glm::dvec3 eye = in.view.eye - in.list.origin;
-  std::ranges::stable_sort(draws, std::greater<>(), [&](const Draw* d) {
-    return in.view.orthographic ? glm::dot(glm::dvec3(d->center) - eye, in.view.forward)
-                                : glm::length(glm::dvec3(d->center) - eye);
-  });
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_GEQUAL);
   glDepthMask(GL_FALSE);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  Result<void> result = drawSorted(in, draws, true, programs, statistics);
+  Result<void> result = drawSorted(in, visible.blended, true, programs, statistics);
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
   return result;
+}
+
+// What lies in the rows that the targets hold.
+VisibleDraws visibleRows(const FrameInput& in, const Targets& targets) {
+  const auto clip = [&](int row) { return 2.0 * row / in.settings.height - 1; };
+  constexpr double marginPixels = 2;  // offsets within the pixel; lines and points are one pixel wide
+  return visibleDraws(in.list, in.view, {clip(in.firstRow), clip(in.firstRow + targets.height)},
+                      2 * marginPixels / std::min(in.settings.width, in.settings.height));
 }
 
 void clearTargets(const FrameInput& in, const Targets& targets) {
@@ -206,8 +212,8 @@ void clearTargets(const FrameInput& in, const Targets& targets) {
 }
 
 // One draw of the scene into targets.color.
-Result<FrameStatistics> drawScene(const FrameInput& in, const Targets& targets, int draw, int draws,
-                                  const glm::dvec2& offsetPixels, ProgramStore& programs) {
+Result<FrameStatistics> drawScene(const FrameInput& in, const VisibleDraws& visible, const Targets& targets, int draw,
+                                  int draws, const glm::dvec2& offsetPixels, ProgramStore& programs) {
   FrameStatistics statistics;
   const std::vector<layout::FrameUniforms> uniforms = {frameUniforms(in, draw, draws, offsetPixels)};
   const gl::Buffer frameBuffer = gl::Buffer::of(uniforms, "frame");
@@ -217,11 +223,16 @@ Result<FrameStatistics> drawScene(const FrameInput& in, const Targets& targets, 
   glBindBufferBase(GL_UNIFORM_BUFFER, layout::frameBinding, frameBuffer.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::instanceBinding, in.gpu.instances.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::lightBinding, in.gpu.lights.id());
+  if (in.gpu.joints) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::jointBinding, in.gpu.joints.id());
+  if (in.gpu.morphWeights)
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::morphWeightBinding, in.gpu.morphWeights.id());
   bindTables(in.tables);
   glCullFace(GL_BACK);
   glBindVertexArray(targets.noAttributes.id());
-  for (const auto pass : {drawOpaque, drawSky, drawBlended})
-    if (Result<void> result = pass(in, programs, statistics); !result) return tl::unexpected(result.error());
+  Result<void> drawn = drawOpaque(in, visible, programs, statistics);
+  if (drawn) drawn = drawSky(in, programs, statistics);
+  if (drawn) drawn = drawBlended(in, visible, programs, statistics);
+  if (!drawn) return tl::unexpected(drawn.error());
   for (GLuint unit = 0; unit < layout::materialSlotCount; ++unit) glBindSampler(unit, 0);
   if (targets.samples > 1) {
     statistics.passes.emplace_back("resolve");
@@ -292,11 +303,15 @@ Result<FrameStatistics> drawFrame(const FrameInput& in, const Targets& targets, 
     const glm::vec4 zero(0);
     glClearNamedFramebufferfv(targets.gathered.id(), GL_COLOR, 0, &zero.x);
   }
+  const VisibleDraws visible = visibleRows(in, targets);
+  const gl::Buffer visibleBuffer = gl::Buffer::of(visible.instances, "visible instances");
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::visibleBinding, visibleBuffer.id());
   const std::vector<glm::dvec2> offsets = jitter(draws);
   for (int i = 0; i < draws; ++i) {
-    Result<FrameStatistics> drawn = drawScene(in, targets, i, draws, offsets[static_cast<size_t>(i)], programs);
+    Result<FrameStatistics> drawn =
+        drawScene(in, visible, targets, i, draws, offsets[static_cast<size_t>(i)], programs);
     if (!drawn) return drawn;
-    if (i == 0) statistics = std::move(*drawn);
+    if (i == 0) statistics = std::move(*drawn), statistics.culled = visible.culled;
     if (targets.sum)
       if (Result<void> result = gather(targets, draws, programs); !result) return tl::unexpected(result.error());
   }

@@ -36,6 +36,7 @@ struct FrameStatistics {
   std::vector<std::string> passes;
   int draws = 0;
   uint64_t instances = 0, triangles = 0;
+  uint64_t culled = 0;  // instances of draws outside the picture
 };
 
 struct FrameInput {

@@ -1,6 +1,7 @@
 #include "frame/gpu_scene.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <cstring>
@@ -65,6 +66,38 @@ void addIndices(GpuPrimitive& gpu, const Primitive& primitive) {
   glVertexArrayElementBuffer(gpu.vertexArray.id(), gpu.buffers.back().id());
 }
 
+// Influences per vertex, then joint and bits of the weight.
+gl::Buffer uploadInfluences(const Primitive& primitive) {
+  std::vector<uint32_t> words = {static_cast<uint32_t>(primitive.influencesPerVertex)};
+  words.reserve(1 + 2 * primitive.influences.size());
+  for (const scene::Influence& influence : primitive.influences) {
+    words.push_back(influence.joint);
+    words.push_back(std::bit_cast<uint32_t>(influence.weight));
+  }
+  return gl::Buffer::of(words, "influences");
+}
+
+// The number of vertices, then target after target; what a target leaves out is zero.
+gl::Buffer uploadMorphTargets(const Primitive& primitive, const shading::VariantKey& key) {
+  const bool normals = shading::usesFeature(key, "MORPH_NORMALS"),
+             tangents = shading::usesFeature(key, "MORPH_TANGENTS"), colors = shading::usesFeature(key, "MORPH_COLORS");
+  const size_t vertices = primitive.positions.size();
+  const size_t stride = 3 + (normals ? 3u : 0u) + (tangents ? 3u : 0u) + (colors ? 4u : 0u);
+  std::vector<float> numbers = {std::bit_cast<float>(static_cast<uint32_t>(vertices))};
+  numbers.reserve(1 + primitive.targets.size() * vertices * stride);
+  const auto add = [&](const auto& values, size_t vertex, int components) {
+    for (int c = 0; c < components; ++c) numbers.push_back(values.empty() ? 0.0f : values[vertex][c]);
+  };
+  for (const scene::MorphTarget& target : primitive.targets)
+    for (size_t vertex = 0; vertex < vertices; ++vertex) {
+      add(target.positions, vertex, 3);
+      if (normals) add(target.normals, vertex, 3);
+      if (tangents) add(target.tangents, vertex, 3);
+      if (colors) add(target.colors, vertex, 4);
+    }
+  return gl::Buffer::of(numbers, "morph targets");
+}
+
 GpuPrimitive uploadPrimitive(const Primitive& primitive, const shading::VariantKey& key) {
   GpuPrimitive gpu;
   gpu.attributes = shading::attributeBits(key);
@@ -80,6 +113,8 @@ GpuPrimitive uploadPrimitive(const Primitive& primitive, const shading::VariantK
     addAttribute(gpu, layout::texCoord1Location, 2, primitive.texCoords[1], "texture coordinates 1");
   if (shading::usesFeature(key, "HAS_VERTEX_COLOR"))
     addAttribute(gpu, layout::colorLocation, 4, primitive.colors, "vertex colours");
+  if (shading::usesFeature(key, "HAS_SKIN")) gpu.influences = uploadInfluences(primitive);
+  if (shading::usesFeature(key, "HAS_MORPH")) gpu.morphTargets = uploadMorphTargets(primitive, key);
   addIndices(gpu, primitive);
   return gpu;
 }
@@ -202,9 +237,11 @@ size_t GpuScene::textureBytes() const {
 }
 
 size_t GpuScene::geometryBytes() const {
-  size_t sum = instances.bytes();
-  for (const auto& entry : primitives)
+  size_t sum = instances.bytes() + joints.bytes();
+  for (const auto& entry : primitives) {
     for (const gl::Buffer& buffer : entry.second.buffers) sum += buffer.bytes();
+    sum += entry.second.influences.bytes() + entry.second.morphTargets.bytes();
+  }
   return sum;
 }
 
@@ -258,6 +295,8 @@ void upload(GpuScene& gpu, const scene::Model& model, const DrawList& list, std:
       gpu.samplers.emplace_back(texture.sampler, createSampler(texture.sampler));
   uploadMaterials(gpu, list);
   gpu.instances = gl::Buffer::of(list.instances, "instances");
+  if (!list.joints.empty()) gpu.joints = gl::Buffer::of(list.joints, "joints");
+  if (!list.morphWeights.empty()) gpu.morphWeights = gl::Buffer::of(list.morphWeights, "morph weights");
   gpu.lights = gl::Buffer::of(list.lights, "lights");
 }
 

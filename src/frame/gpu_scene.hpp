@@ -19,7 +19,8 @@ namespace facet::frame {
 struct GpuPrimitive {
   gl::VertexArray vertexArray;
   std::vector<gl::Buffer> buffers;
-  uint32_t attributes = 0;  // shading::attributeBits of what is present
+  gl::Buffer influences, morphTargets;  // shaders/deformation.glsl; where a skin or weights deform it
+  uint32_t attributes = 0;              // shading::attributeBits of what is present
   GLenum mode = GL_TRIANGLES;
   GLenum indexType = GL_NONE;  // GL_NONE: not indexed
   GLsizei count = 0;
@@ -38,7 +39,7 @@ struct GpuScene {
   std::map<TextureUse, gl::Texture> textures;
   std::vector<std::pair<scene::Sampler, gl::Sampler>> samplers;
   gl::Texture placeholder;
-  gl::Buffer materials, instances, lights;
+  gl::Buffer materials, instances, lights, joints, morphWeights;
   size_t materialStride = 0;
   int imagesDecoded = 0;
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <thread>
 
+#include "scene/animation.hpp"
 #include "scene/builtin_scenes.hpp"
 
 namespace facet::frame {
@@ -20,17 +21,17 @@ std::optional<int> parseIndex(const std::string& text) {
 }
 
 // The file's camera by name, else by index.
-Result<scene::PlacedCamera> findCamera(const std::string& wanted, const scene::Model& model, const DrawList& list) {
+Result<FileCamera> findCamera(const std::string& wanted, const scene::Model& model, const DrawList& list) {
   std::string known;
-  for (const scene::PlacedCamera& placed : list.cameras) {
-    const scene::Camera& camera = model.cameras[static_cast<size_t>(placed.camera)];
-    if (camera.name == wanted || model.nodes[static_cast<size_t>(placed.node)].name == wanted) return placed;
-    known += (known.empty() ? "" : ", ") + std::to_string(placed.camera) +
-             (camera.name.empty() ? "" : " (" + camera.name + ")");
+  for (const FileCamera& camera : list.cameras) {
+    const std::string& name = camera.lens.name;
+    if (name == wanted || model.nodes[static_cast<size_t>(camera.placed.node)].name == wanted) return camera;
+    known +=
+        (known.empty() ? "" : ", ") + std::to_string(camera.placed.camera) + (name.empty() ? "" : " (" + name + ")");
   }
   if (const std::optional<int> index = parseIndex(wanted))
-    for (const scene::PlacedCamera& placed : list.cameras)
-      if (placed.camera == *index) return placed;
+    for (const FileCamera& camera : list.cameras)
+      if (camera.placed.camera == *index) return camera;
   return fail(model.name, "", "the scene has no camera '" + wanted + "'",
               known.empty() ? "it has none at all: leave out --camera" : "it has " + known);
 }
@@ -114,6 +115,7 @@ DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment) {
   if (settings.samples > convergedAbove) options.features.imageLightSamples = convergedLightSamples;
   options.sceneLights = settings.lights != Lights::none;
   options.demoLights = settings.lights == Lights::demo;
+  options.moving = !settings.animation.empty();
   return options;
 }
 
@@ -123,6 +125,31 @@ Result<int> chooseScene(const PictureSettings& settings, const scene::Model& mod
     return fail(model.name, "", "there is no scene " + std::to_string(scene),
                 "the file has " + std::to_string(model.scenes.size()));
   return scene;
+}
+
+Result<scene::Pose> choosePose(const PictureSettings& settings, const scene::Model& model) {
+  const Result<std::vector<int>> animations = scene::chooseAnimations(model, settings.animation);
+  if (!animations) return tl::unexpected(animations.error());
+  return scene::poseAt(model, *animations, settings.timeSeconds);
+}
+
+scene::Bounds framingBounds(const PictureSettings& settings, const scene::Model& model, int scene,
+                            const scene::Bounds& poseBounds) {
+  const Result<std::vector<int>> animations = scene::chooseAnimations(model, settings.animation);
+  const bool given = !settings.camera.empty() || (settings.target && settings.orbit && settings.orbit->radius);
+  if (!animations || animations->empty() || given) return poseBounds;
+  double end = 0;
+  for (const int animation : *animations)
+    end = std::max(end, scene::duration(model.animations[static_cast<size_t>(animation)]));
+  // Large scenes take few moments, because each is a walk through all nodes.
+  const size_t moments = std::clamp<size_t>(2'000'000 / (model.nodes.size() + 1), 8, 64);
+  scene::Bounds all;
+  for (size_t i = 0; i < moments; ++i) {
+    const double time = end * static_cast<double>(i) / static_cast<double>(moments - 1);
+    const scene::Bounds bounds = scene::sceneBounds(model, scene, scene::poseAt(model, *animations, time));
+    if (!bounds.empty()) all.add(bounds.min), all.add(bounds.max);
+  }
+  return all;
 }
 
 scene::OrbitCamera chooseOrbit(const frame::PictureSettings& settings, const std::string& source,
@@ -144,14 +171,13 @@ scene::OrbitCamera chooseOrbit(const frame::PictureSettings& settings, const std
 }
 
 Result<scene::View> chooseView(const PictureSettings& settings, const std::string& source, const scene::Model& model,
-                               const DrawList& list) {
+                               const DrawList& list, const scene::Bounds& framing) {
   const double aspect = static_cast<double>(settings.width) / settings.height;
-  if (settings.camera.empty()) return scene::orbitView(chooseOrbit(settings, source, list.bounds), aspect, list.bounds);
-  const Result<scene::PlacedCamera> placed = findCamera(settings.camera, model, list);
-  if (!placed) return tl::unexpected(placed.error());
-  scene::Camera camera = model.cameras[static_cast<size_t>(placed->camera)];
-  if (settings.fovYDeg) camera.fovY = glm::radians(*settings.fovYDeg), camera.aspectRatio = 0;
-  return scene::cameraView(camera, placed->worldFromNode, aspect, list.bounds);
+  if (settings.camera.empty()) return scene::orbitView(chooseOrbit(settings, source, framing), aspect, list.bounds);
+  Result<FileCamera> camera = findCamera(settings.camera, model, list);
+  if (!camera) return tl::unexpected(camera.error());
+  if (settings.fovYDeg) camera->lens.fovY = glm::radians(*settings.fovYDeg), camera->lens.aspectRatio = 0;
+  return scene::cameraView(camera->lens, camera->placed.worldFromNode, aspect, list.bounds);
 }
 
 std::string chooseEnvironment(const PictureSettings& settings, const std::string& source, const scene::Model& model,
@@ -197,9 +223,12 @@ Result<PreparedPicture> preparePicture(const PictureSettings& settings, SceneOnG
   if (!sceneIndex) return tl::unexpected(sceneIndex.error());
   PreparedPicture prepared;
   const bool lit = environment.environment != nullptr;
-  prepared.list = buildDrawList(model, *sceneIndex, drawOptions(settings, lit));
+  const Result<scene::Pose> pose = choosePose(settings, model);
+  if (!pose) return tl::unexpected(pose.error());
+  prepared.list = buildDrawList(model, *sceneIndex, drawOptions(settings, lit), *pose);
   const DrawList& list = prepared.list;
-  const Result<scene::View> view = chooseView(settings, scene.source, model, list);
+  const Result<scene::View> view =
+      chooseView(settings, scene.source, model, list, framingBounds(settings, model, *sceneIndex, list.bounds));
   if (!view) return tl::unexpected(view.error());
   prepared.view = *view;
   const bool skyVisible = settings.background == Background::environment && lit && list.features.channel == 0;

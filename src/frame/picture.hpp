@@ -33,13 +33,21 @@ DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment);
 // Errors: no such scene in the model.
 Result<int> chooseScene(const PictureSettings& settings, const scene::Model& model);
 
+// The pose that the settings ask for, of the chosen scene. Errors: no such animation.
+Result<scene::Pose> choosePose(const PictureSettings& settings, const scene::Model& model);
+
+// What a view of everything takes in, world: the scene's bounds; where an animation is chosen, those of its whole
+// course (of up to 64 moments), so that each of its frames gets the same view. pose: the chosen one.
+scene::Bounds framingBounds(const PictureSettings& settings, const scene::Model& model, int scene,
+                            const scene::Bounds& poseBounds);
+
 // The orbit that the settings ask for: what they leave open, a built-in scene's own camera or a view of all of the
 // bounds fills in. source: the file, or builtin:NAME.
 scene::OrbitCamera chooseOrbit(const PictureSettings& settings, const std::string& source, const scene::Bounds& bounds);
 
-// The file's camera where the settings name one, else chooseOrbit. Errors: no such camera.
+// The file's camera where the settings name one, else chooseOrbit of framing. Errors: no such camera.
 Result<scene::View> chooseView(const PictureSettings& settings, const std::string& source, const scene::Model& model,
-                               const DrawList& list);
+                               const DrawList& list, const scene::Bounds& framing);
 
 // The environment's name: the one that was chosen, else what a built-in scene is made for, else the studio, or none for
 // a scene that nothing could light.

@@ -31,6 +31,9 @@ struct PictureSettings {
   std::string camera;                // name or index of a camera in the file; empty: none. Excludes orbit and target.
   int scene = -1;                    // index; -1: the file's default scene
 
+  std::string animation;   // name or index of an animation in the file, "all"; empty: none, the model is at rest
+  double timeSeconds = 0;  // at which the animation stands, [0, 1e6]
+
   std::string environment;           // "builtin:NAME", a path, "none"; empty: a built-in one is chosen
   float environmentRotationDeg = 0;  // about +Y
   float environmentStrength = 1;     // factor, [0, 1e6]

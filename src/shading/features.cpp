@@ -1,5 +1,6 @@
 #include "shading/features.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cstring>
 
@@ -41,6 +42,9 @@ bool metallicRoughnessTexture(const FeatureInput& in) {
 bool normalTexture(const FeatureInput& in) {
   return sampled(in, TextureSlot::normal) && wanted(in, "normal") && !in.primitive.tangents.empty();
 }
+bool readsTangent(const FeatureInput& in) {
+  return normalTexture(in) || (channelIs(in, "tangent") && !in.primitive.tangents.empty());
+}
 bool occlusionTexture(const FeatureInput& in) {
   return in.frame.occlusion && sampled(in, TextureSlot::occlusion) &&
          (in.frame.channel == 0 ? !unlit(in) && in.frame.environment : channelIs(in, "occlusion"));
@@ -63,6 +67,19 @@ bool samplesSlotOf(const FeatureInput& in, TextureSlot slot) {
   return false;
 }
 
+bool skinned(const FeatureInput& in) { return in.deformation.skinned && !in.primitive.influences.empty(); }
+bool morphed(const FeatureInput& in) { return in.deformation.morphed && !in.primitive.targets.empty(); }
+bool flatPerPixel(const FeatureInput& in) {
+  return readsNormal(in) && in.primitive.flatNormals && (skinned(in) || morphed(in));
+}
+
+// Does any target change this attribute?
+template <class T>
+bool targetsChange(const FeatureInput& in, std::vector<T> scene::MorphTarget::*attribute) {
+  return morphed(in) && std::ranges::any_of(in.primitive.targets,
+                                            [&](const scene::MorphTarget& t) { return !(t.*attribute).empty(); });
+}
+
 bool anySlot(const FeatureInput& in, bool (*test)(const TextureRef&)) {
   for (const TextureSlot slot : scene::textureSlots)
     if (samplesSlotOf(in, slot) && test(textureRef(in.material, slot))) return true;
@@ -71,10 +88,7 @@ bool anySlot(const FeatureInput& in, bool (*test)(const TextureRef&)) {
 
 constexpr FeatureRow rows[] = {
     {"normals", "HAS_NORMAL", readsNormal},
-    {"tangents", "HAS_TANGENT",
-     [](const FeatureInput& in) {
-       return normalTexture(in) || (channelIs(in, "tangent") && !in.primitive.tangents.empty());
-     }},
+    {"tangents", "HAS_TANGENT", readsTangent},
     {"uv0", "HAS_TEXCOORD_0",
      [](const FeatureInput& in) {
        return !in.primitive.texCoords[0].empty() &&
@@ -84,6 +98,19 @@ constexpr FeatureRow rows[] = {
      [](const FeatureInput& in) { return anySlot(in, [](const TextureRef& ref) { return ref.texCoord == 1; }); }},
     {"vertex colours", "HAS_VERTEX_COLOR",
      [](const FeatureInput& in) { return !in.primitive.colors.empty() && readsBaseColor(in); }},
+    {"skin", "HAS_SKIN", skinned},
+    {"morph targets", "HAS_MORPH", morphed},
+    {"morphed normals", "MORPH_NORMALS",
+     [](const FeatureInput& in) {
+       return readsNormal(in) && !flatPerPixel(in) && targetsChange(in, &scene::MorphTarget::normals);
+     }},
+    {"morphed tangents", "MORPH_TANGENTS",
+     [](const FeatureInput& in) { return readsTangent(in) && targetsChange(in, &scene::MorphTarget::tangents); }},
+    {"morphed colours", "MORPH_COLORS",
+     [](const FeatureInput& in) {
+       return !in.primitive.colors.empty() && readsBaseColor(in) && targetsChange(in, &scene::MorphTarget::colors);
+     }},
+    {"flat normals per pixel", "FLAT_NORMALS", flatPerPixel},
     {"base colour texture", "HAS_BASE_COLOR_TEXTURE", baseColorTexture},
     {"metallic-roughness texture", "HAS_METALLIC_ROUGHNESS_TEXTURE", metallicRoughnessTexture},
     {"normal texture", "HAS_NORMAL_TEXTURE", normalTexture},
@@ -149,8 +176,9 @@ std::string variantName(const VariantKey& key) {
 }
 
 uint32_t attributeBits(const VariantKey& key) {
-  constexpr const char* attributes[] = {"HAS_NORMAL", "HAS_TANGENT", "HAS_TEXCOORD_0", "HAS_TEXCOORD_1",
-                                        "HAS_VERTEX_COLOR"};
+  constexpr const char* attributes[] = {"HAS_NORMAL",       "HAS_TANGENT", "HAS_TEXCOORD_0", "HAS_TEXCOORD_1",
+                                        "HAS_VERTEX_COLOR", "HAS_SKIN",    "HAS_MORPH",      "MORPH_NORMALS",
+                                        "MORPH_TANGENTS",   "MORPH_COLORS"};
   uint32_t bits = 0;
   for (size_t i = 0; i < std::size(rows); ++i)
     for (const char* attribute : attributes)

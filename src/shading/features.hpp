@@ -32,10 +32,16 @@ struct FrameFeatures {
   int imageLightSamples = 0;  // 0: split sum from the tables; else environment samples per shaded sample
 };
 
+// What moves the vertices of a drawn instance besides its matrix.
+struct Deformation {
+  bool skinned = false, morphed = false;
+};
+
 struct FeatureInput {
   const scene::Material& material;
   const scene::Primitive& primitive;
   const FrameFeatures& frame;
+  Deformation deformation = {};
 };
 
 struct FeatureRow {
@@ -62,7 +68,7 @@ VariantKey variantKey(const FeatureInput& input);
 std::vector<Define> variantDefines(const VariantKey& key);
 std::string variantName(const VariantKey& key);  // "normal, uv0, base colour texture, environment"
 
-// The bits of the key that ask for a vertex attribute.
+// The bits of the key that ask for a vertex attribute or another buffer of the primitive.
 uint32_t attributeBits(const VariantKey& key);
 
 // True where the key's draws read punctual lights, the environment, the DFG table.

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "view/camera_control.hpp"
+#include "view/playback.hpp"
 
 namespace facet::view {
 
@@ -40,6 +41,9 @@ void takeKey(const KeyPress& press, const std::optional<scene::View>& view, View
       break;
     case GLFW_KEY_E:
       state.settings.environment = nextEnvironment(state.shown.environment);
+      break;
+    case GLFW_KEY_SPACE:
+      togglePlaying(state);
       break;
     case GLFW_KEY_P:
     case GLFW_KEY_F12:
@@ -83,6 +87,7 @@ const std::vector<Shortcut> shortcuts = {
     {"F, Home", "frame all"},
     {"R", "reset the camera"},
     {"E", "next built-in environment"},
+    {"Space", "play, pause"},
     {"P, F12", "screenshot"},
     {"H, Tab", "hide or show the panel"},
     {"Esc, Ctrl+Q", "quit"},

@@ -9,14 +9,13 @@
 #include "base/srgb.hpp"
 #include "commands/picture_options.hpp"
 #include "shading/features.hpp"
+#include "view/playback.hpp"
 #include "view/statistics_panel.hpp"
 #include "view/style.hpp"
 
 namespace facet::view {
 
 namespace {
-
-constexpr float panelEms = 21;  // width in font sizes
 
 bool section(const char* name, bool open = true) {
   return ImGui::CollapsingHeader(name, open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
@@ -195,15 +194,6 @@ void header(ViewerState& state, PanelResult& result) {
   ImGui::Spacing();
 }
 
-Area windowArea() {
-  const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
-  return {{at.x, at.y}, {at.x + size.x, at.y + size.y}};
-}
-
-constexpr ImGuiWindowFlags fixedWindow = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
-                                         ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                                         ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNavFocus;
-
 // Below everything; where the panel is hidden only what is under way and what went wrong.
 void statusLine(const ViewerState& state, PanelResult& result) {
   const bool loading = !state.loading.empty();
@@ -231,6 +221,11 @@ void statusLine(const ViewerState& state, PanelResult& result) {
 
 }  // namespace
 
+Area windowArea() {
+  const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  return {{at.x, at.y}, {at.x + size.x, at.y + size.y}};
+}
+
 PanelResult drawPanel(ViewerState& state) {
   PanelResult result;
   if (state.panelVisible) {
@@ -254,6 +249,7 @@ PanelResult drawPanel(ViewerState& state) {
     }
     ImGui::End();
   }
+  drawTimeline(state, result);
   statusLine(state, result);
   return result;
 }

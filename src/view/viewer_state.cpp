@@ -5,6 +5,7 @@
 #include <set>
 
 #include "frame/picture.hpp"
+#include "scene/animation.hpp"
 #include "scene/builtin_environments.hpp"
 #include "scene/builtin_scenes.hpp"
 
@@ -41,7 +42,14 @@ ListRequest listRequest(const ViewerState& state, int scene, bool hasEnvironment
   request.skyVisible =
       hasEnvironment && request.channel == 0 && state.settings.background == frame::Background::environment;
   if (state.material.on) request.material = state.material;
+  request.animation = state.settings.animation;
+  if (!request.animation.empty()) request.timeSeconds = state.settings.timeSeconds;
   return request;
+}
+
+bool differsInTimeOnly(ListRequest a, const ListRequest& b) {
+  a.timeSeconds = b.timeSeconds;
+  return a == b;
 }
 
 frame::PictureSettings commandSettings(const ViewerState& state) {
@@ -55,7 +63,8 @@ frame::PictureSettings commandSettings(const ViewerState& state) {
 }
 
 Result<scene::View> viewOf(const ViewerState& state, const scene::Model& model, const frame::DrawList& list) {
-  if (!state.settings.camera.empty()) return frame::chooseView(state.settings, state.shown.model, model, list);
+  if (!state.settings.camera.empty())
+    return frame::chooseView(state.settings, state.shown.model, model, list, list.bounds);
   const double aspect = static_cast<double>(state.settings.width) / state.settings.height;
   return scene::orbitView(state.camera, aspect, list.bounds);
 }
@@ -81,6 +90,21 @@ std::vector<std::string> builtinEnvironmentSources() {
 void offerEnvironment(ViewerState& state, const std::string& source) {
   if (std::ranges::find(state.environments, source) != state.environments.end()) return;
   state.environments.insert(std::ranges::find(state.environments, "none"), source);
+}
+
+std::vector<AnimationName> animationNames(const scene::Model& model) {
+  std::vector<AnimationName> names;
+  AnimationName all{"all", "all at once", 0};
+  for (size_t i = 0; i < model.animations.size(); ++i) {
+    const std::string& name = model.animations[i].name;
+    const auto same = std::ranges::count(model.animations, name, &scene::Animation::name);
+    const std::string index = std::to_string(i);
+    names.push_back({name.empty() || name == "all" || same > 1 ? index : name,
+                     name.empty() ? "animation " + index : name, scene::duration(model.animations[i])});
+    all.duration = std::max(all.duration, names.back().duration);
+  }
+  if (names.size() > 1) names.push_back(all);
+  return names;
 }
 
 std::string nextEnvironment(const std::string& current) {

@@ -42,12 +42,24 @@ struct CameraName {
   std::string option, label;
 };
 
+// An animation of the file, or all of them at once: what `--animation` calls it.
+struct AnimationName {
+  std::string option, label;
+  double duration = 0;  // seconds
+};
+
+struct Playback {
+  bool playing = false, loop = true;
+  double speed = 1;  // seconds of the animation per second; negative: backwards
+};
+
 // What is on the screen now.
 struct ShownScene {
   std::string model;        // source: a path or "builtin:NAME"
   std::string environment;  // source, or "none"
   scene::Bounds bounds;
   std::vector<CameraName> cameras;
+  std::vector<AnimationName> animations;
   std::vector<std::string> scenes;
   int scene = 0;
   int sceneLights = 0;  // lights in the file's scene
@@ -62,6 +74,7 @@ struct ViewerState {
   scene::OrbitCamera camera;
   scene::OrbitCamera startCamera;  // what reset returns to
   MaterialChoice material;
+  Playback playback;
   std::vector<std::string> environments;  // that are offered: the built-in ones, those that were given, "none"
 
   ShownScene shown;
@@ -79,9 +92,13 @@ struct ListRequest {
   bool sceneLights = true, demoLights = false;
   bool skyVisible = false;
   MaterialChoice material;
+  std::string animation;
+  double timeSeconds = 0;  // where an animation is chosen
 
   bool operator==(const ListRequest&) const = default;
 };
+// The same but for the time: only what moves is new.
+bool differsInTimeOnly(ListRequest a, const ListRequest& b);
 ListRequest listRequest(const ViewerState& state, int scene, bool hasEnvironment);
 frame::DrawOptions drawOptions(const ViewerState& state, bool hasEnvironment);
 
@@ -96,6 +113,9 @@ void freeCamera(ViewerState& state, const scene::View& view);
 
 // Offers the environment where it is not yet offered; before "none".
 void offerEnvironment(ViewerState& state, const std::string& source);
+
+// What the timeline offers: by name, by index where a name is missing or not unique; "all" where there are several.
+std::vector<AnimationName> animationNames(const scene::Model& model);
 
 // The built-in environments and "none".
 std::vector<std::string> builtinEnvironmentSources();

@@ -53,13 +53,13 @@ void describeShown(const Viewport& viewport, ViewerState& state) {
   shown.scene = viewport.built.scene;
   shown.bounds = viewport.list.bounds;
   shown.cameras.clear();
-  for (const scene::PlacedCamera& placed : viewport.list.cameras) {
-    const scene::Camera& camera = model.cameras[static_cast<size_t>(placed.camera)];
-    const std::string& node = model.nodes[static_cast<size_t>(placed.node)].name;
-    const std::string& name = camera.name.empty() ? node : camera.name;
-    const std::string index = std::to_string(placed.camera);
+  for (const frame::FileCamera& camera : viewport.list.cameras) {
+    const std::string& node = model.nodes[static_cast<size_t>(camera.placed.node)].name;
+    const std::string& name = camera.lens.name.empty() ? node : camera.lens.name;
+    const std::string index = std::to_string(camera.placed.camera);
     shown.cameras.push_back({name.empty() ? index : name, name.empty() ? "camera " + index : name});
   }
+  shown.animations = animationNames(model);
   shown.scenes.clear();
   for (size_t i = 0; i < model.scenes.size(); ++i)
     shown.scenes.push_back(model.scenes[i].name.empty() ? "scene " + std::to_string(i) : model.scenes[i].name);
@@ -67,6 +67,15 @@ void describeShown(const Viewport& viewport, ViewerState& state) {
   shown.statistics.variants = variantCount(viewport.list);
   shown.statistics.images = static_cast<int>(model.images.size());
   describeNotes(viewport, shown);
+}
+
+// Of one pose to the next of what is shown: same programs and tables, nothing to be told.
+void move(Viewport& viewport, ViewerState& state, frame::DrawList list, const ListRequest& request) {
+  viewport.list = std::move(list);
+  viewport.built = request;
+  viewport.asked.reset();
+  ++viewport.listNumber;
+  state.shown.bounds = viewport.list.bounds;
 }
 
 size_t bytesOf(std::initializer_list<const gl::Texture*> textures) {
@@ -128,7 +137,9 @@ void show(Viewport& viewport, ViewerState& state, EnvironmentSlot* environment, 
   describeShown(viewport, state);
   offerEnvironment(state, environment->source);
   if (otherScene && state.settings.camera.empty()) {
-    state.camera = state.startCamera = frame::chooseOrbit(state.settings, state.shown.model, state.shown.bounds);
+    const scene::Bounds framing =
+        frame::framingBounds(state.settings, viewport.scene->loaded->model, request.scene, state.shown.bounds);
+    state.camera = state.startCamera = frame::chooseOrbit(state.settings, state.shown.model, framing);
     state.settings.orbit.reset();
     state.settings.target.reset();
     state.settings.fovYDeg.reset();
@@ -196,6 +207,8 @@ void takeModel(Viewport& viewport, ViewerState& state, ModelLoaded loaded) {
     if (const std::optional<scene::View> view = currentView(viewport, state)) freeCamera(state, *view);
     state.settings.camera.clear();
     state.settings.scene = -1;
+    state.settings.animation.clear();
+    state.playback.playing = false;
   }
   auto slot = std::make_unique<SceneSlot>();
   slot->source = loaded.source;
@@ -252,7 +265,13 @@ bool bringUp(Viewport& viewport, ViewerState& state, Loader& loader) {
   if ((isShown && request == viewport.built) || request == viewport.failed) return false;
   if (request == viewport.asked && (!environment || loader.images.running())) return false;
 
-  frame::DrawList list = frame::buildDrawList(model, *index, drawOptions(state, source != "none"));
+  const Result<scene::Pose> pose = frame::choosePose(state.settings, model);
+  if (!pose) {
+    complain(state, pose.error());
+    state.settings.animation.clear();
+    return false;
+  }
+  frame::DrawList list = frame::buildDrawList(model, *index, drawOptions(state, source != "none"), *pose);
   std::vector<bool> missing = frame::missingImages(model, list, scene->onGpu.gpu);
   for (size_t i = 0; i < scene->pixels.size(); ++i) missing[i] = missing[i] && scene->pixels[i].width == 0;
   const bool complete = std::ranges::none_of(missing, std::identity());
@@ -262,7 +281,10 @@ bool bringUp(Viewport& viewport, ViewerState& state, Loader& loader) {
 
   if (Result<void> r = putOnGpu(viewport, *scene, *environment, list, request, state); !r)
     return giveUp(viewport, state, request, r.error()), false;
-  show(viewport, state, environment, std::move(list), request);
+  if (isShown && differsInTimeOnly(request, viewport.built))
+    move(viewport, state, std::move(list), request);
+  else
+    show(viewport, state, environment, std::move(list), request);
   return true;
 }
 

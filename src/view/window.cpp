@@ -17,6 +17,7 @@
 #include "view/controls.hpp"
 #include "view/input.hpp"
 #include "view/panel.hpp"
+#include "view/playback.hpp"
 #include "view/screenshot.hpp"
 #include "view/shader_watch.hpp"
 #include "view/style.hpp"
@@ -182,7 +183,9 @@ bool turn(Loop& loop, Viewport& viewport, ViewerState& state, Loader& loader, st
   const bool reloaded = shadersChanged(loop.shaders, loop.last);
   if (reloaded) reloadShaders(viewport, state);
   if (input.any || reloaded || flight.rightUpForward != glm::dvec3(0)) loop.framesToDraw = settlingFrames;
-  if (wasLoading) loop.framesToDraw = std::max(loop.framesToDraw, 1);
+  advance(state, seconds);
+  const bool moves = state.playback.playing && chosenDuration(state) > 0;
+  if (wasLoading || moves) loop.framesToDraw = std::max(loop.framesToDraw, 1);
 
   if (loop.framesToDraw > 0) {
     ImGui_ImplOpenGL3_NewFrame();
@@ -226,11 +229,12 @@ Result<Start> prepareStart(const WindowOptions& options) {
   const scene::Model& model = (*loaded.model)->model;
   const Result<int> index = frame::chooseScene(settings, model);
   if (!index) return tl::unexpected(index.error());
+  if (const Result<scene::Pose> pose = frame::choosePose(settings, model); !pose) return tl::unexpected(pose.error());
   if (settings.environment.empty())
     startEnvironment(loader, frame::chooseEnvironment(settings, options.model, model, *index));
   if (!settings.camera.empty()) {
     const frame::DrawList list = frame::buildDrawList(model, *index, frame::drawOptions(settings, false));
-    if (Result<scene::View> view = frame::chooseView(settings, options.model, model, list); !view)
+    if (Result<scene::View> view = frame::chooseView(settings, options.model, model, list, list.bounds); !view)
       return tl::unexpected(view.error());
   }
   EnvironmentLoaded environment = *loader.environment.take(true);
@@ -252,6 +256,7 @@ Result<void> runWindow(const WindowOptions& options, Start start) {
 
   ViewerState state;
   state.settings = options.settings;
+  state.playback.playing = !state.settings.animation.empty();
   state.environments = builtinEnvironmentSources();
   state.openGL = openGLText(context->info());
   Viewport viewport = createViewport(context->info(), options);

@@ -1,0 +1,23 @@
+#pragma once
+
+// Playing animations: the clock, and the timeline at the window's bottom.
+
+#include "view/panel.hpp"
+#include "view/viewer_state.hpp"
+
+namespace facet::view {
+
+// The last moment of what is chosen, seconds; 0: nothing is.
+double chosenDuration(const ViewerState& state);
+
+// Moves state.settings.timeSeconds on by `seconds` of the user's time. Past the end (or the beginning, where the speed
+// is negative) it goes on from the other end or, without loop, stops there.
+void advance(ViewerState& state, double seconds);
+
+// Plays what is chosen, the first animation where nothing is, from the beginning where the end was reached; or pauses.
+void togglePlaying(ViewerState& state);
+
+// For scenes that have animations.
+void drawTimeline(ViewerState& state, PanelResult& result);
+
+}  // namespace facet::view
