@@ -104,3 +104,17 @@ TEST_CASE("jobs: the file is read, and its folder is where paths start") {
   CHECK(describe(commands::readJobs(none).error()) == none.string() + ": there is no such file.");
   CHECK(describe(commands::readJobs(folder.path()).error()) == folder.path().string() + ": this is no regular file.");
 }
+
+TEST_CASE("jobs: a frame's number goes where the pattern says") {
+  CHECK(commands::numberedName("f_%04d.png", 7).value() == "f_0007.png");
+  CHECK(commands::numberedName("f_%04d.png", 123456).value() == "f_123456.png");
+  CHECK(commands::numberedName("%d.exr", 0).value() == "0.exr");
+  CHECK(commands::numberedName("50%%_%03d.png", 12).value() == "50%_012.png");
+  for (const char* wrong : {"f.png", "%d_%d.png", "%s.png", "%4d.png", "%0d.png", "%", "%012d.png"}) {
+    INFO(wrong);
+    const auto name = commands::numberedName(wrong, 1);
+    REQUIRE_FALSE(name);
+    CHECK(describe(name.error()) ==
+          "-o: " + std::string(wrong) + " does not say where the frame's number goes; give a name like frame_%04d.png");
+  }
+}

@@ -54,7 +54,7 @@ TEST_CASE("Draw list: nodes that share a mesh are one instanced draw, mirrored o
   CHECK(list.instances[0].normalFromLocal[0].w == 1);
 }
 
-TEST_CASE("Draw list: blended draws come one by one with their own centres, opaque ones sorted by program, material") {
+TEST_CASE("Draw list: blended draws come one by one with their own bounds, opaque ones sorted by program, material") {
   test::GltfBuilder builder = test::triangle();
   builder.json["materials"] = {{{"alphaMode", "BLEND"}}, json::object(), {{"doubleSided", true}}, json::object()};
   builder.json["meshes"] = json::array();
@@ -70,8 +70,8 @@ TEST_CASE("Draw list: blended draws come one by one with their own centres, opaq
   REQUIRE(list.blended.size() == 2);
   CHECK(list.blended[0].instanceCount == 1);
   CHECK(list.blended[0].firstInstance != list.blended[1].firstInstance);
-  CHECK(list.blended[0].center.z == Approx(4));
-  CHECK(list.blended[1].center.z == Approx(-4));
+  CHECK(list.instanceBounds[list.blended[0].firstBounds].center().z == Approx(4));
+  CHECK(list.instanceBounds[list.blended[1].firstBounds].center().z == Approx(-4));
   REQUIRE(list.opaque.size() == 3);
   CHECK(list.opaque[0].material == 1);  // the plain variant first, by material
   CHECK(list.opaque[1].material == 3);

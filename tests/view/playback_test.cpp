@@ -1,0 +1,79 @@
+#include "view/playback.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace facet;
+
+namespace {
+
+view::ViewerState playing() {
+  view::ViewerState state;
+  state.shown.animations = {{"walk", "walk", 2}, {"1", "animation 1", 5}};
+  state.settings.animation = "walk";
+  state.settings.timeSeconds = 1.5;
+  state.playback.playing = true;
+  return state;
+}
+
+}  // namespace
+
+TEST_CASE("playback: time goes on with the clock, times the speed, and around") {
+  view::ViewerState state = playing();
+  view::advance(state, 0.25);
+  CHECK(state.settings.timeSeconds == Approx(1.75));
+  state.playback.speed = 2;
+  view::advance(state, 0.25);
+  CHECK(state.settings.timeSeconds == Approx(0.25));
+  state.playback.speed = -1;
+  view::advance(state, 0.5);
+  CHECK(state.settings.timeSeconds == Approx(1.75));
+  state.playback.playing = false;
+  view::advance(state, 0.5);
+  CHECK(state.settings.timeSeconds == Approx(1.75));
+}
+
+TEST_CASE("playback: without loop it stops at the end and begins anew") {
+  view::ViewerState state = playing();
+  state.playback.loop = false;
+  view::advance(state, 10);
+  CHECK(state.settings.timeSeconds == 2);
+  CHECK_FALSE(state.playback.playing);
+  view::togglePlaying(state);
+  CHECK(state.settings.timeSeconds == 0);
+  CHECK(state.playback.playing);
+}
+
+TEST_CASE("playback: at rest, the first animation is what plays") {
+  view::ViewerState state = playing();
+  state.settings.animation.clear();
+  state.playback.playing = false;
+  CHECK(view::chosenDuration(state) == 0);
+  view::togglePlaying(state);
+  CHECK(state.settings.animation == "walk");
+  CHECK(state.settings.timeSeconds == 0);
+  CHECK(state.playback.playing);
+  view::ViewerState still;
+  view::togglePlaying(still);
+  CHECK_FALSE(still.playback.playing);
+}
+
+TEST_CASE("playback: names, indices where names don't tell, all at once") {
+  scene::Model model;
+  CHECK(view::animationNames(model).empty());
+  scene::AnimationSampler sampler;
+  sampler.times = {0, 3};
+  for (const char* name : {"run", "", "jump", "jump"}) {
+    model.animations.push_back({name, {sampler}, {{}}});
+    sampler.times[1] += 1;
+  }
+  const auto names = view::animationNames(model);
+  REQUIRE(names.size() == 5);
+  CHECK(names[0].option == "run");
+  CHECK(names[1].option == "1");
+  CHECK(names[1].label == "animation 1");
+  CHECK(names[2].option == "2");
+  CHECK(names[2].label == "jump");
+  CHECK(names[3].option == "3");
+  CHECK(names[4].option == "all");
+  CHECK(names[4].duration == 6);
+}
