@@ -66,6 +66,38 @@ glm::dmat4 localTransform(const Node& node) {
   return m;
 }
 
+void decompose(Node& node) {
+  if (!node.matrix) return;
+  const glm::dmat4 m = *node.matrix;
+  node.matrix.reset();
+  node.translation = glm::dvec3(m[3]);
+  glm::dmat3 axes(0);
+  int first = -1, missing = -1, count = 0;
+  for (int c = 0; c < 3; ++c) {
+    const glm::dvec3 column(m[c]);
+    const glm::dvec3 unit = safeNormalize(column);
+    node.scale[c] = glm::dot(unit, column);
+    glm::dvec3 rest = unit;
+    for (int before = 0; before < c; ++before) rest -= axes[before] * glm::dot(axes[before], unit);
+    if (glm::length(rest) > 1e-9) {
+      axes[c] = glm::normalize(rest);
+      if (first < 0) first = c;
+      ++count;
+    } else {
+      missing = c;
+    }
+  }
+  if (count == 0) axes = glm::dmat3(1);
+  if (count == 1) {  // any axis that is far from the given one
+    const glm::dvec3 other = std::abs(axes[first].x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    axes[(first + 1) % 3] = glm::normalize(other - axes[first] * glm::dot(axes[first], other));
+    missing = (first + 2) % 3;
+  }
+  if (count == 1 || count == 2) axes[missing] = glm::cross(axes[(missing + 1) % 3], axes[(missing + 2) % 3]);
+  if (glm::dot(glm::cross(axes[0], axes[1]), axes[2]) < 0) axes[0] = -axes[0], node.scale.x = -node.scale.x;
+  node.rotation = glm::normalize(glm::quat_cast(axes));
+}
+
 NodeTransforms worldTransforms(const Model& model, int scene) {
   NodeTransforms out;
   traverse(model, scene, {}, out);

@@ -12,6 +12,10 @@ namespace facet::scene {
 // translation * rotation * scale, or the node's own matrix.
 glm::dmat4 localTransform(const Node& node);
 
+// Takes the node's matrix, if it has one, apart into translation, rotation, scale: scales are the columns' lengths, the
+// first of them negative for a left-handed matrix; shear is lost. A column of length 0 leaves its axis to the others.
+void decompose(Node& node);
+
 // Both vectors have one entry per node of the model.
 struct NodeTransforms {
   std::vector<glm::dmat4> worldFromNode;  // identity where not reached

@@ -1,5 +1,7 @@
 #include "scene/usage.hpp"
 
+#include <utility>
+
 #include "scene/nodes.hpp"
 
 namespace facet::scene {
@@ -34,6 +36,10 @@ const TextureRef& textureRef(const Material& material, TextureSlot slot) {
       break;
   }
   return material.baseColor;
+}
+
+TextureRef& textureRef(Material& material, TextureSlot slot) {
+  return const_cast<TextureRef&>(textureRef(std::as_const(material), slot));
 }
 
 bool usesTexture(const Material& m, TextureSlot slot) {

@@ -16,6 +16,7 @@ inline constexpr std::array<TextureSlot, 5> textureSlots = {TextureSlot::baseCol
 
 const char* name(TextureSlot slot);  // as in glTF: "baseColorTexture"
 const TextureRef& textureRef(const Material& material, TextureSlot slot);
+TextureRef& textureRef(Material& material, TextureSlot slot);
 
 // Is there such a texture, and can it change the picture? Not if
 //   the material is unlit and this isn't the base colour;
@@ -28,18 +29,6 @@ bool usesTexture(const Material& material, TextureSlot slot);
 
 // As above, and the primitive has the texture coordinates that the texture asks for.
 bool usesTexture(const Material& material, const Primitive& primitive, TextureSlot slot);
-
-// use(TextureSlot, const TextureRef&) for each used texture, in the order of the slots.
-template <class Use>
-void forEachTexture(const Material& material, Use&& use) {
-  for (const TextureSlot slot : textureSlots)
-    if (usesTexture(material, slot)) use(slot, textureRef(material, slot));
-}
-template <class Use>
-void forEachTexture(const Material& material, const Primitive& primitive, Use&& use) {
-  for (const TextureSlot slot : textureSlots)
-    if (usesTexture(material, primitive, slot)) use(slot, textureRef(material, slot));
-}
 
 // The primitive's material; glTF's default material where it names none.
 const Material& materialOf(const Model& model, const Primitive& primitive);
