@@ -19,7 +19,7 @@ namespace facet::frame {
 struct GpuPrimitive {
   gl::VertexArray vertexArray;
   std::vector<gl::Buffer> buffers;
-  uint32_t attributes = 0;  // shading::attributeBits of what is present
+  uint64_t attributes = 0;  // shading::attributeBits of what is present
   GLenum mode = GL_TRIANGLES;
   GLenum indexType = GL_NONE;  // GL_NONE: not indexed
   GLsizei count = 0;
