@@ -19,9 +19,9 @@ using uint = uint32_t;
 LAYOUT_CONST positionLocation = 0;
 LAYOUT_CONST normalLocation = 1;
 LAYOUT_CONST tangentLocation = 2;
-LAYOUT_CONST texCoord0Location = 3;
-LAYOUT_CONST texCoord1Location = 4;
-LAYOUT_CONST colorLocation = 5;
+LAYOUT_CONST colorLocation = 3;
+LAYOUT_CONST texCoordLocation = 4;  // of set 0; set n follows n places on
+LAYOUT_CONST texCoordSetCount = 8;
 
 // Uniform buffers.
 LAYOUT_CONST frameBinding = 0;
@@ -72,7 +72,7 @@ struct MaterialUniforms {
   vec4 emissiveFactor;  // rgb factor * strength, W sr^-1 m^-2 relative; w unused
   vec4 factors;         // metallic, perceptual roughness, occlusion strength, alpha cutoff
   vec4 scales;          // x normal scale; yzw unused
-  vec4 texCoordSets[2];  // set 0 or 1 of slot 0..3, slot 4
+  vec4 texCoordSets[2];  // the set of slot 0..3, slot 4
   vec4 texCoordRows[10];  // slot s: rows 2s, 2s + 1 of its KHR_texture_transform (xyz)
 };
 

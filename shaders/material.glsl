@@ -2,6 +2,7 @@
 // Defines come from src/shading/features.cpp.
 #include "layout.h"
 #include "frame.glsl"
+#include "tex_coords.glsl"
 
 layout(std140, binding = materialBinding) uniform MaterialBlock { MaterialUniforms material; };
 
@@ -26,17 +27,16 @@ struct Varyings {
   vec3 position;
   vec3 normal;
   vec4 tangent;
-  vec2 texCoord0;
-  vec2 texCoord1;
   vec4 color;
+#define MEMBER(n) vec2 texCoord##n;
+  EACH_TEXCOORD(MEMBER)
 };
 
 vec2 slotTexCoord(Varyings v, int slot) {
-#ifdef HAS_TEXCOORD_1
-  vec2 uv = material.texCoordSets[slot / 4][slot % 4] > 0.5 ? v.texCoord1 : v.texCoord0;
-#else
-  vec2 uv = v.texCoord0;
-#endif
+  vec2 uv = vec2(0.0);
+  float set = material.texCoordSets[slot / 4][slot % 4];
+#define CHOOSE(n) if (set == float(n)) uv = v.texCoord##n;
+  EACH_TEXCOORD(CHOOSE)
 #ifdef HAS_TEXTURE_TRANSFORM
   vec3 uv1 = vec3(uv, 1.0);
   uv = vec2(dot(material.texCoordRows[2 * slot].xyz, uv1), dot(material.texCoordRows[2 * slot + 1].xyz, uv1));

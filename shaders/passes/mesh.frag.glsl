@@ -25,35 +25,31 @@ layout(location = 1) in vec3 inNormal;
 #ifdef HAS_TANGENT
 layout(location = 2) in vec4 inTangent;
 #endif
-#ifdef HAS_TEXCOORD_0
-layout(location = 3) in vec2 inTexCoord0;
-#endif
-#ifdef HAS_TEXCOORD_1
-layout(location = 4) in vec2 inTexCoord1;
-#endif
 #ifdef HAS_VERTEX_COLOR
-layout(location = 5) in vec4 inColor;
+layout(location = 3) in vec4 inColor;
 #endif
+#define DECLARE(n) layout(location = 4 + n) in vec2 inTexCoord##n;
+EACH_TEXCOORD(DECLARE)
 
 layout(location = 0) out vec4 outColor;  // scene-linear, associated alpha
 
 Varyings readVaryings() {
-  Varyings v = Varyings(inPosition, vec3(0.0), vec4(0.0), vec2(0.0), vec2(0.0), vec4(1.0));
+  Varyings v;
+  v.position = inPosition;
+  v.normal = vec3(0.0);
+  v.tangent = vec4(0.0);
+  v.color = vec4(1.0);
 #ifdef HAS_NORMAL
   v.normal = inNormal;
 #endif
 #ifdef HAS_TANGENT
   v.tangent = inTangent;
 #endif
-#ifdef HAS_TEXCOORD_0
-  v.texCoord0 = inTexCoord0;
-#endif
-#ifdef HAS_TEXCOORD_1
-  v.texCoord1 = inTexCoord1;
-#endif
 #ifdef HAS_VERTEX_COLOR
   v.color = inColor;
 #endif
+#define TAKE(n) v.texCoord##n = inTexCoord##n;
+  EACH_TEXCOORD(TAKE)
 #ifdef FLAT_NORMALS
   vec3 facing = cross(dFdx(inPosition), dFdy(inPosition));  // towards the viewer, whichever way the triangle winds
   v.normal = safeNormalize(gl_FrontFacing ? facing : -facing, inNormal);

@@ -1,6 +1,7 @@
 #extension GL_ARB_shader_draw_parameters : require
 #include "frame.glsl"
 #include "deformation.glsl"
+#include "tex_coords.glsl"
 
 layout(std430, binding = instanceBinding) readonly buffer InstanceBlock { Instance instances[]; };
 
@@ -16,18 +17,14 @@ layout(location = 1) out vec3 outNormal;
 layout(location = tangentLocation) in vec4 inTangent;
 layout(location = 2) out vec4 outTangent;
 #endif
-#ifdef HAS_TEXCOORD_0
-layout(location = texCoord0Location) in vec2 inTexCoord0;
-layout(location = 3) out vec2 outTexCoord0;
-#endif
-#ifdef HAS_TEXCOORD_1
-layout(location = texCoord1Location) in vec2 inTexCoord1;
-layout(location = 4) out vec2 outTexCoord1;
-#endif
 #ifdef HAS_VERTEX_COLOR
 layout(location = colorLocation) in vec4 inColor;
-layout(location = 5) out vec4 outColor;
+layout(location = 3) out vec4 outColor;
 #endif
+#define DECLARE(n) \
+  layout(location = texCoordLocation + n) in vec2 inTexCoord##n; \
+  layout(location = 4 + n) out vec2 outTexCoord##n;
+EACH_TEXCOORD(DECLARE)
 
 // Unit where there is a length at all; far from 1 in meshes of extreme scale otherwise.
 vec3 direction(vec3 v) {
@@ -71,17 +68,13 @@ void main() {
   // w of the first column is the sign of the determinant: a mirrored node turns the bitangent round.
   outTangent = vec4(direction(mat3(worldFromLocal) * tangent), inTangent.w * instance.normalFromLocal[0].w);
 #endif
-#ifdef HAS_TEXCOORD_0
-  outTexCoord0 = inTexCoord0;
-#endif
-#ifdef HAS_TEXCOORD_1
-  outTexCoord1 = inTexCoord1;
-#endif
 #ifdef HAS_VERTEX_COLOR
   outColor = inColor;
 #ifdef MORPH_COLORS
   outColor = clamp(outColor + offsets.color, 0.0, 1.0);  // glTF 2.0, 3.7.2.2
 #endif
 #endif
+#define HAND_OVER(n) outTexCoord##n = inTexCoord##n;
+  EACH_TEXCOORD(HAND_OVER)
   gl_Position = frame.clipFromWorld * world;
 }

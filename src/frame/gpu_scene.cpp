@@ -107,10 +107,10 @@ GpuPrimitive uploadPrimitive(const Primitive& primitive, const shading::VariantK
     addAttribute(gpu, layout::normalLocation, 3, primitive.normals, "normals");
   if (shading::usesFeature(key, "HAS_TANGENT"))
     addAttribute(gpu, layout::tangentLocation, 4, primitive.tangents, "tangents");
-  if (shading::usesFeature(key, "HAS_TEXCOORD_0"))
-    addAttribute(gpu, layout::texCoord0Location, 2, primitive.texCoords[0], "texture coordinates 0");
-  if (shading::usesFeature(key, "HAS_TEXCOORD_1"))
-    addAttribute(gpu, layout::texCoord1Location, 2, primitive.texCoords[1], "texture coordinates 1");
+  for (int set = 0; set < scene::maxTexCoordSets; ++set)
+    if (shading::usesFeature(key, shading::texCoordDefine(set).c_str()))
+      addAttribute(gpu, static_cast<GLuint>(layout::texCoordLocation + set), 2,
+                   primitive.texCoords[static_cast<size_t>(set)], "texture coordinates");
   if (shading::usesFeature(key, "HAS_VERTEX_COLOR"))
     addAttribute(gpu, layout::colorLocation, 4, primitive.colors, "vertex colours");
   if (shading::usesFeature(key, "HAS_SKIN")) gpu.influences = uploadInfluences(primitive);

@@ -77,7 +77,12 @@ Result<void> readCameras(Document& doc);
 // gltf_materials.cpp
 Result<void> readTextures(Document& doc);  // and samplers
 Result<void> readMaterials(Document& doc);
-// gltf_meshes.cpp: after checkAccessors
+// gltf_variants.cpp: KHR_materials_variants
+Result<void> readVariants(Document& doc);
+// Primitive::variantMaterials; after readVariants.
+Result<std::vector<int>> variantMaterials(Document& doc, const tinygltf::Primitive& primitive,
+                                          const std::string& place);
+// gltf_meshes.cpp: after checkAccessors, readMaterials and readVariants
 Result<void> readMeshes(Document& doc);
 
 // -- Extensions (gltf_extensions.cpp) --

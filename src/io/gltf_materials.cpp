@@ -162,8 +162,8 @@ Result<scene::TextureRef> readRef(Document& doc, int index, int texCoord, const 
     }
   }
   if (ref.texCoord < 0 || ref.texCoord >= scene::maxTexCoordSets) {
-    doc.warning(place + "/texCoord",
-                "TEXCOORD_" + std::to_string(ref.texCoord) + " is not supported: shown without this texture");
+    doc.warning(place + "/texCoord", "TEXCOORD_" + std::to_string(ref.texCoord) + " is none of the supported 0 to " +
+                                         std::to_string(scene::maxTexCoordSets - 1) + ": shown without this texture");
     return scene::TextureRef();
   }
   return ref;

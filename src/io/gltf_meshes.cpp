@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <atomic>
+#include <bitset>
 #include <cmath>
 
 #include "base/parallel.hpp"
@@ -7,18 +9,22 @@
 #include "io/gltf_draco.hpp"
 #include "io/uri.hpp"
 #include "io/vertex_repair.hpp"
+#include "scene/usage.hpp"
 
 namespace facet::io {
 
 namespace {
 
+using TexCoordSets = std::bitset<scene::maxTexCoordSets>;
+
 struct Job {
   const tinygltf::Primitive* from = nullptr;
   std::string place;
-  scene::Primitive primitive;
-  DracoGeometry draco;
-  Notes notes;
-  std::optional<Error> error;
+  TexCoordSets sets = {};  // to read
+  scene::Primitive primitive = {};
+  DracoGeometry draco = {};
+  Notes notes = {};
+  std::optional<Error> error = {};
 
   void note(Note::Severity severity, std::string key, std::string text) {
     notes.push_back({severity, place + key, std::move(text)});
@@ -29,9 +35,35 @@ struct Job {
 struct AttributeRule {
   const char* name;
   int minComponents, maxComponents;
+  int texCoordSet = -1;
 };
-constexpr AttributeRule attributeRules[] = {{"POSITION", 3, 3},   {"NORMAL", 3, 3},     {"TANGENT", 4, 4},
-                                            {"TEXCOORD_0", 2, 2}, {"TEXCOORD_1", 2, 2}, {"COLOR_0", 3, 4}};
+constexpr AttributeRule attributeRules[] = {{"POSITION", 3, 3},      {"NORMAL", 3, 3},        {"TANGENT", 4, 4},
+                                            {"COLOR_0", 3, 4},       {"TEXCOORD_0", 2, 2, 0}, {"TEXCOORD_1", 2, 2, 1},
+                                            {"TEXCOORD_2", 2, 2, 2}, {"TEXCOORD_3", 2, 2, 3}, {"TEXCOORD_4", 2, 2, 4},
+                                            {"TEXCOORD_5", 2, 2, 5}, {"TEXCOORD_6", 2, 2, 6}, {"TEXCOORD_7", 2, 2, 7}};
+
+bool isRead(const AttributeRule& rule, const TexCoordSets& sets) {
+  return rule.texCoordSet < 0 || sets[static_cast<size_t>(rule.texCoordSet)];
+}
+
+// Set 0, which the debug view of texture coordinates shows, and what the textures of the primitive's materials name.
+// What is animated may start at a factor of 0 and still be seen later.
+TexCoordSets wantedSets(const Document& doc, const scene::Primitive& primitive) {
+  const auto& used = doc.model.extensionsUsed;
+  const bool animated = std::find(used.begin(), used.end(), "KHR_animation_pointer") != used.end();
+  TexCoordSets sets = 1;
+  const auto addMaterial = [&](int index) {
+    if (index < 0) return;
+    const scene::Material& material = doc.model.materials[static_cast<size_t>(index)];
+    for (const scene::TextureSlot slot : scene::textureSlots) {
+      const scene::TextureRef& ref = textureRef(material, slot);
+      if (ref && (animated || usesTexture(material, slot))) sets.set(static_cast<size_t>(ref.texCoord));
+    }
+  };
+  addMaterial(primitive.material);
+  for (const int material : primitive.variantMaterials) addMaterial(material);
+  return sets;
+}
 
 int components(const Document& doc, int accessor) {
   const int type = doc.gltf.accessors[static_cast<size_t>(accessor)].type;
@@ -119,11 +151,11 @@ Result<void> checkPrimitive(Document& doc, const tinygltf::Primitive& primitive,
   return {};
 }
 
-uint64_t decodedBytes(const Document& doc, const tinygltf::Primitive& primitive) {
+uint64_t decodedBytes(const Document& doc, const tinygltf::Primitive& primitive, const TexCoordSets& sets) {
   uint64_t bytes = primitive.indices == -1 ? 0 : count(doc, primitive.indices) * sizeof(uint32_t);
   for (const auto& rule : attributeRules) {
     const auto found = primitive.attributes.find(rule.name);
-    if (found != primitive.attributes.end()) {
+    if (found != primitive.attributes.end() && isRead(rule, sets)) {
       bytes += count(doc, found->second) * sizeof(float) * static_cast<uint64_t>(rule.maxComponents);
     }
   }
@@ -231,9 +263,10 @@ void readFrames(const Document& doc, Job& job) {
 
 void readSurfaceData(const Document& doc, Job& job) {
   auto& primitive = job.primitive;
-  for (int set = 0; set < scene::maxTexCoordSets; ++set) {
+  for (size_t set = 0; set < job.sets.size(); ++set) {
+    if (!job.sets[set]) continue;
     const std::string name = "TEXCOORD_" + std::to_string(set);
-    auto& texCoords = primitive.texCoords[static_cast<size_t>(set)];
+    auto& texCoords = primitive.texCoords[set];
     readVectors(doc, job, name, texCoords, glm::vec2(0));
     if (const size_t n = replaceNonFinite(texCoords, glm::vec2(0)); n > 0) {
       job.note(Note::Severity::warning, "/attributes/" + name, std::to_string(n) + " are not finite: replaced by zero");
@@ -249,7 +282,8 @@ void readSurfaceData(const Document& doc, Job& job) {
 bool decodeCompressed(const Document& doc, Job& job) {
   if (!isDraco(*job.from)) return true;
   std::vector<const char*> wanted;
-  for (const auto& rule : attributeRules) wanted.push_back(rule.name);
+  for (const auto& rule : attributeRules)
+    if (isRead(rule, job.sets)) wanted.push_back(rule.name);
   auto geometry = decodeDraco(doc, *job.from, job.place, wanted);
   if (geometry) {
     job.draco = std::move(*geometry);
@@ -263,7 +297,6 @@ bool decodeCompressed(const Document& doc, Job& job) {
 
 void readPrimitive(const Document& doc, Job& job) {
   job.primitive.topology = static_cast<scene::Topology>(job.from->mode);
-  job.primitive.material = job.from->material;
   if (!decodeCompressed(doc, job) || !readPositions(doc, job) || !readPrimitiveIndices(doc, job)) return;
   readFrames(doc, job);
   readSurfaceData(doc, job);
@@ -294,9 +327,14 @@ Result<void> readMeshes(Document& doc) {
       std::string place = pointer(pointer("/meshes", m) + "/primitives", p);
       bool use = false;
       if (auto ok = checkPrimitive(doc, mesh.primitives[p], place, use); !ok) return ok;
+      auto variants = variantMaterials(doc, mesh.primitives[p], place);
+      if (!variants) return tl::unexpected(variants.error());
       if (!use) continue;
-      bytes += decodedBytes(doc, mesh.primitives[p]);
-      jobs.push_back({&mesh.primitives[p], std::move(place), {}, {}, {}, {}});
+      Job& job = jobs.emplace_back(Job{.from = &mesh.primitives[p], .place = std::move(place)});
+      job.primitive.material = job.from->material;
+      job.primitive.variantMaterials = std::move(*variants);
+      job.sets = wantedSets(doc, job.primitive);
+      bytes += decodedBytes(doc, *job.from, job.sets);
       meshOf.push_back(m);
     }
   }

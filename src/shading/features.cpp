@@ -86,16 +86,26 @@ bool anySlot(const FeatureInput& in, bool (*test)(const TextureRef&)) {
   return false;
 }
 
+// Where a texture is read through TEXCOORD_set.
+template <int set>
+bool texCoords(const FeatureInput& in) {
+  return !in.primitive.texCoords[set].empty() && anySlot(in, [](const TextureRef& ref) { return ref.texCoord == set; });
+}
+
 constexpr FeatureRow rows[] = {
     {"normals", "HAS_NORMAL", readsNormal},
     {"tangents", "HAS_TANGENT", readsTangent},
     {"uv0", "HAS_TEXCOORD_0",
      [](const FeatureInput& in) {
-       return !in.primitive.texCoords[0].empty() &&
-              (channelIs(in, "uv") || anySlot(in, [](const TextureRef& ref) { return ref.texCoord == 0; }));
+       return texCoords<0>(in) || (channelIs(in, "uv") && !in.primitive.texCoords[0].empty());
      }},
-    {"uv1", "HAS_TEXCOORD_1",
-     [](const FeatureInput& in) { return anySlot(in, [](const TextureRef& ref) { return ref.texCoord == 1; }); }},
+    {"uv1", "HAS_TEXCOORD_1", texCoords<1>},
+    {"uv2", "HAS_TEXCOORD_2", texCoords<2>},
+    {"uv3", "HAS_TEXCOORD_3", texCoords<3>},
+    {"uv4", "HAS_TEXCOORD_4", texCoords<4>},
+    {"uv5", "HAS_TEXCOORD_5", texCoords<5>},
+    {"uv6", "HAS_TEXCOORD_6", texCoords<6>},
+    {"uv7", "HAS_TEXCOORD_7", texCoords<7>},
     {"vertex colours", "HAS_VERTEX_COLOR",
      [](const FeatureInput& in) { return !in.primitive.colors.empty() && readsBaseColor(in); }},
     {"skin", "HAS_SKIN", skinned},
@@ -130,6 +140,9 @@ constexpr FeatureRow rows[] = {
     {"environment", "HAS_ENVIRONMENT",
      [](const FeatureInput& in) { return in.frame.environment && !unlit(in) && in.frame.channel == 0; }},
 };
+static_assert(std::size(rows) <= 64);
+
+constexpr uint64_t bit(size_t row) { return uint64_t{1} << row; }
 
 }  // namespace
 
@@ -152,7 +165,7 @@ VariantKey variantKey(const FeatureInput& input) {
   VariantKey key;
   key.channel = static_cast<uint8_t>(input.frame.channel);
   for (size_t i = 0; i < std::size(rows); ++i)
-    if (rows[i].usedBy(input)) key.features |= 1u << i;
+    if (rows[i].usedBy(input)) key.features |= bit(i);
   if (usesFeature(key, "HAS_ENVIRONMENT")) key.imageLightSamples = static_cast<uint8_t>(input.frame.imageLightSamples);
   return key;
 }
@@ -160,7 +173,11 @@ VariantKey variantKey(const FeatureInput& input) {
 std::vector<Define> variantDefines(const VariantKey& key) {
   std::vector<Define> defines;
   for (size_t i = 0; i < std::size(rows); ++i)
-    if (key.features & (1u << i)) defines.push_back({rows[i].define});
+    if (key.features & bit(i)) defines.push_back({rows[i].define});
+  std::string sets;  // of tex_coords.glsl
+  for (int set = 0; set < scene::maxTexCoordSets; ++set)
+    if (usesFeature(key, texCoordDefine(set).c_str())) sets += "DO(" + std::to_string(set) + ") ";
+  if (!sets.empty()) defines.push_back({"EACH_TEXCOORD(DO)", sets});
   if (key.channel != 0) defines.push_back({"CHANNEL", std::to_string(key.channel)});
   if (key.imageLightSamples != 0) defines.push_back({"IMAGE_LIGHT_SAMPLES", std::to_string(key.imageLightSamples)});
   return defines;
@@ -169,26 +186,27 @@ std::vector<Define> variantDefines(const VariantKey& key) {
 std::string variantName(const VariantKey& key) {
   std::string name;
   for (size_t i = 0; i < std::size(rows); ++i)
-    if (key.features & (1u << i)) name += (name.empty() ? "" : ", ") + std::string(rows[i].name);
+    if (key.features & bit(i)) name += (name.empty() ? "" : ", ") + std::string(rows[i].name);
   if (key.channel != 0) name += (name.empty() ? "" : ", ") + std::string("view of ") + channelNames[key.channel];
   if (key.imageLightSamples != 0) name += ", environment sampled";
   return name.empty() ? "plain" : name;
 }
 
-uint32_t attributeBits(const VariantKey& key) {
-  constexpr const char* attributes[] = {"HAS_NORMAL",       "HAS_TANGENT", "HAS_TEXCOORD_0", "HAS_TEXCOORD_1",
-                                        "HAS_VERTEX_COLOR", "HAS_SKIN",    "HAS_MORPH",      "MORPH_NORMALS",
-                                        "MORPH_TANGENTS",   "MORPH_COLORS"};
-  uint32_t bits = 0;
+uint64_t attributeBits(const VariantKey& key) {
+  constexpr std::string_view attributes[] = {"HAS_NORMAL", "HAS_TANGENT", "HAS_TEXCOORD_", "HAS_VERTEX_COLOR",
+                                             "HAS_SKIN",   "HAS_MORPH",   "MORPH_"};
+  uint64_t bits = 0;
   for (size_t i = 0; i < std::size(rows); ++i)
-    for (const char* attribute : attributes)
-      if (std::strcmp(rows[i].define, attribute) == 0) bits |= key.features & (1u << i);
+    for (const std::string_view attribute : attributes)
+      if (std::string_view(rows[i].define).starts_with(attribute)) bits |= key.features & bit(i);
   return bits;
 }
 
+std::string texCoordDefine(int set) { return "HAS_TEXCOORD_" + std::to_string(set); }
+
 bool usesFeature(const VariantKey& key, const char* define) {
   for (size_t i = 0; i < std::size(rows); ++i)
-    if (std::strcmp(rows[i].define, define) == 0) return (key.features & (1u << i)) != 0;
+    if (std::strcmp(rows[i].define, define) == 0) return (key.features & bit(i)) != 0;
   assert(false && "no such feature");
   return false;
 }

@@ -58,7 +58,7 @@ bool samplesSlot(const FeatureInput& input, scene::TextureSlot slot);
 
 // Everything that decides which program a draw gets; compared by value.
 struct VariantKey {
-  uint32_t features = 0;
+  uint64_t features = 0;
   uint8_t channel = 0;
   uint8_t imageLightSamples = 0;
   auto operator<=>(const VariantKey&) const = default;
@@ -69,7 +69,9 @@ std::vector<Define> variantDefines(const VariantKey& key);
 std::string variantName(const VariantKey& key);  // "normal, uv0, base colour texture, environment"
 
 // The bits of the key that ask for a vertex attribute or another buffer of the primitive.
-uint32_t attributeBits(const VariantKey& key);
+uint64_t attributeBits(const VariantKey& key);
+
+std::string texCoordDefine(int set);  // "HAS_TEXCOORD_3"
 
 // True where the key's draws read punctual lights, the environment, the DFG table.
 bool usesFeature(const VariantKey& key, const char* define);

@@ -91,13 +91,58 @@ TEST_CASE("Interleaved attributes", "[io][gltf]") {
         {{"bufferView", view}, {"byteOffset", offset}, {"componentType", 5126}, {"type", type}, {"count", 3}});
   };
   attributes(b) = {
-      {"POSITION", accessor(0, "VEC3")}, {"NORMAL", accessor(12, "VEC3")}, {"TEXCOORD_1", accessor(24, "VEC2")}};
+      {"POSITION", accessor(0, "VEC3")}, {"NORMAL", accessor(12, "VEC3")}, {"TEXCOORD_0", accessor(24, "VEC2")}};
   const auto model = loaded(b);
   CHECK(notes(model) == "");
   CHECK(primitive(model).positions[2] == glm::vec3(0, 1, 0));
   CHECK(primitive(model).normals == std::vector<glm::vec3>{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}});
-  CHECK(primitive(model).texCoords[0].empty());
-  CHECK(primitive(model).texCoords[1] == std::vector<glm::vec2>{{0.1f, 0.2f}, {0.3f, 0.4f}, {0.5f, 0.6f}});
+  CHECK(primitive(model).texCoords[0] == std::vector<glm::vec2>{{0.1f, 0.2f}, {0.3f, 0.4f}, {0.5f, 0.6f}});
+}
+
+TEST_CASE("Of the texture coordinates those are read that a material of the primitive uses", "[io][gltf]") {
+  GltfBuilder b = triangle();
+  for (int set = 0; set < 10; ++set)
+    attributes(b)["TEXCOORD_" + std::to_string(set)] =
+        b.add(std::vector<float>{float(set), 0, 0, 0, 0, 0}, test::floatType, "VEC2");
+  b.append("images", {{"uri", "data:,x"}});
+  b.append("textures", {{"source", 0}});
+  const auto texture = [](int set) { return Json{{"index", 0}, {"texCoord", set}}; };
+  Json own = {{"pbrMetallicRoughness", {{"baseColorTexture", texture(6)}}}, {"emissiveTexture", texture(3)}};
+  own["normalTexture"] = {
+      {"index", 0}, {"texCoord", 1}, {"extensions", {{"KHR_texture_transform", {{"texCoord", 7}}}}}};
+  b.append("materials", own);  // its emissive factor is 0
+  b.append("materials", {{"occlusionTexture", texture(2)}});
+  b.append("materials", {{"occlusionTexture", texture(4)}});
+  b.json["extensions"]["KHR_materials_variants"]["variants"] = {{{"name", "a"}}};
+  Json& from = b.json["meshes"][0]["primitives"][0];
+  from["material"] = 0;
+  from["extensions"]["KHR_materials_variants"]["mappings"] = {{{"material", 1}, {"variants", {0}}}};
+  const auto sets = [&] {
+    const auto model = loaded(b);
+    std::vector<int> read;
+    for (const auto& set : primitive(model).texCoords) {
+      if (set.empty()) continue;
+      REQUIRE(set.size() == 3);
+      CHECK(set[0].x == float(&set - primitive(model).texCoords.data()));
+      read.push_back(static_cast<int>(&set - primitive(model).texCoords.data()));
+    }
+    return read;
+  };
+  CHECK(sets() == std::vector<int>{0, 2, 6, 7});
+  SECTION("a factor of zero may be animated") {
+    b.json["extensionsUsed"] = {"KHR_animation_pointer"};
+    CHECK(sets() == std::vector<int>{0, 2, 3, 6, 7});
+  }
+  SECTION("the default material has no textures") {
+    from.erase("material");
+    from.erase("extensions");
+    CHECK(sets() == std::vector<int>{0});
+  }
+  SECTION("each set is a vector of two") {
+    attributes(b)["TEXCOORD_5"] = 0;
+    CHECK(outcome(b.text()) ==
+          "m: /meshes/0/primitives/0/attributes/TEXCOORD_5: is not a vector of 2 components; export the model again.");
+  }
 }
 
 TEST_CASE("Texture coordinates and colours of every type", "[io][gltf]") {

@@ -27,10 +27,11 @@ struct Member {
 
 // The mesh program with everything in it.
 const gl::Program& fullProgram(shading::ProgramStore& store) {
-  std::vector<shading::Define> defines;
-  for (const shading::FeatureRow& row : shading::featureTable())
-    if (std::string(row.define) != "UNLIT") defines.push_back({row.define});
-  const auto program = store.render("passes/mesh.vert.glsl", "passes/mesh.frag.glsl", defines);
+  shading::VariantKey key;
+  const auto table = shading::featureTable();
+  for (size_t i = 0; i < table.size(); ++i)
+    if (std::string(table[i].define) != "UNLIT") key.features |= uint64_t{1} << i;
+  const auto program = store.render("passes/mesh.vert.glsl", "passes/mesh.frag.glsl", shading::variantDefines(key));
   REQUIRE(program);
   return **program;
 }
@@ -99,8 +100,9 @@ TEST_CASE("Attributes and textures have the places of the header") {
   CHECK(location("inPosition") == layout::positionLocation);
   CHECK(location("inNormal") == layout::normalLocation);
   CHECK(location("inTangent") == layout::tangentLocation);
-  CHECK(location("inTexCoord0") == layout::texCoord0Location);
-  CHECK(location("inTexCoord1") == layout::texCoord1Location);
+  STATIC_REQUIRE(layout::texCoordSetCount == scene::maxTexCoordSets);
+  for (int set = 0; set < layout::texCoordSetCount; ++set)
+    CHECK(location(("inTexCoord" + std::to_string(set)).c_str()) == layout::texCoordLocation + set);
   CHECK(location("inColor") == layout::colorLocation);
   const auto unit = [&](const char* name) {
     GLint value = -1;
