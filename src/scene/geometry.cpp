@@ -1,7 +1,9 @@
 #include "scene/geometry.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "base/parallel.hpp"
 #include "scene/tangents.hpp"
@@ -43,15 +45,18 @@ Primitive nothing(const Primitive& p) {
   Primitive empty;
   empty.topology = p.topology;
   empty.material = p.material;
+  empty.variantMaterials = p.variantMaterials;
   return empty;
 }
 
+// `per` values for each vertex.
 template <class T>
-void gather(std::vector<T>& values, const std::vector<uint32_t>& indices) {
+void gather(std::vector<T>& values, const std::vector<uint32_t>& source, size_t per = 1) {
   if (values.empty()) return;
   std::vector<T> gathered;
-  gathered.reserve(indices.size());
-  for (const uint32_t i : indices) gathered.push_back(values[i]);
+  gathered.reserve(source.size() * per);
+  for (const uint32_t v : source)
+    for (size_t i = 0; i < per; ++i) gathered.push_back(values[v * per + i]);
   values = std::move(gathered);
 }
 
@@ -62,21 +67,70 @@ glm::vec3 faceNormal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
   return length > 0 && std::isfinite(length) ? glm::vec3(n / length) : glm::vec3(0, 0, 1);
 }
 
-// Warning or empty.
-std::string completePrimitive(Primitive& p, const Material& material) {
-  std::string warning;
-  if (hasTriangles(p.topology) && !material.unlit && !p.positions.empty()) {
-    if (p.normals.empty()) p = withFlatNormals(p);
-    if (p.tangents.empty() && usesTexture(material, TextureSlot::normal)) {
-      if (usesTexture(material, p, TextureSlot::normal))
-        p = withTangents(p, material.normal.texCoord);
-      else
-        warning = "the normal texture needs TEXCOORD_" + std::to_string(material.normal.texCoord) +
-                  ", which is missing; the texture is not used";
-    }
+// All that the primitive can be drawn with: its own first. `materials` are the model's.
+std::vector<const Material*> drawnWith(const Model& model, const Primitive& p, const std::vector<Material>& materials) {
+  const auto at = [&](int m) {
+    return m >= 0 && size_t(m) < materials.size() ? &materials[size_t(m)] : &materialOf(model, Primitive{});
+  };
+  std::vector<const Material*> all = {at(p.material)};
+  for (const int m : p.variantMaterials)
+    if (m >= 0) all.push_back(at(m));
+  return all;
+}
+
+using Warnings = std::vector<std::string>;
+
+void addTangents(Primitive& p, const std::vector<const Material*>& materials, Warnings& warnings) {
+  std::vector<int> sets;  // of coordinates that normal textures ask for
+  for (const Material* m : materials)
+    if (usesTexture(*m, TextureSlot::normal) && std::ranges::find(sets, m->normal.texCoord) == sets.end())
+      sets.push_back(m->normal.texCoord);
+  int found = -1;
+  for (const int set : sets) {
+    const bool present = set >= 0 && set < maxTexCoordSets && !p.texCoords[size_t(set)].empty();
+    const std::string name = "TEXCOORD_" + std::to_string(set);
+    if (!present)
+      warnings.push_back("the normal texture needs " + name + ", which is missing; the texture is not used");
+    else if (found < 0)
+      found = set;
+    else
+      warnings.push_back("the normal texture of a variant uses " + name + "; its tangents are those of TEXCOORD_" +
+                         std::to_string(found));
   }
+  if (found >= 0) p = withTangents(std::move(p), found);
+}
+
+template <class Use>
+void forEachDrawn(const Primitive& p, const Use& use) {
+  for (size_t i = 0; i < cornerCount(p); ++i) use(size_t(corner(p, i)));
+}
+
+void addBounds(Primitive& p) {
   p.bounds = bounds(p);
-  return warning;
+  for (MorphTarget& target : p.targets) {
+    target.bounds = {};
+    if (!target.positions.empty()) forEachDrawn(p, [&](size_t v) { target.bounds.add(target.positions[v]); });
+  }
+  p.jointBounds.clear();
+  if (p.influences.empty()) return;
+  const auto per = size_t(p.influencesPerVertex);
+  forEachDrawn(p, [&](size_t v) {
+    for (size_t i = v * per; i < (v + 1) * per; ++i) {
+      if (!(p.influences[i].weight > 0)) continue;
+      const size_t joint = p.influences[i].joint;
+      if (joint >= p.jointBounds.size()) p.jointBounds.resize(joint + 1);
+      p.jointBounds[joint].add(p.positions[v]);
+    }
+  });
+}
+
+void completePrimitive(Primitive& p, const std::vector<const Material*>& materials, Warnings& warnings) {
+  const bool lit = std::ranges::any_of(materials, [](const Material* m) { return !m->unlit; });
+  if (hasTriangles(p.topology) && lit && !p.positions.empty()) {
+    if (p.normals.empty()) p = withFlatNormals(std::move(p));
+    if (p.tangents.empty()) addTangents(p, materials, warnings);
+  }
+  addBounds(p);
 }
 
 }  // namespace
@@ -92,40 +146,52 @@ Bounds bounds(const Primitive& primitive) {
   return box;
 }
 
-Primitive asList(const Primitive& primitive) {
-  Primitive list = primitive;
-  const bool strips = hasTriangles(primitive.topology) ? primitive.topology != Topology::triangles
-                                                       : primitive.topology > Topology::lines;
+Primitive asList(Primitive p) {
+  const bool strips = hasTriangles(p.topology) ? p.topology != Topology::triangles : p.topology > Topology::lines;
   if (strips) {
-    list.indices = listIndices(primitive);
-    list.topology = hasTriangles(primitive.topology) ? Topology::triangles : Topology::lines;
-    return list.indices.empty() ? nothing(list) : list;
+    p.indices = listIndices(p);
+    p.topology = hasTriangles(p.topology) ? Topology::triangles : Topology::lines;
+    return p.indices.empty() ? nothing(p) : p;
   }
-  const size_t per = primitive.topology == Topology::triangles ? 3 : primitive.topology == Topology::lines ? 2 : 1;
-  const size_t whole = cornerCount(primitive) / per * per;
-  if (whole == cornerCount(primitive)) return list;
-  list.indices.resize(whole);
-  for (size_t i = 0; i < whole; ++i) list.indices[i] = corner(primitive, i);
-  return whole == 0 ? nothing(list) : list;
-}
-
-Primitive unwelded(const Primitive& primitive) {
-  Primitive p = asList(primitive);
-  if (p.indices.empty()) return p;
-  const std::vector<uint32_t> indices = std::move(p.indices);
-  p.indices.clear();
-  gather(p.positions, indices);
-  gather(p.normals, indices);
-  gather(p.tangents, indices);
-  for (std::vector<glm::vec2>& set : p.texCoords) gather(set, indices);
-  gather(p.colors, indices);
+  const size_t per = p.topology == Topology::triangles ? 3 : p.topology == Topology::lines ? 2 : 1;
+  const size_t whole = cornerCount(p) / per * per;
+  if (whole == cornerCount(p)) return p;
+  if (whole == 0) return nothing(p);
+  const size_t given = p.indices.size();
+  p.indices.resize(whole);
+  for (size_t i = given; i < whole; ++i) p.indices[i] = uint32_t(i);
   return p;
 }
 
-Primitive withFlatNormals(const Primitive& primitive) {
+void gatherVertices(Primitive& p, const std::vector<uint32_t>& source) {
+  gather(p.positions, source);
+  gather(p.normals, source);
+  gather(p.tangents, source);
+  for (std::vector<glm::vec2>& set : p.texCoords) gather(set, source);
+  gather(p.colors, source);
+  gather(p.influences, source, size_t(p.influencesPerVertex));
+  for (MorphTarget& target : p.targets) {
+    gather(target.positions, source);
+    gather(target.normals, source);
+    gather(target.tangents, source);
+    gather(target.colors, source);
+  }
+}
+
+Primitive unwelded(Primitive primitive) {
+  Primitive p = asList(std::move(primitive));
+  if (p.indices.empty()) return p;
+  gatherVertices(p, std::exchange(p.indices, {}));
+  return p;
+}
+
+Primitive withFlatNormals(Primitive primitive) {
   if (!hasTriangles(primitive.topology)) return primitive;
-  Primitive p = unwelded(primitive);
-  p.tangents.clear();
+  for (MorphTarget& target : primitive.targets) target.normals = target.tangents = {};
+  primitive.normals = {};
+  primitive.tangents = {};
+  Primitive p = unwelded(std::move(primitive));
+  p.flatNormals = true;
   p.normals.resize(p.positions.size());
   for (size_t i = 0; i + 2 < p.positions.size(); i += 3)
     p.normals[i] = p.normals[i + 1] = p.normals[i + 2] =
@@ -136,22 +202,23 @@ Primitive withFlatNormals(const Primitive& primitive) {
 void completeGeometry(Model& model, Notes& notes, int scene) {
   struct Job {
     size_t mesh, primitive;
-    std::string warning;
+    Warnings warnings;
   };
   const std::vector<bool> drawn = scene < 0 ? std::vector<bool>(model.meshes.size(), true) : drawnMeshes(model, scene);
+  const std::vector<Material> materials = materialsOverTime(model);
   std::vector<Job> jobs;
   for (size_t m = 0; m < model.meshes.size(); ++m)
     for (size_t i = 0; drawn[m] && i < model.meshes[m].primitives.size(); ++i) jobs.push_back({m, i, {}});
 
   parallelFor(jobs.size(), [&](size_t j) {
     Primitive& p = model.meshes[jobs[j].mesh].primitives[jobs[j].primitive];
-    jobs[j].warning = completePrimitive(p, materialOf(model, p));
+    completePrimitive(p, drawnWith(model, p, materials), jobs[j].warnings);
   });
   for (Job& job : jobs)
-    if (!job.warning.empty())
+    for (std::string& warning : job.warnings)
       notes.push_back({Note::Severity::warning,
                        "/meshes/" + std::to_string(job.mesh) + "/primitives/" + std::to_string(job.primitive),
-                       std::move(job.warning)});
+                       std::move(warning)});
 }
 
 }  // namespace facet::scene

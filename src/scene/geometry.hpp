@@ -12,21 +12,31 @@ bool hasTriangles(Topology topology);
 // Box around the positions that are drawn (indexed ones where there are indices).
 Bounds bounds(const Primitive& primitive);
 
+// Functions that change a primitive take it by value: who moves it in has no second copy at any time but of the one
+// attribute that is being rearranged.
+
 // Strips, fans and loops become lists: triangles keep their order and winding (glTF 2.0, 3.7.2.1), a line loop closes.
 // Lists and points come back as they are, incomplete last triangles or lines cut off. Needs no attribute copied twice:
 // only indices change.
-Primitive asList(const Primitive& primitive);
+Primitive asList(Primitive primitive);
+
+// Vertex i becomes what vertex source[i] was, with its influences and its part of the morph targets. Indices stay.
+void gatherVertices(Primitive& primitive, const std::vector<uint32_t>& source);
 
 // Each vertex used once, in the order of the (list's) indices; no indices left.
-Primitive unwelded(const Primitive& primitive);
+Primitive unwelded(Primitive primitive);
 
-// As a list of unconnected triangles with one normal each, counter-clockwise front. A triangle without area gets +Z.
-// Tangents are dropped (glTF 2.0, 3.7.2.1: given ones must be ignored). Unchanged if there are no triangles.
-Primitive withFlatNormals(const Primitive& primitive);
+// As a list of unconnected triangles with one normal each, that of the shape at rest, counter-clockwise front; sets
+// Primitive::flatNormals. A triangle without area gets +Z. Tangents are dropped (glTF 2.0, 3.7.2.1: given ones must be
+// ignored), and so are the targets' normals and tangents, which have nothing to add to. Unchanged if there are no
+// triangles.
+Primitive withFlatNormals(Primitive primitive);
 
-// Fills what the file leaves out and the materials need, in parallel over primitives, for what the scene draws (-1: for
-// all meshes): bounds; flat normals of lit triangles without normals; tangents of lit triangles whose normal texture is
-// used (usage.hpp). A normal texture without its coordinates is a warning. Unlit triangles get neither.
+// Fills what the file leaves out and the materials need, in parallel over primitives, for what the scene may draw (-1:
+// for all meshes): bounds, also those of joints and morph targets; flat normals of triangles without normals, if a
+// material is lit; tangents of triangles if a lit material uses its normal texture (usage.hpp) at any time. "A
+// material" is the primitive's own or that of a variant; where their normal textures use different coordinates, the
+// tangents are those of the first. A normal texture without its coordinates is a warning. Unlit triangles get neither.
 void completeGeometry(Model& model, Notes& notes, int scene = -1);
 
 }  // namespace facet::scene

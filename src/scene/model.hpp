@@ -132,8 +132,9 @@ struct Primitive {
   std::vector<Influence> influences;
   int influencesPerVertex = 0;
   std::vector<MorphTarget> targets;
+  bool flatNormals = false;         // normals were missing: each triangle is flat, also when it is deformed
   Bounds bounds;                    // of the vertices as they are
-  std::vector<Bounds> jointBounds;  // by joint: of the vertices that it has a share of; for skinned primitives
+  std::vector<Bounds> jointBounds;  // by joint: of the vertices that it has a share of; up to the last with a share
 };
 
 struct Mesh {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "scene/deformation.hpp"
+
 namespace facet::scene {
 
 namespace {
@@ -17,43 +19,88 @@ bool isFinite(const glm::dmat4& m) {
   return true;
 }
 
-// Reached nodes that are not hidden, each once and parents first; transforms are filled on the way.
-std::vector<int> traverse(const Model& model, int scene, const Pose& pose, NodeTransforms& out) {
-  std::vector<int> order;
-  out.worldFromNode.assign(model.nodes.size(), glm::dmat4(1));
-  out.reached.assign(model.nodes.size(), false);
-  if (!isIndex(scene, model.scenes.size())) return order;
-
-  struct Visit {
-    int node, parent;
-  };
-  std::vector<Visit> open;
-  const auto push = [&](const std::vector<int>& nodes, int parent) {
-    for (auto it = nodes.rbegin(); it != nodes.rend(); ++it)
-      if (isIndex(*it, model.nodes.size())) open.push_back({*it, parent});
-  };
-  push(model.scenes[size_t(scene)].nodes, -1);
-  while (!open.empty()) {
-    const Visit visit = open.back();
-    open.pop_back();
-    const auto n = size_t(visit.node);
-    if (out.reached[n]) continue;  // a node listed twice is drawn once
-    out.reached[n] = true;
-    const Node& node = pose.nodes.of(model.nodes, visit.node);
-    if (!node.visible) continue;
-    order.push_back(visit.node);
-    const glm::dmat4 local = localTransform(node);
-    out.worldFromNode[n] = visit.parent < 0 ? local : out.worldFromNode[size_t(visit.parent)] * local;
-    push(node.children, visit.node);
-  }
-  return order;
-}
-
 // Divides a column by its largest component first, so that neither tiny nor huge scales under- or overflow.
 glm::dvec3 safeNormalize(const glm::dvec3& v) {
   const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
   if (!(largest > 0) || !std::isfinite(largest)) return glm::dvec3(0);
   return glm::normalize(v / largest);
+}
+
+// 1 right-handed, -1 left-handed, 0 singular.
+int handedness(const glm::dmat4& m) {
+  const double volume = glm::dot(glm::cross(safeNormalize(m[0]), safeNormalize(m[1])), safeNormalize(m[2]));
+  return volume > 0 ? 1 : volume < 0 ? -1 : 0;
+}
+
+// Transforms of nodes that the scene doesn't reach, by their chain of parents; `known` are those that have theirs.
+const glm::dmat4& placeByParents(const Model& model, const Pose& pose, int node, std::vector<bool>& known,
+                                 std::vector<glm::dmat4>& worldFromNode) {
+  std::vector<int> chain;
+  int n = node;
+  for (; isIndex(n, known.size()) && !known[size_t(n)]; n = pose.nodes.of(model.nodes, n).parent) {
+    known[size_t(n)] = true;
+    chain.push_back(n);
+  }
+  glm::dmat4 world = isIndex(n, known.size()) ? worldFromNode[size_t(n)] : glm::dmat4(1);
+  for (auto it = chain.rbegin(); it != chain.rend(); ++it)
+    worldFromNode[size_t(*it)] = world = world * localTransform(pose.nodes.of(model.nodes, *it));
+  return worldFromNode[size_t(node)];
+}
+
+// What a skin does to meshes; empty without a joint whose matrix is finite.
+struct PlacedSkin {
+  bool made = false, mirrored = false;
+  std::vector<glm::dmat4> joints;
+  int replaced = 0;
+};
+
+PlacedSkin placeSkin(const Model& model, const Pose& pose, const Skin& skin, std::vector<bool>& known,
+                     std::vector<glm::dmat4>& worldFromNode) {
+  PlacedSkin placed{true, false, {}, 0};
+  std::vector<size_t> bad;
+  const glm::dmat4* good = nullptr;
+  int votes = 0, firstVote = 0;
+  placed.joints.reserve(skin.joints.size());
+  for (size_t j = 0; j < skin.joints.size(); ++j) {
+    const glm::dmat4& world = placeByParents(model, pose, skin.joints[j], known, worldFromNode);
+    const glm::dmat4& m =
+        placed.joints.emplace_back(j < skin.inverseBindMatrices.size() ? world * skin.inverseBindMatrices[j] : world);
+    if (!isFinite(m)) {
+      bad.push_back(j);
+      continue;
+    }
+    if (good == nullptr) good = &m;
+    votes += handedness(m);
+    if (firstVote == 0) firstVote = handedness(m);
+  }
+  placed.mirrored = votes < 0 || (votes == 0 && firstVote < 0);
+  placed.replaced = int(bad.size());
+  if (good == nullptr) placed.joints.clear();
+  for (const size_t j : bad)
+    if (good != nullptr) placed.joints[j] = *good;
+  return placed;
+}
+
+bool hasInfluences(const Mesh& mesh) {
+  return std::ranges::any_of(mesh.primitives, [](const Primitive& p) { return !p.influences.empty(); });
+}
+
+void addInstances(const Node& node, int n, const glm::dmat4& world, FlatScene& flat) {
+  const auto add = [&](const glm::dmat4& m) {
+    if (isFinite(m))
+      flat.instances.push_back({n, node.mesh, m, isMirrored(m)});
+    else
+      ++flat.overflowed;
+  };
+  if (node.instances.empty()) add(world);
+  for (const glm::dmat4& instance : node.instances) add(world * instance);
+}
+
+void addLight(const Node& node, int n, const glm::dmat4& world, FlatScene& flat) {
+  PlacedLight placed{n, node.light, glm::dvec3(world[3])};
+  const glm::dvec3 direction = safeNormalize(-glm::dvec3(world[2]));
+  if (direction != glm::dvec3(0)) placed.direction = direction;
+  flat.lights.push_back(placed);
 }
 
 }  // namespace
@@ -98,35 +145,77 @@ void decompose(Node& node) {
   node.rotation = glm::normalize(glm::quat_cast(axes));
 }
 
-NodeTransforms worldTransforms(const Model& model, int scene) {
+NodeTransforms worldTransforms(const Model& model, int scene, const Pose& pose) {
   NodeTransforms out;
-  traverse(model, scene, {}, out);
+  out.worldFromNode.assign(model.nodes.size(), glm::dmat4(1));
+  out.reached.assign(model.nodes.size(), false);
+  out.hidden.assign(model.nodes.size(), false);
+  if (!isIndex(scene, model.scenes.size())) return out;
+
+  struct Visit {
+    int node, parent;
+  };
+  std::vector<Visit> open;
+  const auto push = [&](const std::vector<int>& nodes, int parent) {
+    for (auto it = nodes.rbegin(); it != nodes.rend(); ++it)
+      if (isIndex(*it, model.nodes.size())) open.push_back({*it, parent});
+  };
+  push(model.scenes[size_t(scene)].nodes, -1);
+  while (!open.empty()) {
+    const Visit visit = open.back();
+    open.pop_back();
+    const auto n = size_t(visit.node);
+    if (out.reached[n]) continue;  // a node listed twice is drawn once
+    out.reached[n] = true;
+    out.order.push_back(visit.node);
+    const Node& node = pose.nodes.of(model.nodes, visit.node);
+    const glm::dmat4 local = localTransform(node);
+    const bool root = visit.parent < 0;
+    out.worldFromNode[n] = root ? local : out.worldFromNode[size_t(visit.parent)] * local;
+    out.hidden[n] = !node.visible || (!root && out.hidden[size_t(visit.parent)]);
+    push(node.children, visit.node);
+  }
   return out;
 }
 
 FlatScene flatten(const Model& model, int scene, const Pose& pose) {
   FlatScene flat;
-  NodeTransforms transforms;
-  for (const int n : traverse(model, scene, pose, transforms)) {
+  flat.joints.resize(model.skins.size());
+  NodeTransforms transforms = worldTransforms(model, scene, pose);
+  std::vector<bool> known = transforms.reached;
+  std::vector<PlacedSkin> skins(model.skins.size());
+  std::vector<bool> skinned(model.meshes.size());
+  for (size_t m = 0; m < skinned.size() && !skins.empty(); ++m) skinned[m] = hasInfluences(model.meshes[m]);
+
+  const auto addSkinned = [&](const Node& node, int n) {
+    PlacedSkin& skin = skins[size_t(node.skin)];
+    if (!skin.made) {
+      skin = placeSkin(model, pose, model.skins[size_t(node.skin)], known, transforms.worldFromNode);
+      flat.overflowed += skin.replaced;
+    }
+    if (skin.joints.empty()) return;
+    flat.instances.push_back({n, node.mesh, glm::dmat4(1), skin.mirrored, node.skin});
+  };
+  for (const int n : transforms.order) {
     const Node& node = pose.nodes.of(model.nodes, n);
     const glm::dmat4& world = transforms.worldFromNode[size_t(n)];
-    const bool drawn = isIndex(node.mesh, model.meshes.size()) && !model.meshes[size_t(node.mesh)].primitives.empty();
-    const bool shines = isIndex(node.light, model.lights.size());
+    const bool hidden = transforms.hidden[size_t(n)];
+    const bool drawn =
+        !hidden && isIndex(node.mesh, model.meshes.size()) && !model.meshes[size_t(node.mesh)].primitives.empty();
+    const bool bySkin = drawn && isIndex(node.skin, skins.size()) && skinned[size_t(node.mesh)];
+    const bool shines = !hidden && isIndex(node.light, model.lights.size());
     const bool looks = isIndex(node.camera, model.cameras.size());
-    if (!drawn && !shines && !looks) continue;
+    if (bySkin) addSkinned(node, n);
+    if (drawn && !bySkin) addInstances(node, n, world, flat);
+    if (!shines && !looks) continue;
     if (!isFinite(world)) {
       ++flat.overflowed;
       continue;
     }
-    if (drawn) flat.instances.push_back({n, node.mesh, world, isMirrored(world)});
-    if (shines) {
-      PlacedLight placed{n, node.light, glm::dvec3(world[3])};
-      const glm::dvec3 direction = safeNormalize(-glm::dvec3(world[2]));
-      if (direction != glm::dvec3(0)) placed.direction = direction;
-      flat.lights.push_back(placed);
-    }
+    if (shines) addLight(node, n, world, flat);
     if (looks) flat.cameras.push_back({n, node.camera, world});
   }
+  for (size_t s = 0; s < skins.size(); ++s) flat.joints[s] = std::move(skins[s].joints);
   return flat;
 }
 
@@ -139,15 +228,21 @@ Bounds transformed(const Bounds& bounds, const glm::dmat4& matrix) {
   return {center - reach, center + reach};
 }
 
-Bounds sceneBounds(const Model& model, const FlatScene& flat, const Pose&) {
+Bounds sceneBounds(const Model& model, const FlatScene& flat, const Pose& pose) {
   Bounds all;
-  for (const Instance& instance : flat.instances)
-    for (const Primitive& primitive : model.meshes[size_t(instance.mesh)].primitives) {
-      const Bounds placed = transformed(primitive.bounds, instance.worldFromNode);
+  std::vector<float> weights;
+  for (const Instance& instance : flat.instances) {
+    const Mesh& mesh = model.meshes[size_t(instance.mesh)];
+    std::span<const glm::dmat4> joints;
+    if (instance.skin >= 0) joints = flat.joints[size_t(instance.skin)];
+    weights = morphWeights(mesh, pose.nodes.of(model.nodes, instance.node));
+    for (const Primitive& primitive : mesh.primitives) {
+      const Bounds placed = deformedBounds(primitive, weights, joints, instance.worldFromNode);
       if (placed.empty()) continue;
       all.add(placed.min);
       all.add(placed.max);
     }
+  }
   return all;
 }
 
@@ -155,9 +250,7 @@ Bounds sceneBounds(const Model& model, int scene, const Pose& pose) {
   return sceneBounds(model, flatten(model, scene, pose), pose);
 }
 
-bool isMirrored(const glm::dmat4& matrix) {
-  return glm::dot(glm::cross(safeNormalize(matrix[0]), safeNormalize(matrix[1])), safeNormalize(matrix[2])) < 0;
-}
+bool isMirrored(const glm::dmat4& matrix) { return handedness(matrix) < 0; }
 
 glm::dmat3 normalTransform(const glm::dmat4& matrix) {
   // Columns are scaled to at most 1 before the products and back after them, as ratios only.

@@ -16,20 +16,22 @@ glm::dmat4 localTransform(const Node& node);
 // first of them negative for a left-handed matrix; shear is lost. A column of length 0 leaves its axis to the others.
 void decompose(Node& node);
 
-// Both vectors have one entry per node of the model.
+// One entry per node of the model in each vector but `order`.
 struct NodeTransforms {
   std::vector<glm::dmat4> worldFromNode;  // identity where not reached
-  std::vector<bool> reached;              // the scene's roots and all below them
+  std::vector<bool> reached;              // the scene's roots and all below them, hidden or not
+  std::vector<bool> hidden;               // Node::visible is false for the node or for one above it
+  std::vector<int> order;                 // those reached, depth first, each once
 };
 
 // Iterative, so a chain of any depth is fine. A scene index outside the model reaches nothing.
-NodeTransforms worldTransforms(const Model& model, int scene);
+NodeTransforms worldTransforms(const Model& model, int scene, const Pose& pose = {});
 
 // A mesh placed in the world.
 struct Instance {
   int node = -1, mesh = -1;
   glm::dmat4 worldFromNode = glm::dmat4(1);  // of a skinned mesh: the identity, because its joints place it
-  bool mirrored = false;                     // left-handed matrix: front faces wind clockwise
+  bool mirrored = false;                     // left-handed: front faces wind clockwise; skins: as most of the joints
   int skin = -1;                             // index in FlatScene::joints; only where the mesh has influences
 };
 
@@ -50,12 +52,15 @@ struct FlatScene {
   std::vector<PlacedLight> lights;
   std::vector<PlacedCamera> cameras;
   // By skin of the model: world from mesh for each joint, empty where no instance uses the skin. Joints outside the
-  // scene stand where their own parents put them.
+  // scene stand where their own parents put them; hidden ones move their vertices like others. One that is not finite
+  // takes the place of the skin's first finite one.
   std::vector<std::vector<glm::dmat4>> joints;
-  int overflowed = 0;  // nodes left out because their transform is not finite
+  int overflowed = 0;  // instances, lights, cameras left out and joints replaced: their transform is not finite
 };
 
-// Leaves out hidden nodes (Node::visible) with all below them; draws a node's mesh once for each of Node::instances.
+// Leaves out the meshes and lights of hidden nodes and of all below them, but not their cameras, as KHR_node_visibility
+// says. Draws a node's mesh once for each of Node::instances; a skinned one only once, because its joints place it
+// (EXT_mesh_gpu_instancing leaves that open).
 FlatScene flatten(const Model& model, int scene, const Pose& pose = {});
 
 // Box around all instances' primitives as they are in the pose, as the union of their transformed boxes: never too

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cfloat>
 #include <cmath>
+#include <cstring>
 
 #include "scene/geometry.hpp"
 
@@ -16,25 +17,35 @@ constexpr uint32_t none = 0xffffffffu;
 // -0 and 0 are the same place.
 uint32_t bits(float x) { return std::bit_cast<uint32_t>(x + 0.0f); }
 
-// For each item the first one with an equal key. keyOf(i): std::array<uint32_t, N>.
-template <class KeyOf>
-std::vector<uint32_t> weld(size_t count, const KeyOf& keyOf) {
+uint64_t mixed(uint64_t hash, uint32_t word) {
+  hash = (hash ^ word) * 0x9E3779B97F4A7C15u;
+  return hash ^ hash >> 32;
+}
+
+// For each item the first one that is equal: hashOf(i), equal(i, j).
+template <class HashOf, class Equal>
+std::vector<uint32_t> weld(size_t count, const HashOf& hashOf, const Equal& equal) {
   std::vector<uint32_t> first(count);
   std::vector<uint32_t> table(std::bit_ceil(std::max<size_t>(2 * count, 2)), none);
   const size_t mask = table.size() - 1;
   for (size_t i = 0; i < count; ++i) {
-    const auto key = keyOf(i);
-    uint64_t hash = 0;
-    for (const uint32_t word : key) {
-      hash = (hash ^ word) * 0x9E3779B97F4A7C15u;
-      hash ^= hash >> 32;
-    }
-    size_t slot = size_t(hash) & mask;
-    while (table[slot] != none && keyOf(table[slot]) != key) slot = (slot + 1) & mask;
+    size_t slot = size_t(hashOf(i)) & mask;
+    while (table[slot] != none && !equal(size_t(table[slot]), i)) slot = (slot + 1) & mask;
     if (table[slot] == none) table[slot] = uint32_t(i);
     first[i] = table[slot];
   }
   return first;
+}
+
+// keyOf(i): std::array<uint32_t, N>.
+template <class KeyOf>
+std::vector<uint32_t> weld(size_t count, const KeyOf& keyOf) {
+  const auto hashOf = [&](size_t i) {
+    uint64_t hash = 0;
+    for (const uint32_t word : keyOf(i)) hash = mixed(hash, word);
+    return hash;
+  };
+  return weld(count, hashOf, [&](size_t i, size_t j) { return keyOf(i) == keyOf(j); });
 }
 
 struct Face {
@@ -210,7 +221,7 @@ glm::vec4 groupTangent(const Builder& b, const Group& group) {
   return glm::vec4(tangent == glm::dvec3(0) ? anyTangent(n) : glm::vec3(tangent), group.preserves ? -1.0f : 1.0f);
 }
 
-std::vector<glm::vec4> cornerTangents(const Builder& b) {
+std::vector<glm::vec4> tangentsOf(const Builder& b) {
   std::vector<glm::vec4> ofGroup(b.groups.size());
   for (size_t g = 0; g < ofGroup.size(); ++g) ofGroup[g] = groupTangent(b, b.groups[g]);
 
@@ -228,64 +239,57 @@ std::vector<glm::vec4> cornerTangents(const Builder& b) {
   return tangents;
 }
 
+// One attribute as words of 32 bits.
+struct Column {
+  const uint8_t* data;
+  size_t words;  // per vertex
+
+  uint32_t word(size_t vertex, size_t i) const {
+    uint32_t w;
+    std::memcpy(&w, data + 4 * (vertex * words + i), 4);
+    return w == 0x80000000u ? 0 : w;  // -0 is 0
+  }
+};
+
+std::vector<Column> columnsOf(const Primitive& p) {
+  std::vector<Column> columns;
+  const auto add = [&](const auto& values, size_t per = 1) {
+    if (!values.empty())
+      columns.push_back({reinterpret_cast<const uint8_t*>(values.data()), per * sizeof(values[0]) / 4});
+  };
+  add(p.positions);
+  add(p.normals);
+  for (const std::vector<glm::vec2>& set : p.texCoords) add(set);
+  add(p.colors);
+  add(p.influences, size_t(p.influencesPerVertex));
+  for (const MorphTarget& target : p.targets) {
+    add(target.positions);
+    add(target.normals);
+    add(target.tangents);
+    add(target.colors);
+  }
+  return columns;
+}
+
 // Source vertices that agree in everything.
 std::vector<uint32_t> weldAll(const Primitive& p) {
-  return weld(p.positions.size(), [&](size_t i) {
-    std::array<uint32_t, 14> key{};
-    size_t k = 0;
-    const auto add = [&](const auto& values) {
-      if (!values.empty())
-        for (int axis = 0; axis < values[i].length(); ++axis) key[k++] = bits(values[i][axis]);
-    };
-    add(p.positions);
-    add(p.normals);
-    for (const std::vector<glm::vec2>& set : p.texCoords) add(set);
-    add(p.colors);
-    return key;
-  });
-}
-
-Primitive reindexed(const Builder& b, const std::vector<glm::vec4>& tangents) {
-  const std::vector<uint32_t> canonical = weldAll(b.p);
-  const std::vector<uint32_t> first = weld(tangents.size(), [&](size_t c) {
-    const glm::vec4& t = tangents[c];
-    return std::array{canonical[b.source(c)], bits(t.x), bits(t.y), bits(t.z), bits(t.w)};
-  });
-  Primitive out;
-  out.material = b.p.material;
-  out.bounds = b.p.bounds;
-  out.indices.resize(tangents.size());
-  std::vector<uint32_t> from;  // per vertex: its first corner
-  for (uint32_t c = 0; c < tangents.size(); ++c) {
-    if (first[c] == c) {
-      out.indices[c] = uint32_t(from.size());
-      from.push_back(c);
-    } else {
-      out.indices[c] = out.indices[first[c]];
-    }
-  }
-  const auto copy = [&](auto& to, const auto& values) {
-    if (values.empty()) return;
-    to.reserve(from.size());
-    for (const uint32_t c : from) to.push_back(values[b.source(c)]);
+  const std::vector<Column> columns = columnsOf(p);
+  const auto hashOf = [&](size_t v) {
+    uint64_t hash = 0;
+    for (const Column& column : columns)
+      for (size_t i = 0; i < column.words; ++i) hash = mixed(hash, column.word(v, i));
+    return hash;
   };
-  copy(out.positions, b.p.positions);
-  copy(out.normals, b.p.normals);
-  for (size_t set = 0; set < out.texCoords.size(); ++set) copy(out.texCoords[set], b.p.texCoords[set]);
-  copy(out.colors, b.p.colors);
-  out.tangents.reserve(from.size());
-  for (const uint32_t c : from) out.tangents.push_back(tangents[c]);
-  return out;
+  const auto equal = [&](size_t v, size_t w) {
+    for (const Column& column : columns)
+      for (size_t i = 0; i < column.words; ++i)
+        if (column.word(v, i) != column.word(w, i)) return false;
+    return true;
+  };
+  return weld(p.positions.size(), hashOf, equal);
 }
 
-}  // namespace
-
-Primitive withTangents(const Primitive& primitive, int texCoordSet) {
-  if (!hasTriangles(primitive.topology) || primitive.normals.empty() || texCoordSet < 0 ||
-      texCoordSet >= maxTexCoordSets || primitive.texCoords[size_t(texCoordSet)].empty())
-    return primitive;
-  const Primitive list = asList(primitive);
-  if (list.positions.empty()) return list;
+std::vector<glm::vec4> cornerTangents(const Primitive& list, int texCoordSet) {
   const size_t cornerCount = list.indices.empty() ? list.positions.size() : list.indices.size();
   Builder b{list, list.texCoords[size_t(texCoordSet)], cornerCount / 3};
   weldCorners(b);
@@ -293,7 +297,46 @@ Primitive withTangents(const Primitive& primitive, int texCoordSet) {
   for (size_t f = 0; f < b.faceCount; ++f) b.faces[f] = makeFace(b, f);
   connectFaces(b);
   buildGroups(b);
-  return reindexed(b, cornerTangents(b));
+  return tangentsOf(b);
+}
+
+// Corners that agree in everything become one vertex.
+void reindex(Primitive& p, const std::vector<glm::vec4>& tangents) {
+  p.tangents = {};
+  const auto sourceOf = [&](size_t corner) { return p.indices.empty() ? uint32_t(corner) : p.indices[corner]; };
+  std::vector<uint32_t> first;
+  {
+    const std::vector<uint32_t> canonical = weldAll(p);
+    first = weld(tangents.size(), [&](size_t c) {
+      const glm::vec4& t = tangents[c];
+      return std::array{canonical[sourceOf(c)], bits(t.x), bits(t.y), bits(t.z), bits(t.w)};
+    });
+  }
+  std::vector<uint32_t> indices(tangents.size()), source;
+  std::vector<glm::vec4> ofVertex;
+  for (uint32_t c = 0; c < tangents.size(); ++c) {
+    if (first[c] != c) {
+      indices[c] = indices[first[c]];
+      continue;
+    }
+    indices[c] = uint32_t(source.size());
+    source.push_back(sourceOf(c));
+    ofVertex.push_back(tangents[c]);
+  }
+  gatherVertices(p, source);
+  p.tangents = std::move(ofVertex);
+  p.indices = std::move(indices);
+}
+
+}  // namespace
+
+Primitive withTangents(Primitive primitive, int texCoordSet) {
+  if (!hasTriangles(primitive.topology) || primitive.normals.empty() || texCoordSet < 0 ||
+      texCoordSet >= maxTexCoordSets || primitive.texCoords[size_t(texCoordSet)].empty())
+    return primitive;
+  Primitive list = asList(std::move(primitive));
+  if (!list.positions.empty()) reindex(list, cornerTangents(list, texCoordSet));
+  return list;
 }
 
 }  // namespace facet::scene

@@ -8,8 +8,8 @@
 namespace facet::scene {
 
 // The primitive with tangents for TEXCOORD_texCoordSet, its triangles re-indexed: corners share a vertex where all
-// attributes agree, the tangent among them, so vertices are split where the texture is mirrored. Strips and fans become
-// lists. The order of triangles is kept.
+// attributes agree, the tangent, influences and morph targets among them, so vertices are split where the texture is
+// mirrored. Strips and fans become lists. The order of triangles is kept.
 //
 // w follows glTF, whose bitangent points to smaller v (v runs down the image, a normal map's +y up): the negative of
 // the sign that MikkTSpace gives for the same numbers.
@@ -19,6 +19,6 @@ namespace facet::scene {
 // perpendicular to the normal (MikkTSpace: +X, whatever the normal), w = 1. Every result is finite and of unit length.
 //
 // Unchanged (without tangents) if the primitive has no triangles, no normals or not that set of coordinates.
-Primitive withTangents(const Primitive& primitive, int texCoordSet);
+Primitive withTangents(Primitive primitive, int texCoordSet);
 
 }  // namespace facet::scene

@@ -72,9 +72,30 @@ const Material& materialOf(const Model& model, const Primitive& primitive) {
   return m >= 0 && size_t(m) < model.materials.size() ? model.materials[size_t(m)] : defaultMaterial;
 }
 
+std::vector<Material> materialsOverTime(const Model& model) {
+  std::vector<Material> materials = model.materials;
+  for (const Animation& animation : model.animations)
+    for (const AnimationChannel& channel : animation.channels) {
+      if (channel.property < AnimatedProperty::baseColorFactor || channel.property > AnimatedProperty::textureScale)
+        continue;
+      Material& m = materials[size_t(channel.object)];
+      if (channel.property == AnimatedProperty::baseColorFactor) m.baseColorFactor = glm::vec4(1);
+      if (channel.property == AnimatedProperty::metallicFactor) m.metallicFactor = 1;
+      if (channel.property == AnimatedProperty::roughnessFactor) m.perceptualRoughnessFactor = 1;
+      if (channel.property == AnimatedProperty::emissiveFactor) m.emissiveFactor = glm::vec3(1);
+      if (channel.property == AnimatedProperty::emissiveStrength) m.emissiveStrength = 1;
+      if (channel.property == AnimatedProperty::normalScale) m.normalScale = 1;
+      if (channel.property == AnimatedProperty::occlusionStrength) m.occlusionStrength = 1;
+    }
+  return materials;
+}
+
 std::vector<bool> drawnMeshes(const Model& model, int scene) {
   std::vector<bool> drawn(model.meshes.size(), false);
-  for (const Instance& instance : flatten(model, scene).instances) drawn[size_t(instance.mesh)] = true;
+  for (const int n : worldTransforms(model, scene).order) {
+    const int mesh = model.nodes[size_t(n)].mesh;
+    if (mesh >= 0 && size_t(mesh) < drawn.size()) drawn[size_t(mesh)] = true;
+  }
   return drawn;
 }
 

@@ -33,7 +33,12 @@ bool usesTexture(const Material& material, const Primitive& primitive, TextureSl
 // The primitive's material; glTF's default material where it names none.
 const Material& materialOf(const Model& model, const Primitive& primitive);
 
-// Meshes drawn in the scene: one entry per mesh of the model.
+// The model's materials with every factor that an animation sets set to 1: where usesTexture denies a texture of these,
+// it stays invisible at all times.
+std::vector<Material> materialsOverTime(const Model& model);
+
+// Meshes that the scene may draw: one entry per mesh of the model. Those of hidden nodes count, because an animation
+// may show them.
 std::vector<bool> drawnMeshes(const Model& model, int scene);
 
 }  // namespace facet::scene

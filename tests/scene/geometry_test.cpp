@@ -164,3 +164,156 @@ TEST_CASE("Geometry is completed as the materials need it") {
     CHECK(notes.empty());
   }
 }
+
+namespace {
+
+// The quad with a joint, a morph target and a colour for each vertex that tell which one it was.
+Primitive labelled() {
+  Primitive p = quad();
+  p.influencesPerVertex = 2;
+  p.targets.resize(2);
+  for (uint32_t v = 0; v < 4; ++v) {
+    const float f = float(v);
+    p.influences.insert(p.influences.end(), {{v, 0.75f}, {v + 4, 0.25f}});
+    p.targets[0].positions.push_back({f, 0, 0});
+    p.targets[0].normals.push_back({0, f, 0});
+    p.targets[0].tangents.push_back({0, 0, f});
+    p.targets[1].colors.push_back({f, f, f, f});
+    p.texCoords[7].push_back({f, -f});
+  }
+  return p;
+}
+
+void checkLabels(const Primitive& p, const std::vector<uint32_t>& was) {
+  REQUIRE(p.positions.size() == was.size());
+  REQUIRE(p.influences.size() == 2 * was.size());
+  for (size_t v = 0; v < was.size(); ++v) {
+    const float f = float(was[v]);
+    CHECK(p.positions[v] == quad().positions[was[v]]);
+    CHECK(p.influences[2 * v].joint == was[v]);
+    CHECK(p.influences[2 * v + 1].joint == was[v] + 4);
+    CHECK(p.influences[2 * v + 1].weight == 0.25f);
+    CHECK(p.targets.at(0).positions.at(v) == glm::vec3(f, 0, 0));
+    CHECK(p.targets.at(1).colors.at(v) == glm::vec4(f));
+    CHECK(p.texCoords[7].at(v) == glm::vec2(f, -f));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("Influences and morph targets go along where vertices are copied") {
+  const std::vector<uint32_t> corners = quad().indices;
+  checkLabels(unwelded(labelled()), corners);
+  CHECK(unwelded(labelled()).targets[0].tangents.at(5) == glm::vec3(0, 0, 3));
+  CHECK(unwelded(labelled()).targets[1].positions.empty());
+  checkLabels(asList(labelled()), {0, 1, 2, 3});
+
+  const Primitive flat = withFlatNormals(labelled());
+  checkLabels(flat, corners);
+  CHECK(flat.flatNormals);
+  CHECK(flat.targets[0].normals.empty());  // there are no normals that they could change
+  CHECK(flat.targets[0].tangents.empty());
+
+  Primitive strip = labelled();
+  strip.topology = Topology::triangleStrip;
+  strip.indices = {0, 1, 3, 2};
+  strip.variantMaterials = {4};
+  checkLabels(unwelded(strip), {0, 1, 3, 1, 2, 3});
+  strip.indices = {0, 1};
+  CHECK(asList(strip).variantMaterials == std::vector<int>{4});
+}
+
+TEST_CASE("Only normals that were missing are flat") {
+  Notes notes;
+  Model model = modelWith(labelled(), {});
+  completeGeometry(model, notes);
+  CHECK(model.meshes[0].primitives[0].flatNormals);
+  Primitive given = labelled();
+  given.normals.resize(4, {0, 0, 1});
+  model = modelWith(given, {});
+  completeGeometry(model, notes);
+  CHECK_FALSE(model.meshes[0].primitives[0].flatNormals);
+  CHECK(model.meshes[0].primitives[0].targets[0].normals.size() == 4);
+}
+
+TEST_CASE("Bounds of joints and morph targets hold the vertices that are drawn") {
+  Primitive p = labelled();
+  p.normals.resize(4, {0, 0, 1});
+  p.indices = {0, 1, 2};
+  p.influences[1].weight = 0;  // joint 4 has no other share
+  Model model = modelWith(p, {});
+  Notes notes;
+  completeGeometry(model, notes);
+  const Primitive& done = model.meshes[0].primitives[0];
+  REQUIRE(done.jointBounds.size() == 7);  // vertex 3 is not drawn, so joints 3 and 7 have none
+  CHECK(done.jointBounds[2].min == glm::dvec3(1, 1, 0));
+  CHECK(done.jointBounds[6].max == glm::dvec3(1, 1, 0));
+  CHECK(done.jointBounds[3].empty());
+  CHECK(done.jointBounds[4].empty());
+  CHECK(done.targets[0].bounds.min == glm::dvec3(0));
+  CHECK(done.targets[0].bounds.max == glm::dvec3(2, 0, 0));
+  CHECK(done.targets[1].bounds.empty());
+}
+
+TEST_CASE("The materials of variants get what they need as well") {
+  Material plain, mapped, unlit;
+  mapped.normal.texture = 0;
+  unlit.unlit = true;
+  Notes notes;
+  Model model = modelWith(quad(), unlit);
+  model.materials.push_back(plain);
+  model.materials.push_back(mapped);
+  Primitive& p = model.meshes[0].primitives[0];
+  SECTION("none: the primitive is unlit") {
+    p.variantMaterials = {-1, 0};
+    completeGeometry(model, notes);
+    CHECK(p.normals.empty());
+  }
+  SECTION("a lit one gets normals") {
+    p.variantMaterials = {-1, 1};
+    completeGeometry(model, notes);
+    CHECK(p.normals.size() == 6);
+    CHECK(p.tangents.empty());
+  }
+  SECTION("one with a normal texture gets tangents") {
+    p.variantMaterials = {1, 2};
+    completeGeometry(model, notes);
+    CHECK(p.tangents.size() == p.positions.size());
+    CHECK(notes.empty());
+  }
+  SECTION("other coordinates are noted, once each") {
+    model.materials.push_back(mapped);
+    model.materials[3].normal.texCoord = 1;
+    model.materials.push_back(mapped);
+    model.materials[4].normal.texCoord = 5;
+    p.texCoords[1] = p.texCoords[0];
+    p.variantMaterials = {4, 2, 3, 3, 2, 4};
+    completeGeometry(model, notes);
+    CHECK(p.tangents.size() == p.positions.size());
+    REQUIRE(notes.size() == 2);
+    CHECK(notes[0].text == "the normal texture needs TEXCOORD_5, which is missing; the texture is not used");
+    CHECK(notes[1].text == "the normal texture of a variant uses TEXCOORD_1; its tangents are those of TEXCOORD_0");
+  }
+}
+
+TEST_CASE("A normal texture that an animation brings out gets tangents") {
+  Material mapped;
+  mapped.normal.texture = 0;
+  mapped.normalScale = 0;
+  Notes notes;
+  Model model = modelWith(quad(), mapped);
+  completeGeometry(model, notes);
+  CHECK(model.meshes[0].primitives[0].tangents.empty());
+  model = modelWith(quad(), mapped);
+  model.animations = {{"", {{Interpolation::linear, {0}, {1}, 1}}, {{0, AnimatedProperty::normalScale, 0}}}};
+  completeGeometry(model, notes);
+  CHECK_FALSE(model.meshes[0].primitives[0].tangents.empty());
+}
+
+TEST_CASE("What is hidden is completed, because an animation may show it") {
+  Model model = modelWith(quad(), {});
+  model.nodes[0].visible = false;
+  Notes notes;
+  completeGeometry(model, notes, 0);
+  CHECK_FALSE(model.meshes[0].primitives[0].normals.empty());
+}

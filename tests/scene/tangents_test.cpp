@@ -123,6 +123,48 @@ TEST_CASE("Corners are welded by what they are, not by their indices") {
   CHECK(out.positions.size() == 5);
 }
 
+TEST_CASE("Corners with other influences or morph targets stay apart and keep them; all coordinate sets do") {
+  Primitive soup;
+  const Primitive indexed = quad();
+  soup.influencesPerVertex = 2;
+  soup.targets.resize(2);
+  soup.variantMaterials = {7};
+  for (const uint32_t i : indexed.indices) {
+    soup.positions.push_back(indexed.positions[i]);
+    soup.normals.push_back(indexed.normals[i]);
+    for (std::vector<glm::vec2>& set : soup.texCoords) set.push_back(indexed.texCoords[0][i]);
+    soup.colors.push_back({1, 1, 1, 1});
+    soup.influences.insert(soup.influences.end(), {{i, 0.5f}, {9, 0.5f}});
+    soup.targets[0].positions.push_back({float(i), 0, 0});
+    soup.targets[1].colors.push_back({1, 1, float(i), 1});
+  }
+  Primitive out = withTangents(soup, 3);
+  REQUIRE(out.positions.size() == 4);
+  CHECK(out.variantMaterials == std::vector<int>{7});
+  for (size_t c = 0; c < 6; ++c) {
+    const size_t v = out.indices[c];
+    CHECK(out.influences.at(2 * v).joint == indexed.indices[c]);
+    CHECK(out.influences.at(2 * v + 1).joint == 9);
+    CHECK(out.targets[0].positions.at(v).x == float(indexed.indices[c]));
+    CHECK(out.targets[1].colors.at(v).z == float(indexed.indices[c]));
+    CHECK(out.texCoords[7].at(v) == soup.texCoords[7][c]);
+  }
+  CHECK(out.targets[0].normals.empty());
+
+  Primitive other = soup;
+  other.influences[2 * 3 + 1].joint = 8;
+  CHECK(withTangents(other, 0).positions.size() == 5);
+  other = soup;
+  other.targets[0].positions[3] = {0, 1e-30f, 0};
+  CHECK(withTangents(other, 0).positions.size() == 5);
+  other = soup;
+  other.targets[1].colors[3].a = 0;
+  CHECK(withTangents(other, 0).positions.size() == 5);
+  other = soup;
+  other.texCoords[7][3].x += 1;
+  CHECK(withTangents(other, 0).positions.size() == 5);
+}
+
 TEST_CASE("On a sphere the tangent is the parallel's direction, better with finer meshes") {
   double before = 0;
   for (const int stacks : {16, 32, 64}) {

@@ -106,3 +106,37 @@ TEST_CASE("Meshes are drawn where a node of the scene shows them") {
   CHECK(drawnMeshes(model, 0) == std::vector<bool>{true});
   CHECK(drawnMeshes(model, 1) == std::vector<bool>{false});
 }
+
+TEST_CASE("Hidden meshes count as drawn") {
+  Model model = modelWith(fullMaterial());
+  model.nodes[0].visible = false;
+  CHECK(drawnMeshes(model, 0) == std::vector<bool>{true});
+}
+
+TEST_CASE("Textures that an animation brings out are used over time") {
+  using P = AnimatedProperty;
+  struct Row {
+    TextureSlot slot;
+    std::vector<P> animated;
+  };
+  const Row rows[] = {{TextureSlot::baseColor, {P::baseColorFactor}},
+                      {TextureSlot::metallicRoughness, {P::metallicFactor}},
+                      {TextureSlot::metallicRoughness, {P::roughnessFactor}},
+                      {TextureSlot::normal, {P::normalScale}},
+                      {TextureSlot::occlusion, {P::occlusionStrength}},
+                      {TextureSlot::emissive, {P::emissiveFactor, P::emissiveStrength}}};
+  Material nothing = fullMaterial();
+  nothing.baseColorFactor = glm::vec4(0);
+  nothing.emissiveFactor = glm::vec3(0);
+  nothing.metallicFactor = nothing.perceptualRoughnessFactor = nothing.normalScale = nothing.occlusionStrength = 0;
+  nothing.emissiveStrength = 0;
+  for (const Row& row : rows) {
+    Model model = modelWith(nothing);
+    model.nodes[0].weights = {};
+    Animation animation{"", {{Interpolation::step, {0}, {0, 0, 0}, 3}}, {{0, P::translation, 0}}};
+    for (const P property : row.animated) animation.channels.push_back({0, property, 0});
+    model.animations = {animation};
+    const Material m = materialsOverTime(model).at(0);
+    for (const TextureSlot slot : textureSlots) CHECK(usesTexture(m, slot) == (slot == row.slot));
+  }
+}
