@@ -121,7 +121,6 @@ struct Primitive {
   Topology topology = Topology::triangles;
   std::vector<glm::vec3> positions;  // metres, in the mesh's space, finite
   std::vector<glm::vec3> normals;    // unit
-  bool flatNormals = false;          // the file had none: each triangle is flat, also where it is deformed
   std::vector<glm::vec4> tangents;   // xyz unit; bitangent = w cross(normal, tangent), w = +-1
   std::array<std::vector<glm::vec2>, maxTexCoordSets> texCoords;
   std::vector<glm::vec4> colors;      // linear, multiplies the base colour
