@@ -44,7 +44,10 @@ io::LoadedModel modelOf(scene::Primitive primitive) {
   white.doubleSided = true;
   model.materials = {white};
   model.meshes = {{"mesh", {std::move(primitive)}}};
-  model.cameras = {{.perspective = false, .xMag = 2, .yMag = 2, .zNear = 1, .zFar = 100}};
+  scene::Camera camera;
+  camera.perspective = false;
+  camera.xMag = camera.yMag = 2, camera.zNear = 1, camera.zFar = 100;
+  model.cameras = {camera};
   model.nodes.resize(1);
   model.nodes[0].mesh = 0;
   model.nodes.push_back(cameraNode());
