@@ -3,6 +3,7 @@
 
 #include "base/parallel.hpp"
 #include "io/accessors.hpp"
+#include "io/gltf_deformation.hpp"
 #include "io/gltf_document.hpp"
 #include "io/gltf_draco.hpp"
 #include "io/uri.hpp"
@@ -19,6 +20,7 @@ struct Job {
   DracoGeometry draco;
   Notes notes;
   std::optional<Error> error;
+  JointLimit joints = {};
 
   void note(Note::Severity severity, std::string key, std::string text) {
     notes.push_back({severity, place + key, std::move(text)});
@@ -110,6 +112,8 @@ Result<void> checkPrimitive(Document& doc, const tinygltf::Primitive& primitive,
       return ok;
   }
   if (auto ok = checkTypes(doc, primitive, place); !ok) return ok;
+  if (auto ok = checkInfluences(doc, primitive, place); !ok) return ok;
+  if (auto ok = checkTargets(doc, primitive, place); !ok) return ok;
   if (auto ok = checkIndices(doc, primitive, place); !ok) return ok;
   if (isDraco(primitive)) {
     if (auto ok = checkDraco(doc, primitive, place); !ok) return ok;
@@ -250,6 +254,7 @@ bool decodeCompressed(const Document& doc, Job& job) {
   if (!isDraco(*job.from)) return true;
   std::vector<const char*> wanted;
   for (const auto& rule : attributeRules) wanted.push_back(rule.name);
+  appendInfluenceNames(*job.from, wanted);
   auto geometry = decodeDraco(doc, *job.from, job.place, wanted);
   if (geometry) {
     job.draco = std::move(*geometry);
@@ -267,6 +272,9 @@ void readPrimitive(const Document& doc, Job& job) {
   if (!decodeCompressed(doc, job) || !readPositions(doc, job) || !readPrimitiveIndices(doc, job)) return;
   readFrames(doc, job);
   readSurfaceData(doc, job);
+  readTargets(doc, *job.from, job.place, job.primitive, job.notes);
+  const auto ok = readInfluences(doc, *job.from, job.draco, job.place, job.joints, job.primitive, job.notes);
+  if (!ok) job.error = ok.error();
   job.draco = {};
 }
 
@@ -286,17 +294,20 @@ static_assert(static_cast<int>(scene::Topology::triangleFan) == TINYGLTF_MODE_TR
 Result<void> readMeshes(Document& doc) {
   std::vector<Job> jobs;
   std::vector<size_t> meshOf;
+  const std::vector<JointLimit> joints = jointLimits(doc);
   uint64_t bytes = 0;
   for (size_t m = 0; m < doc.gltf.meshes.size(); ++m) {
     const auto& mesh = doc.gltf.meshes[m];
     doc.model.meshes.emplace_back().name = mesh.name;
+    if (auto ok = readMeshWeights(doc, m); !ok) return ok;
     for (size_t p = 0; p < mesh.primitives.size(); ++p) {
       std::string place = pointer(pointer("/meshes", m) + "/primitives", p);
       bool use = false;
       if (auto ok = checkPrimitive(doc, mesh.primitives[p], place, use); !ok) return ok;
       if (!use) continue;
-      bytes += decodedBytes(doc, mesh.primitives[p]);
-      jobs.push_back({&mesh.primitives[p], std::move(place), {}, {}, {}, {}});
+      bytes += decodedBytes(doc, mesh.primitives[p]) + influenceBytes(doc, mesh.primitives[p], joints[m]) +
+               targetBytes(doc, mesh.primitives[p]);
+      jobs.push_back({&mesh.primitives[p], std::move(place), {}, {}, {}, {}, joints[m]});
       meshOf.push_back(m);
     }
   }
