@@ -261,10 +261,11 @@ void convertElements(const Elements& from, bool normalized, int width, float* ou
   }
 }
 
-void readFloats(const Document& doc, int accessor, int width, float* out, bool alwaysNormalized) {
+void readFloats(const Document& doc, int accessor, int width, float* out, bool alwaysNormalized, size_t limit) {
   const auto& a = doc.gltf.accessors[static_cast<size_t>(accessor)];
   Elements from = elements(doc, accessor);
   const bool normalized = from.normalized || alwaysNormalized;
+  from.count = std::min(from.count, limit);
   if (from.data != nullptr) {
     convertElements(from, normalized, width, out);
   } else {
@@ -279,6 +280,7 @@ void readFloats(const Document& doc, int accessor, int width, float* out, bool a
   from.count = 1;
   for (int i = 0; i < a.sparse.count; ++i) {
     const uint32_t index = loadUnsigned(indices + static_cast<size_t>(i) * componentSize(indexType), indexType);
+    if (index >= limit) break;  // they rise
     from.data = values + static_cast<size_t>(i) * from.stride;
     convertElements(from, normalized, width, out + static_cast<size_t>(index) * static_cast<size_t>(width));
   }

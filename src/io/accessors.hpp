@@ -38,8 +38,10 @@ void convertElements(const Elements& from, bool normalized, int width, float* ou
 
 // Reads a checked accessor with sparse substitution into rows of `width` floats, of which the first min(width,
 // components) are written: integers as f = c / max (normalised; c / max >= -1 when signed) or as they are. out must
-// hold count * width floats, zero or the default where the accessor has fewer components.
-void readFloats(const Document& doc, int accessor, int width, float* out, bool alwaysNormalized = false);
+// hold min(count, limit) * width floats, zero or the default where the accessor has fewer components; what comes after
+// `limit` elements is not read.
+void readFloats(const Document& doc, int accessor, int width, float* out, bool alwaysNormalized = false,
+                size_t limit = SIZE_MAX);
 
 // Unsigned integers of any width; sparse included.
 std::vector<uint32_t> readIndices(const Document& doc, int accessor);

@@ -58,16 +58,16 @@ Result<void> readAsset(Document& doc) {
   return {};
 }
 
-// The text for tinygltf. Buffers and images are taken out (gltf_data.cpp), and so are animations: nothing plays them,
-// and it refuses channels without a node, which extensions allow. Accessors without a buffer view get one past the real
-// ones, because tinygltf refuses indices without; it is taken back in parse().
+// The text for tinygltf. Taken out are buffers and images (gltf_data.cpp), animations, because it refuses channels
+// without a node, which extensions allow, and skins, because it wants inverse bind matrices. Accessors without a buffer
+// view get one past the real ones, because tinygltf refuses indices without; it is taken back in parse().
 std::string textForTinygltf(const Document& doc) {
   struct Edit {
     size_t begin, end;
     std::string text;
   };
   std::vector<Edit> edits;
-  for (const char* key : {"buffers", "images", "animations"}) {
+  for (const char* key : {"buffers", "images", "animations", "skins"}) {
     if (const JsonMember* found = doc.outline.find(key)) edits.push_back({found->begin, found->end, "[]"});
   }
   if (!doc.outline.accessorsWithoutView.empty()) {
@@ -138,17 +138,12 @@ Result<void> checkSyntax(const Document& doc) {
 // tinygltf names no place, but it reads section after section: the first one that is incomplete holds the fault.
 std::string incompleteSection(const Document& doc) {
   const auto& g = doc.gltf;
-  const std::pair<const char*, size_t> sections[] = {{"bufferViews", g.bufferViews.size()},
-                                                     {"accessors", g.accessors.size()},
-                                                     {"meshes", g.meshes.size()},
-                                                     {"nodes", g.nodes.size()},
-                                                     {"scenes", g.scenes.size()},
-                                                     {"materials", g.materials.size()},
-                                                     {"textures", g.textures.size()},
-
-                                                     {"skins", g.skins.size()},
-                                                     {"samplers", g.samplers.size()},
-                                                     {"cameras", g.cameras.size()}};
+  const std::pair<const char*, size_t> sections[] = {
+      {"bufferViews", g.bufferViews.size()}, {"accessors", g.accessors.size()},
+      {"meshes", g.meshes.size()},           {"nodes", g.nodes.size()},
+      {"scenes", g.scenes.size()},           {"materials", g.materials.size()},
+      {"textures", g.textures.size()},       {"samplers", g.samplers.size()},
+      {"cameras", g.cameras.size()}};
   for (const auto& [key, read] : sections) {
     if (read < doc.outline.elements(key)) return pointer(std::string("/") + key, read);
   }
@@ -223,7 +218,8 @@ Result<LoadedModel> load(Document& doc, std::span<const uint8_t> bytes) {
   }
   if (auto ok = checkBufferViews(doc); !ok) return tl::unexpected(ok.error());
   if (auto ok = checkAccessors(doc); !ok) return tl::unexpected(ok.error());
-  for (const auto step : {readImages, readTextures, readMaterials, readVariants, readLights, readCameras, readNodes, readMeshes}) {
+  for (const auto step : {readImages, readTextures, readMaterials, readVariants, readLights, readCameras, readSkins,
+                          readNodes, readMeshes, readAnimations}) {
     if (auto ok = step(doc); !ok) return tl::unexpected(ok.error());
   }
   doc.model.name = fs::path(doc.name).filename().string();

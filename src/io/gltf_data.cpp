@@ -1,6 +1,8 @@
 // Buffers and images: the two sections whose bytes lie outside the JSON. They are read here and taken out of the text
 // that tinygltf gets, so that it never sees a file name, never copies a buffer and never decodes an image.
 
+#include <algorithm>
+
 #include "io/accessors.hpp"
 #include "io/json_section.hpp"
 #include "io/uri.hpp"
@@ -30,10 +32,23 @@ const Json* extensionOf(const Json& object, const char* name) {
   return found != extensions->end() && found->is_object() ? &*found : nullptr;
 }
 
+std::string stringAt(const Json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+Result<int> readIndex(const Document& doc, const Json& value, size_t count, const std::string& place,
+                      const char* what) {
+  if (!value.is_number_integer()) return doc.error(place, "is not a whole number");
+  const bool fits = value.is_number_unsigned() && value.get<uint64_t>() < std::min<uint64_t>(count, INT32_MAX);
+  if (fits) return value.get<int>();
+  return doc.error(place, what + (" " + value.dump()) + " does not exist; there are " + std::to_string(count));
+}
+
 namespace {
 
 // Null where the key is missing or holds something else than a string.
-const std::string* stringAt(const Json& object, const char* key) {
+const std::string* textAt(const Json& object, const char* key) {
   const auto found = object.find(key);
   return found != object.end() && found->is_string() ? &found->get_ref<const std::string&>() : nullptr;
 }
@@ -60,7 +75,7 @@ Result<std::span<const uint8_t>> fileBuffer(Document& doc, const std::string& ur
 
 Result<std::span<const uint8_t>> bufferBytes(Document& doc, const Json& buffer, size_t index,
                                              const std::string& place) {
-  const std::string* uri = stringAt(buffer, "uri");
+  const std::string* uri = textAt(buffer, "uri");
   if (uri == nullptr) {
     if (index == 0 && doc.hasBinary) return doc.binary;
     return doc.error(place, "has no uri", "embed the buffer or name its file");
@@ -159,7 +174,7 @@ Result<void> readImages(Document& doc) {
   for (size_t i = 0; i < images->size(); ++i) {
     const Json& image = (*images)[i];
     const std::string place = pointer("/images", i);
-    const std::string *name = stringAt(image, "name"), *uri = stringAt(image, "uri");
+    const std::string *name = textAt(image, "name"), *uri = textAt(image, "uri");
     scene::Image result;
     result.name = name && !name->empty() ? *name : uri && !isDataUri(*uri) ? lastPart(*uri) : place.substr(1);
     const auto ok = uri ? imageFromUri(doc, *uri, place, result) : imageFromView(doc, image, place, result);

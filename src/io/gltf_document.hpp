@@ -69,8 +69,13 @@ Result<void> readImages(Document& doc);  // after tinygltf's buffer views
 // gltf_meshopt.cpp: EXT_meshopt_compression. Before checkBufferViews; its views point to decoded bytes afterwards.
 Result<void> decodeMeshopt(Document& doc);
 
-// gltf_nodes.cpp
+// gltf_skins.cpp
+Result<void> readSkins(Document& doc);
+// gltf_nodes.cpp: after readSkins
 Result<void> readNodes(Document& doc);  // and scenes
+// gltf_instancing.cpp: EXT_mesh_gpu_instancing of one node; `bytes` is what those before it take
+Result<void> readInstances(Document& doc, const tinygltf::Node& from, const std::string& place, scene::Node& node,
+                           uint64_t& bytes);
 // gltf_lights.cpp
 Result<void> readLights(Document& doc);
 Result<void> readCameras(Document& doc);
@@ -82,8 +87,10 @@ Result<void> readVariants(Document& doc);
 // Primitive::variantMaterials; after readVariants.
 Result<std::vector<int>> variantMaterials(Document& doc, const tinygltf::Primitive& primitive,
                                           const std::string& place);
-// gltf_meshes.cpp: after checkAccessors, readMaterials and readVariants
+// gltf_meshes.cpp: after checkAccessors, readMaterials, readVariants and readNodes
 Result<void> readMeshes(Document& doc);
+// gltf_animations.cpp: after all that can be animated
+Result<void> readAnimations(Document& doc);
 
 // -- Extensions (gltf_extensions.cpp) --
 

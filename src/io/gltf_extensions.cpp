@@ -16,6 +16,9 @@ constexpr std::string_view supportedExtensions[] = {
     "KHR_materials_variants",           // gltf_variants.cpp
     "KHR_mesh_quantization",            // accessors.cpp: all component types are read anyway
     "KHR_draco_mesh_compression",       // gltf_draco.cpp
+    "EXT_mesh_gpu_instancing",          // gltf_instancing.cpp
+    "KHR_node_visibility",              // gltf_nodes.cpp
+    "KHR_animation_pointer",            // gltf_animation_targets.cpp
     "EXT_meshopt_compression",          // gltf_meshopt.cpp
     "EXT_texture_webp",                 // gltf_materials.cpp, image.cpp
 };

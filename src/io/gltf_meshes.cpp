@@ -5,6 +5,7 @@
 
 #include "base/parallel.hpp"
 #include "io/accessors.hpp"
+#include "io/gltf_deformation.hpp"
 #include "io/gltf_document.hpp"
 #include "io/gltf_draco.hpp"
 #include "io/uri.hpp"
@@ -25,6 +26,7 @@ struct Job {
   DracoGeometry draco = {};
   Notes notes = {};
   std::optional<Error> error = {};
+  JointLimit joints = {};
 
   void note(Note::Severity severity, std::string key, std::string text) {
     notes.push_back({severity, place + key, std::move(text)});
@@ -142,6 +144,8 @@ Result<void> checkPrimitive(Document& doc, const tinygltf::Primitive& primitive,
       return ok;
   }
   if (auto ok = checkTypes(doc, primitive, place); !ok) return ok;
+  if (auto ok = checkInfluences(doc, primitive, place); !ok) return ok;
+  if (auto ok = checkTargets(doc, primitive, place); !ok) return ok;
   if (auto ok = checkIndices(doc, primitive, place); !ok) return ok;
   if (isDraco(primitive)) {
     if (auto ok = checkDraco(doc, primitive, place); !ok) return ok;
@@ -284,6 +288,7 @@ bool decodeCompressed(const Document& doc, Job& job) {
   std::vector<const char*> wanted;
   for (const auto& rule : attributeRules)
     if (isRead(rule, job.sets)) wanted.push_back(rule.name);
+  appendInfluenceNames(*job.from, wanted);
   auto geometry = decodeDraco(doc, *job.from, job.place, wanted);
   if (geometry) {
     job.draco = std::move(*geometry);
@@ -300,6 +305,9 @@ void readPrimitive(const Document& doc, Job& job) {
   if (!decodeCompressed(doc, job) || !readPositions(doc, job) || !readPrimitiveIndices(doc, job)) return;
   readFrames(doc, job);
   readSurfaceData(doc, job);
+  readTargets(doc, *job.from, job.place, job.primitive, job.notes);
+  const auto ok = readInfluences(doc, *job.from, job.draco, job.place, job.joints, job.primitive, job.notes);
+  if (!ok) job.error = ok.error();
   job.draco = {};
 }
 
@@ -319,10 +327,12 @@ static_assert(static_cast<int>(scene::Topology::triangleFan) == TINYGLTF_MODE_TR
 Result<void> readMeshes(Document& doc) {
   std::vector<Job> jobs;
   std::vector<size_t> meshOf;
+  const std::vector<JointLimit> joints = jointLimits(doc);
   uint64_t bytes = 0;
   for (size_t m = 0; m < doc.gltf.meshes.size(); ++m) {
     const auto& mesh = doc.gltf.meshes[m];
     doc.model.meshes.emplace_back().name = mesh.name;
+    if (auto ok = readMeshWeights(doc, m); !ok) return ok;
     for (size_t p = 0; p < mesh.primitives.size(); ++p) {
       std::string place = pointer(pointer("/meshes", m) + "/primitives", p);
       bool use = false;
@@ -334,7 +344,9 @@ Result<void> readMeshes(Document& doc) {
       job.primitive.material = job.from->material;
       job.primitive.variantMaterials = std::move(*variants);
       job.sets = wantedSets(doc, job.primitive);
-      bytes += decodedBytes(doc, *job.from, job.sets);
+      job.joints = joints[m];
+      bytes += decodedBytes(doc, *job.from, job.sets) + influenceBytes(doc, *job.from, joints[m]) +
+               targetBytes(doc, *job.from);
       meshOf.push_back(m);
     }
   }

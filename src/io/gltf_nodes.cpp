@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "io/gltf_document.hpp"
+#include "io/gltf_deformation.hpp"
 
 namespace facet::io {
 
@@ -77,25 +77,49 @@ Result<void> readNodeLight(const Document& doc, const tinygltf::Node& from, cons
   return checkIndex(doc, node.light, doc.gltf.lights.size(), lightPlace, "light");
 }
 
-Result<void> readNode(Document& doc, size_t index) {
+void readVisibility(Document& doc, const tinygltf::Node& from, const std::string& place, scene::Node& node) {
+  const auto extension = from.extensions.find("KHR_node_visibility");
+  if (extension == from.extensions.end() || !extension->second.Has("visible")) return;
+  const auto& visible = extension->second.Get("visible");
+  if (visible.IsBool()) {
+    node.visible = visible.Get<bool>();
+  } else {
+    doc.warning(place + "/extensions/KHR_node_visibility/visible", "is neither true nor false: shown");
+  }
+}
+
+Result<void> readNodeWeights(Document& doc, const tinygltf::Node& from, const std::string& place, scene::Node& node) {
+  if (from.weights.empty()) return {};
+  const size_t targets = node.mesh == -1 ? 0 : targetCount(doc.gltf.meshes[static_cast<size_t>(node.mesh)]);
+  auto weights = readWeights(doc, from.weights, targets, place + "/weights");
+  if (!weights) return tl::unexpected(weights.error());
+  node.weights = std::move(*weights);
+  return {};
+}
+
+Result<void> readNode(Document& doc, size_t index, uint64_t& instanceBytes) {
   const auto& from = doc.gltf.nodes[index];
   const std::string place = pointer("/nodes", index);
   scene::Node& node = doc.model.nodes[index];
   node.name = from.name;
   node.mesh = from.mesh;
   node.camera = from.camera;
+  node.skin = from.skin;
   const struct {
     int value;
     size_t count;
     const char *key, *what;
   } references[] = {{from.mesh, doc.gltf.meshes.size(), "/mesh", "mesh"},
                     {from.camera, doc.gltf.cameras.size(), "/camera", "camera"},
-                    {from.skin, doc.gltf.skins.size(), "/skin", "skin"}};
+                    {from.skin, doc.model.skins.size(), "/skin", "skin"}};
   for (const auto& r : references) {
     if (r.value == -1) continue;
     if (auto ok = checkIndex(doc, r.value, r.count, place + r.key, r.what); !ok) return ok;
   }
   if (auto ok = readNodeLight(doc, from, place, node); !ok) return ok;
+  if (auto ok = readNodeWeights(doc, from, place, node); !ok) return ok;
+  if (auto ok = readInstances(doc, from, place, node, instanceBytes); !ok) return ok;
+  readVisibility(doc, from, place, node);
   return readTransform(doc, from, place, node);
 }
 
@@ -170,8 +194,9 @@ Result<void> readScene(Document& doc, size_t index) {
 
 Result<void> readNodes(Document& doc) {
   doc.model.nodes.resize(doc.gltf.nodes.size());
+  uint64_t instanceBytes = 0;
   for (size_t i = 0; i < doc.gltf.nodes.size(); ++i) {
-    if (auto ok = readNode(doc, i); !ok) return ok;
+    if (auto ok = readNode(doc, i, instanceBytes); !ok) return ok;
   }
   for (size_t i = 0; i < doc.gltf.nodes.size(); ++i) {
     if (auto ok = linkChildren(doc, i); !ok) return ok;

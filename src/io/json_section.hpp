@@ -14,4 +14,11 @@ Result<nlohmann::json> section(const Document& doc, std::string_view key);
 // object.extensions[name]; null where there is none or it is no object.
 const nlohmann::json* extensionOf(const nlohmann::json& object, const char* name);
 
+// Empty where the key is missing or holds something else than a string.
+std::string stringAt(const nlohmann::json& object, const char* key);
+
+// An index into `count` things that are called `what`. Errors: no whole number; out of range.
+Result<int> readIndex(const Document& doc, const nlohmann::json& value, size_t count, const std::string& place,
+                      const char* what);
+
 }  // namespace facet::io

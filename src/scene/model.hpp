@@ -242,6 +242,7 @@ struct AnimationChannel {
   AnimatedProperty property = AnimatedProperty::translation;
   int object = -1;  // index of the node, material, light or camera
   TextureSlot slot = TextureSlot::baseColor;
+  int element = -1;  // of weights: the only one that is set, by a sampler of width 1; -1: all of them
 };
 
 struct Animation {

@@ -1,0 +1,217 @@
+#include "io/gltf_animation_targets.hpp"
+
+#include <charconv>
+
+#include "io/gltf_deformation.hpp"
+#include "io/uri.hpp"
+
+namespace facet::io {
+
+namespace {
+
+using Json = nlohmann::json;
+using scene::AnimatedProperty;
+using scene::TextureSlot;
+using Targets = std::vector<AnimationTarget>;
+
+struct Rule {
+  std::string_view path;  // below the object
+  AnimatedProperty property;
+  int components;
+};
+
+constexpr Rule nodeRules[] = {
+    {"translation", AnimatedProperty::translation, 3},
+    {"rotation", AnimatedProperty::rotation, 4},
+    {"scale", AnimatedProperty::scale, 3},
+    {"weights", AnimatedProperty::weights, 1},
+    {"extensions/KHR_node_visibility/visible", AnimatedProperty::visible, 1},
+};
+
+constexpr Rule materialRules[] = {
+    {"pbrMetallicRoughness/baseColorFactor", AnimatedProperty::baseColorFactor, 4},
+    {"pbrMetallicRoughness/metallicFactor", AnimatedProperty::metallicFactor, 1},
+    {"pbrMetallicRoughness/roughnessFactor", AnimatedProperty::roughnessFactor, 1},
+    {"emissiveFactor", AnimatedProperty::emissiveFactor, 3},
+    {"extensions/KHR_materials_emissive_strength/emissiveStrength", AnimatedProperty::emissiveStrength, 1},
+    {"normalTexture/scale", AnimatedProperty::normalScale, 1},
+    {"occlusionTexture/strength", AnimatedProperty::occlusionStrength, 1},
+    {"alphaCutoff", AnimatedProperty::alphaCutoff, 1},
+};
+
+// Below each of the textures.
+constexpr struct {
+  std::string_view path;
+  TextureSlot slot;
+} textures[] = {
+    {"pbrMetallicRoughness/baseColorTexture/", TextureSlot::baseColor},
+    {"pbrMetallicRoughness/metallicRoughnessTexture/", TextureSlot::metallicRoughness},
+    {"normalTexture/", TextureSlot::normal},
+    {"occlusionTexture/", TextureSlot::occlusion},
+    {"emissiveTexture/", TextureSlot::emissive},
+};
+constexpr Rule textureRules[] = {
+    {"extensions/KHR_texture_transform/offset", AnimatedProperty::textureOffset, 2},
+    {"extensions/KHR_texture_transform/rotation", AnimatedProperty::textureRotation, 1},
+    {"extensions/KHR_texture_transform/scale", AnimatedProperty::textureScale, 2},
+};
+
+constexpr Rule lightRules[] = {
+    {"color", AnimatedProperty::lightColor, 3},
+    {"intensity", AnimatedProperty::lightIntensity, 1},
+    {"range", AnimatedProperty::lightRange, 1},
+    {"spot/innerConeAngle", AnimatedProperty::lightInnerConeAngle, 1},
+    {"spot/outerConeAngle", AnimatedProperty::lightOuterConeAngle, 1},
+};
+
+constexpr Rule perspectiveRules[] = {
+    {"perspective/yfov", AnimatedProperty::cameraFovY, 1},
+    {"perspective/znear", AnimatedProperty::cameraZNear, 1},
+    {"perspective/zfar", AnimatedProperty::cameraZFar, 1},
+};
+constexpr Rule orthographicRules[] = {
+    {"orthographic/xmag", AnimatedProperty::cameraXMag, 1},
+    {"orthographic/ymag", AnimatedProperty::cameraYMag, 1},
+    {"orthographic/znear", AnimatedProperty::cameraZNear, 1},
+    {"orthographic/zfar", AnimatedProperty::cameraZFar, 1},
+};
+
+std::optional<AnimationTarget> find(std::span<const Rule> rules, std::string_view path, int object) {
+  for (const Rule& rule : rules) {
+    if (rule.path != path) continue;
+    AnimationTarget target;
+    target.channel.property = rule.property;
+    target.channel.object = object;
+    target.components = target.width = rule.components;
+    return target;
+  }
+  return std::nullopt;
+}
+
+std::optional<AnimationTarget> findInMaterial(std::string_view path, int material) {
+  for (const auto& texture : textures) {
+    if (!path.starts_with(texture.path)) continue;
+    auto target = find(textureRules, path.substr(texture.path.size()), material);
+    if (!target) continue;
+    target->channel.slot = texture.slot;
+    return target;
+  }
+  return find(materialRules, path, material);
+}
+
+// The number before the next slash, which is taken off the path; -1 where it is not below count.
+int takeIndex(std::string_view& path, size_t count) {
+  const std::string_view digits = path.substr(0, path.find('/'));
+  int index = -1;
+  const auto [end, code] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
+  if (code != std::errc() || end != digits.data() + digits.size()) return -1;
+  if (index < 0 || static_cast<size_t>(index) >= count) return -1;
+  path.remove_prefix(std::min(path.size(), digits.size() + 1));
+  return index;
+}
+
+size_t targetsOfMesh(const Document& doc, int mesh) {
+  return mesh == -1 ? 0 : targetCount(doc.gltf.meshes[static_cast<size_t>(mesh)]);
+}
+
+// A node's target, its weights as many as the mesh has.
+Targets nodeTarget(Document& doc, AnimationTarget target, const std::string& place) {
+  if (target.channel.property == AnimatedProperty::weights) {
+    const int node = target.channel.object;
+    const size_t count = targetsOfMesh(doc, doc.gltf.nodes[static_cast<size_t>(node)].mesh);
+    if (count == 0) {
+      doc.warning(place, "node " + std::to_string(node) + " has no morph targets: the channel is ignored");
+      return {};
+    }
+    target.width = static_cast<int>(count);
+  }
+  return {target};
+}
+
+// "weights/2" of a node: one weight alone.
+std::optional<AnimationTarget> oneWeight(const Document& doc, std::string_view path, int node) {
+  constexpr std::string_view head = "weights/";
+  if (!path.starts_with(head)) return std::nullopt;
+  path.remove_prefix(head.size());
+  const int element = takeIndex(path, targetsOfMesh(doc, doc.gltf.nodes[static_cast<size_t>(node)].mesh));
+  if (element == -1 || !path.empty()) return std::nullopt;
+  AnimationTarget target;
+  target.channel.property = AnimatedProperty::weights;
+  target.channel.object = node;
+  target.channel.element = element;
+  return target;
+}
+
+// A mesh's weights are those of all nodes that draw it and have none of their own.
+Targets meshWeights(const Document& doc, int mesh) {
+  Targets targets;
+  const size_t count = targetsOfMesh(doc, mesh);
+  for (size_t i = 0; i < doc.model.nodes.size() && count > 0; ++i) {
+    const scene::Node& node = doc.model.nodes[i];
+    if (node.mesh != mesh || !node.weights.empty()) continue;
+    AnimationTarget target;
+    target.channel.property = AnimatedProperty::weights;
+    target.channel.object = static_cast<int>(i);
+    target.width = static_cast<int>(count);
+    targets.push_back(target);
+  }
+  return targets;
+}
+
+// Nothing where the pointer names nothing that is known. Names that need escapes (~0, ~1) are none of ours.
+Targets pointerTargets(Document& doc, std::string_view pointer, const std::string& place) {
+  const auto below = [&](std::string_view list, size_t count) {
+    if (!pointer.starts_with(list)) return -1;
+    std::string_view rest = pointer.substr(list.size());
+    const int index = takeIndex(rest, count);
+    if (index != -1) pointer = rest;
+    return index;
+  };
+  std::optional<AnimationTarget> found;
+  if (const int node = below("/nodes/", doc.model.nodes.size()); node != -1) {
+    found = find(nodeRules, pointer, node);
+    if (found) return nodeTarget(doc, *found, place);
+    found = oneWeight(doc, pointer, node);
+  } else if (const int mesh = below("/meshes/", doc.model.meshes.size()); mesh != -1) {
+    if (pointer == "weights") return meshWeights(doc, mesh);
+  } else if (const int material = below("/materials/", doc.model.materials.size()); material != -1) {
+    found = findInMaterial(pointer, material);
+  } else if (const int light = below("/extensions/KHR_lights_punctual/lights/", doc.model.lights.size()); light != -1) {
+    found = find(lightRules, pointer, light);
+  } else if (const int camera = below("/cameras/", doc.model.cameras.size()); camera != -1) {
+    const bool perspective = doc.model.cameras[static_cast<size_t>(camera)].perspective;
+    found = perspective ? find(perspectiveRules, pointer, camera) : find(orthographicRules, pointer, camera);
+  }
+  return found ? Targets{*found} : Targets{};
+}
+
+}  // namespace
+
+Result<Targets> animationTargets(Document& doc, const Json& channel, const std::string& place) {
+  const auto target = channel.find("target");
+  if (target == channel.end() || !target->is_object()) {
+    return doc.error(place + "/target", "is missing or not an object");
+  }
+  const std::string at = place + "/target", path = stringAt(*target, "path");
+  if (path == "pointer") {
+    const Json* extension = extensionOf(*target, "KHR_animation_pointer");
+    const std::string pointer = extension ? stringAt(*extension, "pointer") : std::string();
+    const size_t before = doc.notes.size();
+    Targets targets = pointerTargets(doc, pointer, at);
+    if (targets.empty() && doc.notes.size() == before) {
+      doc.warning(at, inQuotes(pointer) + " is nothing that can be animated here: the channel is ignored");
+    }
+    return targets;
+  }
+  const auto node = target->find("node");
+  if (node == target->end()) return Targets{};  // for extensions (glTF 2.0, 3.11)
+  const auto index = readIndex(doc, *node, doc.model.nodes.size(), at + "/node", "node");
+  if (!index) return tl::unexpected(index.error());
+  for (const Rule& rule : std::span(nodeRules).first(4)) {
+    if (rule.path == path) return nodeTarget(doc, *find(nodeRules, path, *index), at);
+  }
+  doc.warning(at + "/path", inQuotes(path) + " is no path of an animation: the channel is ignored");
+  return Targets{};
+}
+
+}  // namespace facet::io

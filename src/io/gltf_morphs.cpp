@@ -1,0 +1,188 @@
+#include <algorithm>
+#include <cmath>
+
+#include "io/gltf_deformation.hpp"
+
+namespace facet::io {
+
+namespace {
+
+// What a target can change.
+struct TargetRule {
+  const char* name;
+  const char* what;
+  int minComponents, maxComponents;
+  size_t bytes;           // of a vertex
+  bool alwaysNormalized;  // integers without "normalized" are a writer's slip
+};
+constexpr TargetRule positionRule = {"POSITION", "positions", 3, 3, 12, false};
+constexpr TargetRule normalRule = {"NORMAL", "normals", 3, 3, 12, true};
+constexpr TargetRule tangentRule = {"TANGENT", "tangents", 3, 3, 12, true};
+constexpr TargetRule colorRule = {"COLOR_0", "colours", 3, 4, 16, true};
+constexpr const TargetRule* targetRules[] = {&positionRule, &normalRule, &tangentRule, &colorRule};
+
+using Target = std::map<std::string, int>;
+
+int components(const Document& doc, int accessor) {
+  const int type = doc.gltf.accessors[static_cast<size_t>(accessor)].type;
+  return type >= TINYGLTF_TYPE_VEC2 && type <= TINYGLTF_TYPE_VEC4 ? type : 0;
+}
+
+struct Reader {
+  const Document& doc;
+  const tinygltf::Primitive& from;
+  const std::string& place;
+  Notes& notes;
+
+  void warning(std::string at, std::string text) {
+    notes.push_back({Note::Severity::warning, std::move(at), std::move(text)});
+  }
+};
+
+// Differences of one attribute; empty where the target has none or all are zero.
+template <class V>
+void readDifferences(Reader& reader, size_t target, const TargetRule& rule, std::vector<V>& out) {
+  const auto found = reader.from.targets[target].find(rule.name);
+  if (found == reader.from.targets[target].end()) return;
+  out.assign(reader.doc.gltf.accessors[static_cast<size_t>(found->second)].count, V(0));
+  readFloats(reader.doc, found->second, V::length(), &out[0].x, rule.alwaysNormalized);
+  size_t bad = 0;
+  bool any = false;
+  for (V& v : out) {
+    for (int c = 0; c < V::length(); ++c) {
+      if (std::isfinite(v[c])) continue;
+      v = V(0);
+      ++bad;
+      break;
+    }
+    any = any || v != V(0);
+  }
+  if (bad > 0) {
+    reader.warning(pointer(reader.place + "/targets", target) + "/" + rule.name,
+                   std::to_string(bad) + " are not finite: replaced by zero");
+  }
+  if (!any) out = {};
+}
+
+// Whether what the rule changes is there; says once where it is not.
+bool isThere(Reader& reader, const TargetRule& rule, bool there) {
+  if (there) return true;
+  const auto& targets = reader.from.targets;
+  const auto n = std::count_if(targets.begin(), targets.end(), [&](const Target& t) { return t.count(rule.name) > 0; });
+  if (n > 0) {
+    reader.notes.push_back({Note::Severity::info, reader.place + "/targets",
+                            std::to_string(n) + " change " + rule.what + ", but there are none: ignored"});
+  }
+  return false;
+}
+
+void noteTextureCoordinates(Reader& reader) {
+  size_t n = 0;
+  for (const Target& target : reader.from.targets) {
+    const auto found = target.lower_bound("TEXCOORD_");
+    n += found != target.end() && found->first.starts_with("TEXCOORD_") ? 1 : 0;
+  }
+  if (n > 0) {
+    reader.warning(reader.place + "/targets", std::to_string(n) + " change texture coordinates, which are left as are");
+  }
+}
+
+Result<float> finiteWeight(const Document& doc, double value, const std::string& place) {
+  if (std::abs(value) <= static_cast<double>(std::numeric_limits<float>::max())) return static_cast<float>(value);
+  return doc.error(place, "holds a number that is not finite in single precision");
+}
+
+}  // namespace
+
+size_t targetCount(const tinygltf::Mesh& mesh) {
+  size_t largest = 0;
+  for (const auto& primitive : mesh.primitives) largest = std::max(largest, primitive.targets.size());
+  return largest;
+}
+
+Result<void> checkTargets(const Document& doc, const tinygltf::Primitive& primitive, const std::string& place) {
+  for (size_t i = 0; i < primitive.targets.size(); ++i) {
+    for (const TargetRule* rule : targetRules) {
+      const auto found = primitive.targets[i].find(rule->name);
+      if (found == primitive.targets[i].end()) continue;
+      const int n = components(doc, found->second);
+      if (n >= rule->minComponents && n <= rule->maxComponents) continue;
+      return doc.error(pointer(place + "/targets", i) + "/" + rule->name, "is not a vector of 3 components");
+    }
+  }
+  return {};
+}
+
+uint64_t targetBytes(const Document& doc, const tinygltf::Primitive& primitive) {
+  uint64_t bytes = primitive.targets.size() * sizeof(scene::MorphTarget);
+  for (const Target& target : primitive.targets) {
+    for (const TargetRule* rule : targetRules) {
+      const auto found = target.find(rule->name);
+      if (found == target.end()) continue;
+      bytes += doc.gltf.accessors[static_cast<size_t>(found->second)].count * uint64_t{rule->bytes};
+    }
+  }
+  return bytes;
+}
+
+void readTargets(const Document& doc, const tinygltf::Primitive& from, const std::string& place,
+                 scene::Primitive& primitive, Notes& notes) {
+  if (from.targets.empty()) return;
+  Reader reader{doc, from, place, notes};
+  const bool normals = isThere(reader, normalRule, !primitive.normals.empty());
+  const bool tangents = isThere(reader, tangentRule, !primitive.tangents.empty());
+  const bool colors = isThere(reader, colorRule, !primitive.colors.empty());
+  noteTextureCoordinates(reader);
+  primitive.targets.resize(from.targets.size());
+  for (size_t i = 0; i < from.targets.size(); ++i) {
+    scene::MorphTarget& target = primitive.targets[i];
+    readDifferences(reader, i, positionRule, target.positions);
+    if (normals) readDifferences(reader, i, normalRule, target.normals);
+    if (tangents) readDifferences(reader, i, tangentRule, target.tangents);
+    if (colors) readDifferences(reader, i, colorRule, target.colors);
+    for (const glm::vec3& p : target.positions) target.bounds.add(glm::dvec3(p));
+  }
+}
+
+Result<std::vector<float>> readWeights(Document& doc, const std::vector<double>& values, size_t targets,
+                                       const std::string& place) {
+  std::vector<float> weights;
+  for (const double value : values) {
+    const auto weight = finiteWeight(doc, value, place);
+    if (!weight) return tl::unexpected(weight.error());
+    weights.push_back(*weight);
+  }
+  if (!values.empty() && values.size() != targets) {
+    doc.warning(place, "has " + std::to_string(values.size()) + " numbers, but there are " + std::to_string(targets) +
+                           " morph targets: " +
+                           (values.size() > targets ? "the rest is ignored" : "the rest is taken as zero"));
+    weights.resize(std::min(weights.size(), targets));
+  }
+  return weights;
+}
+
+Result<void> readMeshWeights(Document& doc, size_t index) {
+  const auto& from = doc.gltf.meshes[index];
+  const std::string place = pointer("/meshes", index);
+  const size_t targets = targetCount(from);
+  for (size_t p = 0; p < from.primitives.size(); ++p) {
+    const size_t n = from.primitives[p].targets.size();
+    if (n == targets) continue;
+    doc.warning(pointer(place + "/primitives", p), "has " + std::to_string(n) + " morph targets, but another has " +
+                                                       std::to_string(targets) + ": those that are missing do nothing");
+  }
+  auto weights = readWeights(doc, from.weights, targets, place + "/weights");
+  if (!weights) return tl::unexpected(weights.error());
+  scene::Mesh& mesh = doc.model.meshes[index];
+  mesh.weights = std::move(*weights);
+  if (!from.extras.IsObject() || !from.extras.Has("targetNames")) return {};
+  const auto& names = from.extras.Get("targetNames");
+  if (!names.IsArray()) return {};
+  for (size_t i = 0; i < std::min(names.ArrayLen(), targets); ++i) {
+    const auto& name = names.Get(static_cast<int>(i));
+    mesh.targetNames.push_back(name.IsString() ? name.Get<std::string>() : std::string());
+  }
+  return {};
+}
+
+}  // namespace facet::io
