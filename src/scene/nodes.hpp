@@ -27,7 +27,8 @@ struct NodeTransforms {
 // Iterative, so a chain of any depth is fine. A scene index outside the model reaches nothing.
 NodeTransforms worldTransforms(const Model& model, int scene, const Pose& pose = {});
 
-// A mesh placed in the world.
+// A mesh placed in the world. All primitives of a skinned one need influences (glTF 2.0, 3.7.3.3); where some have
+// none, they stay where the identity leaves them.
 struct Instance {
   int node = -1, mesh = -1;
   glm::dmat4 worldFromNode = glm::dmat4(1);  // of a skinned mesh: the identity, because its joints place it

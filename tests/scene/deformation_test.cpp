@@ -184,6 +184,24 @@ TEST_CASE("Bounds are exact where each vertex follows one joint, and where there
   CHECK(deformedBounds(Primitive{}, {}, joints, glm::dmat4(1)).empty());
 }
 
+TEST_CASE("Weights that add up to 1 but for rounding don't leave the bounds, however far away") {
+  Primitive p;
+  p.topology = Topology::points;
+  p.positions = {{0, 0, 0}};
+  p.influencesPerVertex = 3;
+  p.influences = {{0, 1.0f / 3}, {1, 1.0f / 3}, {2, 1.0f / 3}};  // 3e-8 too much
+  Model model = modelWith(p);
+  Notes notes;
+  completeGeometry(model, notes);
+  const std::vector<glm::dmat4> joints(3, glm::translate(glm::dmat4(1), {1e6, -1e6, 0}));
+  const Primitive& done = model.meshes[0].primitives[0];
+  const Bounds box = deformedBounds(done, {}, joints, glm::dmat4(1));
+  const glm::dvec3 position = deformedPosition(done, 0, {}, joints, glm::dmat4(1));
+  CHECK(position.x > 1e6 + 0.02);
+  CHECK(holds(box, position, 0));
+  CHECK(box.max.x < 1e6 + 0.2);
+}
+
 TEST_CASE("Bounds hold every vertex of random meshes, skeletons and weights, near and far") {
   const double far = GENERATE(0.0, 1e6);
   std::mt19937 random(5);
