@@ -199,7 +199,10 @@ Result<Targets> animationTargets(Document& doc, const Json& channel, const std::
     const size_t before = doc.notes.size();
     Targets targets = pointerTargets(doc, pointer, at);
     if (targets.empty() && doc.notes.size() == before) {
-      doc.warning(at, inQuotes(pointer) + " is nothing that can be animated here: the channel is ignored");
+      // As with extensions that are not supported: those are named as a whole already.
+      const bool extended = pointer.find("/extensions/") != std::string::npos;
+      doc.notes.push_back({extended ? Note::Severity::info : Note::Severity::warning, at,
+                           inQuotes(pointer) + " is nothing that can be animated here: the channel is ignored"});
     }
     return targets;
   }
