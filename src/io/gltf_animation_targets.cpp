@@ -143,15 +143,14 @@ std::optional<AnimationTarget> oneWeight(const Document& doc, std::string_view p
 }
 
 // A mesh's weights are those of all nodes that draw it and have none of their own.
-Targets meshWeights(const Document& doc, int mesh) {
+Targets meshWeights(const Document& doc, const MeshUsers& users, int mesh) {
   Targets targets;
   const size_t count = targetsOfMesh(doc, mesh);
-  for (size_t i = 0; i < doc.model.nodes.size() && count > 0; ++i) {
-    const scene::Node& node = doc.model.nodes[i];
-    if (node.mesh != mesh || !node.weights.empty()) continue;
+  if (count == 0) return targets;
+  for (const int node : users[static_cast<size_t>(mesh)]) {
     AnimationTarget target;
     target.channel.property = AnimatedProperty::weights;
-    target.channel.object = static_cast<int>(i);
+    target.channel.object = node;
     target.width = static_cast<int>(count);
     targets.push_back(target);
   }
@@ -159,7 +158,7 @@ Targets meshWeights(const Document& doc, int mesh) {
 }
 
 // Nothing where the pointer names nothing that is known. Names that need escapes (~0, ~1) are none of ours.
-Targets pointerTargets(Document& doc, std::string_view pointer, const std::string& place) {
+Targets pointerTargets(Document& doc, const MeshUsers& users, std::string_view pointer, const std::string& place) {
   const auto below = [&](std::string_view list, size_t count) {
     if (!pointer.starts_with(list)) return -1;
     std::string_view rest = pointer.substr(list.size());
@@ -173,7 +172,7 @@ Targets pointerTargets(Document& doc, std::string_view pointer, const std::strin
     if (found) return nodeTarget(doc, *found, place);
     found = oneWeight(doc, pointer, node);
   } else if (const int mesh = below("/meshes/", doc.model.meshes.size()); mesh != -1) {
-    if (pointer == "weights") return meshWeights(doc, mesh);
+    if (pointer == "weights") return meshWeights(doc, users, mesh);
   } else if (const int material = below("/materials/", doc.model.materials.size()); material != -1) {
     found = findInMaterial(pointer, material);
   } else if (const int light = below("/extensions/KHR_lights_punctual/lights/", doc.model.lights.size()); light != -1) {
@@ -187,7 +186,16 @@ Targets pointerTargets(Document& doc, std::string_view pointer, const std::strin
 
 }  // namespace
 
-Result<Targets> animationTargets(Document& doc, const Json& channel, const std::string& place) {
+MeshUsers meshUsers(const scene::Model& model) {
+  MeshUsers users(model.meshes.size());
+  for (size_t i = 0; i < model.nodes.size(); ++i) {
+    const scene::Node& node = model.nodes[i];
+    if (node.mesh != -1 && node.weights.empty()) users[static_cast<size_t>(node.mesh)].push_back(static_cast<int>(i));
+  }
+  return users;
+}
+
+Result<Targets> animationTargets(Document& doc, const Json& channel, const MeshUsers& users, const std::string& place) {
   const auto target = channel.find("target");
   if (target == channel.end() || !target->is_object()) {
     return doc.error(place + "/target", "is missing or not an object");
@@ -197,9 +205,12 @@ Result<Targets> animationTargets(Document& doc, const Json& channel, const std::
     const Json* extension = extensionOf(*target, "KHR_animation_pointer");
     const std::string pointer = extension ? stringAt(*extension, "pointer") : std::string();
     const size_t before = doc.notes.size();
-    Targets targets = pointerTargets(doc, pointer, at);
+    Targets targets = pointerTargets(doc, users, pointer, at);
     if (targets.empty() && doc.notes.size() == before) {
-      doc.warning(at, inQuotes(pointer) + " is nothing that can be animated here: the channel is ignored");
+      // As with extensions that are not supported: those are named as a whole already.
+      const bool extended = pointer.find("/extensions/") != std::string::npos;
+      doc.notes.push_back({extended ? Note::Severity::info : Note::Severity::warning, at,
+                           inQuotes(pointer) + " is nothing that can be animated here: the channel is ignored"});
     }
     return targets;
   }

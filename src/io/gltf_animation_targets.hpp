@@ -14,9 +14,13 @@ struct AnimationTarget {
   int width = 1;                    // numbers that a key has: as many, or for weights one for each target
 };
 
+// By mesh: the nodes that draw it with the mesh's own weights.
+using MeshUsers = std::vector<std::vector<int>>;
+MeshUsers meshUsers(const scene::Model& model);
+
 // None, with a note, where the channel sets nothing that is known; several where the weights of a mesh are drawn by
 // several nodes. place: the channel's. After all that can be animated has been read. Errors: a node out of range.
 Result<std::vector<AnimationTarget>> animationTargets(Document& doc, const nlohmann::json& channel,
-                                                      const std::string& place);
+                                                      const MeshUsers& users, const std::string& place);
 
 }  // namespace facet::io

@@ -37,6 +37,7 @@ struct Wanted {
 
 struct Reader {
   Document& doc;
+  const MeshUsers& users;
   uint64_t& bytes;  // of all animations so far
   const Json* samplers = nullptr;
   std::string place = {};
@@ -209,7 +210,7 @@ Result<void> readChannel(Reader& reader, const Json& from, const std::string& pl
   const auto sampler =
       readIndex(doc, found == from.end() ? Json() : *found, reader.samplers->size(), place + "/sampler", "sampler");
   if (!sampler) return tl::unexpected(sampler.error());
-  const auto targets = animationTargets(doc, from, place);
+  const auto targets = animationTargets(doc, from, reader.users, place);
   if (!targets) return tl::unexpected(targets.error());
   for (const AnimationTarget& target : *targets) {
     const auto index = samplerFor(reader, *sampler, Wanted(target));
@@ -246,10 +247,12 @@ const Json& arrayAt(const Json& object, const char* key) {
 Result<void> readAnimations(Document& doc) {
   const auto animations = section(doc, "animations");
   if (!animations) return tl::unexpected(animations.error());
+  if (animations->empty()) return {};
+  const MeshUsers users = meshUsers(doc.model);
   uint64_t bytes = 0;
   for (size_t i = 0; i < animations->size(); ++i) {
     const Json& from = (*animations)[i];
-    Reader reader{doc, bytes};
+    Reader reader{doc, users, bytes};
     reader.place = pointer("/animations", i);
     reader.samplers = &arrayAt(from, "samplers");
     reader.animation.name = stringAt(from, "name");

@@ -32,7 +32,7 @@ uint64_t influenceBytes(const Document& doc, const tinygltf::Primitive& primitiv
 void appendInfluenceNames(const tinygltf::Primitive& primitive, std::vector<const char*>& names);
 
 // Fills influences and, where the mesh is drawn with a skin, jointBounds; positions must be there. Any number of sets;
-// shares of zero are dropped, several of one joint added, the rest sorted, largest first, and normalised. Negative and
+// shares of zero are dropped, several of one joint added, the rest sorted (largest first) and normalised. Negative and
 // non-finite weights count as zero; a vertex without any follows its first joint. Sets of which one half is missing are
 // ignored. Errors: a joint that the skin does not have. May throw std::bad_alloc.
 Result<void> readInfluences(const Document& doc, const tinygltf::Primitive& from, const DracoGeometry& draco,

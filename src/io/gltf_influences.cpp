@@ -90,6 +90,19 @@ uint32_t jointAt(const SetData& set, size_t vertex, int component) {
   return static_cast<uint32_t>(std::lround(set.joints[vertex][component] * set.jointScale));
 }
 
+void addEqualJoints(std::vector<Share>& shares) {
+  std::sort(shares.begin(), shares.end(), [](const Share& a, const Share& b) { return a.joint < b.joint; });
+  size_t last = 0;
+  for (size_t i = 1; i < shares.size(); ++i) {
+    if (shares[i].joint == shares[last].joint) {
+      shares[last].weight += shares[i].weight;
+    } else {
+      shares[++last] = shares[i];
+    }
+  }
+  shares.resize(last + 1);
+}
+
 // The vertex's shares, none of zero, each joint once, adding up to 1.
 void gather(Reading& reading, size_t vertex, std::vector<Share>& shares) {
   shares.clear();
@@ -103,13 +116,7 @@ void gather(Reading& reading, size_t vertex, std::vector<Share>& shares) {
       }
       if (weight == 0) continue;
       sum += weight;
-      const uint32_t joint = jointAt(set, vertex, c);
-      const auto same = std::find_if(shares.begin(), shares.end(), [&](const Share& s) { return s.joint == joint; });
-      if (same == shares.end()) {
-        shares.push_back({joint, weight});
-      } else {
-        same->weight += weight;
-      }
+      shares.push_back({jointAt(set, vertex, c), weight});
     }
   }
   if (shares.empty()) {
@@ -118,8 +125,11 @@ void gather(Reading& reading, size_t vertex, std::vector<Share>& shares) {
     return;
   }
   if (std::abs(sum - 1) > reading.tolerance) ++reading.normalised;
+  addEqualJoints(shares);
   for (Share& share : shares) share.weight /= sum;
-  std::stable_sort(shares.begin(), shares.end(), [](const Share& a, const Share& b) { return a.weight > b.weight; });
+  std::sort(shares.begin(), shares.end(), [](const Share& a, const Share& b) {
+    return a.weight != b.weight ? a.weight > b.weight : a.joint < b.joint;
+  });
 }
 
 void noteRepairs(const Reading& reading, const std::string& place, Notes& notes) {

@@ -129,7 +129,8 @@ TEST_CASE("Pointers that name nothing known", "[io][animations]") {
         "/materials/0/extensions/KHR_materials_ior/ior", "/cameras/0/orthographic/xmag", "/cameras/1/perspective/yfov",
         "/extensions/KHR_lights_punctual/lights/2/color"}) {
     const auto model = aimed(pointer, 1, 1);
-    CHECK(notes(model) == "! /animations/0/channels/0/target: \"" + std::string(pointer) +
+    const bool extended = std::string(pointer).find("/extensions/") != std::string::npos;  // no more than a hint
+    CHECK(notes(model) == (extended ? "" : "! ") + ("/animations/0/channels/0/target: \"" + std::string(pointer)) +
                               "\" is nothing that can be animated here: the channel is ignored\n");
     CHECK(model.model.animations[0].channels.empty());
   }

@@ -57,13 +57,8 @@ void addTo(draco::Mesh& mesh, Type::Type type, draco::DataType data, int compone
   mesh.attribute(index)->set_unique_id(id);
 }
 
-// bits: of the quantisation; 0: none.
-Bytes encode(const Dome& d, draco::MeshEncoderMethod method, int positionBits, int normalBits) {
-  draco::Mesh mesh;
-  mesh.set_num_points(static_cast<uint32_t>(d.positions.size()));
-  addTo(mesh, Type::POSITION, draco::DT_FLOAT32, 3, positionId, d.positions);
-  addTo(mesh, Type::NORMAL, draco::DT_FLOAT32, 3, normalId, d.normals);
-  addTo(mesh, Type::COLOR, draco::DT_UINT8, 4, colourId, d.colours);
+// The mesh with the dome's triangles. bits: of the quantisation; 0: none.
+Bytes encode(draco::Mesh& mesh, const Dome& d, draco::MeshEncoderMethod method, int positionBits, int normalBits) {
   mesh.SetNumFaces(d.indices.size() / 3);
   for (uint32_t f = 0; f < d.indices.size() / 3; ++f) {
     draco::Mesh::Face face;
@@ -77,6 +72,15 @@ Bytes encode(const Dome& d, draco::MeshEncoderMethod method, int positionBits, i
   draco::EncoderBuffer buffer;
   REQUIRE(encoder.EncodeMeshToBuffer(mesh, &buffer).ok());
   return Bytes(buffer.data(), buffer.data() + buffer.size());
+}
+
+Bytes encode(const Dome& d, draco::MeshEncoderMethod method, int positionBits, int normalBits) {
+  draco::Mesh mesh;
+  mesh.set_num_points(static_cast<uint32_t>(d.positions.size()));
+  addTo(mesh, Type::POSITION, draco::DT_FLOAT32, 3, positionId, d.positions);
+  addTo(mesh, Type::NORMAL, draco::DT_FLOAT32, 3, normalId, d.normals);
+  addTo(mesh, Type::COLOR, draco::DT_UINT8, 4, colourId, d.colours);
+  return encode(mesh, d, method, positionBits, normalBits);
 }
 
 // Accessors without views, as the extension allows.
@@ -128,6 +132,43 @@ TEST_CASE("Draco: sequential without quantisation is lossless", "[io][draco]") {
     CHECK(p.colors[i] == glm::vec4(c[0] / 255.0f, c[1] / 255.0f, 1, 102 / 255.0f));
   }
   CHECK(p.bounds.max.x == 4);
+}
+
+TEST_CASE("Draco: joints and weights", "[io][draco][skins]") {
+  const Dome d = dome();
+  std::vector<std::array<uint16_t, 4>> joints;
+  std::vector<glm::vec4> weights;
+  for (uint16_t i = 0; i < 25; ++i) {
+    const auto share = static_cast<float>(i) / 32;  // below 1/2 the second joint has more
+    joints.push_back({i, 30, 0, 0});
+    weights.push_back({share, 1 - share, 0, 0});
+  }
+  draco::Mesh mesh;
+  mesh.set_num_points(25);
+  addTo(mesh, Type::POSITION, draco::DT_FLOAT32, 3, positionId, d.positions);
+  addTo(mesh, Type::GENERIC, draco::DT_UINT16, 4, 1, joints);
+  addTo(mesh, Type::GENERIC, draco::DT_FLOAT32, 4, 2, weights);
+  const Bytes encoded = encode(mesh, d, draco::MESH_SEQUENTIAL_ENCODING, 0, 0);
+  GltfBuilder b = file(encoded);
+  const auto accessor = [&](int component) {
+    return b.addAccessor({{"componentType", component}, {"type", "VEC4"}, {"count", 25}});
+  };
+  Json& p = firstPrimitive(b);
+  p["attributes"] = {{"POSITION", 0}, {"JOINTS_0", accessor(5123)}, {"WEIGHTS_0", accessor(5126)}};
+  p["extensions"][name]["attributes"] = {{"POSITION", positionId}, {"JOINTS_0", 1}, {"WEIGHTS_0", 2}};
+  const auto model = loaded(b);
+  CHECK(notes(model) == "");
+  const auto& influences = primitive(model).influences;
+  REQUIRE(primitive(model).influencesPerVertex == 2);
+  REQUIRE(influences.size() == 50);
+  for (uint32_t i = 0; i < 25; ++i) {
+    const auto &first = influences[2 * i], &second = influences[2 * i + 1];
+    const bool own = i >= 16;  // at one half the order of the file counts
+    CHECK(first.joint == (own ? i : 30));
+    CHECK(first.weight == Approx(own ? i / 32.0 : 1 - i / 32.0).epsilon(1e-6));
+    CHECK(second.joint == (own ? 30 : i));
+    CHECK(second.weight == Approx(own ? 1 - i / 32.0 : i / 32.0).epsilon(1e-6));
+  }
 }
 
 TEST_CASE("Draco: quantised values lie within half a step", "[io][draco]") {

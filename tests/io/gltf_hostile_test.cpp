@@ -325,6 +325,51 @@ TEST_CASE("Random damage never crashes the loader", "[io][gltf]") {
   CHECK(loaded < 3000);
 }
 
+TEST_CASE("Random damage to what moves never crashes the loader", "[io][gltf][animations][skins][morphs]") {
+  GltfBuilder builder = triangle();
+  Json& primitive = builder.json["meshes"][0]["primitives"][0];
+  const std::vector<uint8_t> joints = {0, 1, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0};
+  primitive["attributes"]["JOINTS_0"] = primitive["attributes"]["JOINTS_1"] = builder.add(joints, ubyteType, "VEC4");
+  const int weights = builder.add(std::vector<uint8_t>(12, 64), ubyteType, "VEC4", true);
+  primitive["attributes"]["WEIGHTS_0"] = primitive["attributes"]["WEIGHTS_1"] = weights;
+  primitive["targets"] = {{{"POSITION", 0}}, {{"POSITION", 0}}};
+  const std::vector<float> matrices(32, 0.5f);
+  const int view = builder.addView(matrices);
+  const int inverse =
+      builder.addAccessor({{"bufferView", view}, {"componentType", 5126}, {"type", "MAT4"}, {"count", 2}});
+  builder.append("skins", {{"joints", {0, 1}}, {"inverseBindMatrices", inverse}});
+  builder.append("nodes", {{"mesh", 0}, {"skin", 0}, {"weights", {0, 1}}});
+  Json& attributes = builder.json["nodes"][1]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"];
+  attributes = {{"TRANSLATION", 0}, {"SCALE", 0}};
+  const int times = builder.add(std::vector<float>{0, 1}, floatType, "SCALAR");
+  const int values = builder.add(std::vector<float>(12, 0.25f), floatType, "SCALAR");
+  const Json aim = {{"KHR_animation_pointer", {{"pointer", "/nodes/1/weights/1"}}}};
+  builder.append("animations", {{"samplers",
+                                 {{{"input", times}, {"output", values}, {"interpolation", "CUBICSPLINE"}},
+                                  {{"input", times}, {"output", times}}}},
+                                {"channels",
+                                 {{{"sampler", 0}, {"target", {{"node", 1}, {"path", "weights"}}}},
+                                  {{"sampler", 1}, {"target", {{"path", "pointer"}, {"extensions", aim}}}}}}});
+  const auto glb = builder.glb();
+  const auto whole = io::loadGltfBytes(glb, "m");
+  REQUIRE(whole);
+  CHECK(whole->model.animations[0].channels.size() == 2);
+  uint32_t state = 1;  // as above
+  const auto random = [&] { return state = state * 1664525u + 1013904223u; };
+  size_t loaded = 0;
+  for (int round = 0; round < 3000; ++round) {
+    auto bytes = glb;
+    for (int change = 0; change < 1 + round % 4; ++change) {
+      const uint32_t at = random() % static_cast<uint32_t>(bytes.size()), value = random() >> 24;
+      // Digits become digits, so that many a text stays valid.
+      bytes[at] = static_cast<uint8_t>(bytes[at] >= '0' && bytes[at] <= '9' ? '0' + value % 10 : value);
+    }
+    loaded += io::loadGltfBytes(bytes, "m").has_value();
+  }
+  CHECK(loaded > 0);
+  CHECK(loaded < 3000);
+}
+
 TEST_CASE("One accessor used very often does not fill the memory", "[io][gltf]") {
   GltfBuilder builder = triangle();
   const Json primitive = builder.json["meshes"][0]["primitives"][0];
