@@ -209,6 +209,8 @@ constexpr PictureOption table[] = {
      writeNumber<&S::fovYDeg>},
     {"camera", "NAME|INDEX", "a camera of the file", parseText<&S::camera>, writeText<&S::camera>},
     {"scene", "N", "index of the scene (the file's default)", parseScene, writeScene},
+    {"variant", "NAME|INDEX", "the file's material variant (none: its own materials)", parseText<&S::variant>,
+     writeText<&S::variant>},
     {"env", "FILE|builtin:NAME|none", "environment: .hdr, .exr, builtin:studio, builtin:sky, builtin:white",
      parseText<&S::environment>, writeText<&S::environment>, ',', true},
     {"env-rotation", "DEG", "turns the environment about +Y (0)",

@@ -30,6 +30,7 @@ struct PictureSettings {
   std::optional<double> fovYDeg;     // vertical, [1, 179]; not given: the camera's, else 45
   std::string camera;                // name or index of a camera in the file; empty: none. Excludes orbit and target.
   int scene = -1;                    // index; -1: the file's default scene
+  std::string variant;               // KHR_materials_variants: name or index; empty: the file's own materials
 
   std::string environment;           // "builtin:NAME", a path, "none"; empty: a built-in one is chosen
   float environmentRotationDeg = 0;  // about +Y

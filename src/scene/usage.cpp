@@ -45,6 +45,7 @@ bool usesTexture(const Material& m, TextureSlot slot) {
   if (m.unlit) return false;
   switch (slot) {
     case TextureSlot::metallicRoughness:
+      if (m.specularGlossiness) return m.specularFactor != glm::vec3(0) || m.glossinessFactor != 0;
       return m.metallicFactor != 0 || m.perceptualRoughnessFactor != 0;
     case TextureSlot::normal:
       return m.normalScale != 0;
@@ -64,6 +65,13 @@ const Material& materialOf(const Model& model, const Primitive& primitive) {
   static const Material defaultMaterial;
   const int m = primitive.material;
   return m >= 0 && size_t(m) < model.materials.size() ? model.materials[size_t(m)] : defaultMaterial;
+}
+
+std::vector<const Material*> materialsOf(const Model& model, const Primitive& primitive) {
+  std::vector<const Material*> materials = {&materialOf(model, primitive)};
+  for (const int m : primitive.variantMaterials)
+    if (m >= 0 && m != primitive.material) materials.push_back(&model.materials[size_t(m)]);
+  return materials;
 }
 
 std::vector<bool> drawnMeshes(const Model& model, int scene) {

@@ -20,7 +20,7 @@ const TextureRef& textureRef(const Material& material, TextureSlot slot);
 // Is there such a texture, and can it change the picture? Not if
 //   the material is unlit and this isn't the base colour;
 //   base colour: the factor's rgb is 0 and alpha is 0 too or not looked at (opaque);
-//   metallic-roughness: both factors are 0;
+//   metallic-roughness, specular-glossiness: both factors are 0;
 //   normal: the scale is 0, which leaves the geometric normal (for any texel with blue above 1/2, as all valid ones);
 //   occlusion: the strength is 0;
 //   emissive: factor or strength is 0.
@@ -43,6 +43,9 @@ void forEachTexture(const Material& material, const Primitive& primitive, Use&& 
 
 // The primitive's material; glTF's default material where it names none.
 const Material& materialOf(const Model& model, const Primitive& primitive);
+
+// The materials that the primitive can have: its own, then those of the variants.
+std::vector<const Material*> materialsOf(const Model& model, const Primitive& primitive);
 
 // Meshes drawn in the scene: one entry per mesh of the model.
 std::vector<bool> drawnMeshes(const Model& model, int scene);
