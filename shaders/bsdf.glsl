@@ -34,6 +34,15 @@ Surface makeSurface(vec3 N, vec3 V, vec3 baseColor, float metallic, float percep
   return s;
 }
 
+// KHR_materials_pbrSpecularGlossiness: a dielectric of any f0. Its diffuse albedo is diffuse (1 - max(f0)).
+Surface makeSpecularGlossinessSurface(vec3 N, vec3 V, vec3 diffuse, vec4 specularGlossiness, float occlusion) {
+  vec3 f0 = specularGlossiness.rgb;
+  vec3 albedo = diffuse * (1.0 - max(f0.r, max(f0.g, f0.b)));
+  Surface s = makeSurface(N, V, albedo, 0.0, 1.0 - specularGlossiness.a, occlusion);
+  s.dielectricF0 = f0;
+  return s;
+}
+
 // f(V, L) NoL [1/sr]: a mix of a metal and of a dielectric whose diffuse part gets what its specular part leaves. The two
 // are not one lobe of mixed f0: a half metal would then darken its own diffuse part. Zero for lights below the horizon.
 vec3 evaluateBsdf(Surface s, vec3 L) {

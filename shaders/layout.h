@@ -72,6 +72,7 @@ struct MaterialUniforms {
   vec4 emissiveFactor;  // rgb factor * strength, W sr^-1 m^-2 relative; w unused
   vec4 factors;         // metallic, perceptual roughness, occlusion strength, alpha cutoff
   vec4 scales;          // x normal scale; yzw unused
+  vec4 specularGlossiness;  // rgb f0, a glossiness; of materials of that model
   vec4 texCoordSets[2];  // the set of slot 0..3, slot 4
   vec4 texCoordRows[10];  // slot s: rows 2s, 2s + 1 of its KHR_texture_transform (xyz)
 };
@@ -101,7 +102,7 @@ struct LightUniforms {
 
 #ifdef __cplusplus
 #undef LAYOUT_CONST
-static_assert(sizeof(MaterialUniforms) == 16 * 16);
+static_assert(sizeof(MaterialUniforms) == 17 * 16);
 static_assert(sizeof(FrameUniforms) == 13 * 16);
 static_assert(sizeof(Instance) == 8 * 16);
 static_assert(sizeof(Joint) == 3 * 16);

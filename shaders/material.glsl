@@ -55,13 +55,26 @@ vec4 materialBaseColor(Varyings v) {
   return color;
 }
 
+// KHR_materials_pbrSpecularGlossiness: rgb f0, a glossiness; within [0, 1].
+vec4 materialSpecularGlossiness(Varyings v) {
+  vec4 value = material.specularGlossiness;
+#ifdef HAS_METALLIC_ROUGHNESS_TEXTURE
+  value *= texture(metallicRoughnessTexture, slotTexCoord(v, metallicRoughnessUnit));
+#endif
+  return clamp(value, 0.0, 1.0);
+}
+
 // x metallic, y perceptual roughness; both within [0, 1].
 vec2 materialMetallicRoughness(Varyings v) {
+#ifdef SPECULAR_GLOSSINESS
+  return vec2(0.0, 1.0 - materialSpecularGlossiness(v).a);
+#else
   vec2 value = material.factors.xy;
 #ifdef HAS_METALLIC_ROUGHNESS_TEXTURE
   value *= texture(metallicRoughnessTexture, slotTexCoord(v, metallicRoughnessUnit)).bg;
 #endif
   return clamp(value, 0.0, 1.0);
+#endif
 }
 
 // glTF 2.0, 3.9.3: 1 + strength (texture - 1).

@@ -69,8 +69,12 @@ vec3 towardsViewer(vec3 position) {
 
 #ifndef UNLIT
 vec3 litRadiance(Varyings v, vec3 V, vec3 baseColor) {
+#ifdef SPECULAR_GLOSSINESS
+  Surface s = makeSpecularGlossinessSurface(materialNormal(v, V), V, baseColor, materialSpecularGlossiness(v), materialOcclusion(v));
+#else
   vec2 metallicRoughness = materialMetallicRoughness(v);
   Surface s = makeSurface(materialNormal(v, V), V, baseColor, metallicRoughness.x, metallicRoughness.y, materialOcclusion(v));
+#endif
 #if defined(HAS_PUNCTUAL_LIGHTS) || defined(HAS_ENVIRONMENT)
   s.dfg = lookUpDfg(s.NoV, s.perceptualRoughness);
 #endif

@@ -5,6 +5,7 @@
 
 #include "base/log.hpp"
 #include "commands/commands.hpp"
+#include "commands/inspect_parts.hpp"
 #include "commands/notes_json.hpp"
 #include "frame/picture.hpp"
 #include "io/image.hpp"
@@ -21,6 +22,7 @@ using json = nlohmann::ordered_json;
 struct InspectArguments {
   std::string model;
   int scene = -1;
+  std::string variant;
   bool asJson = false, strict = false;
 };
 
@@ -89,6 +91,7 @@ json describeModel(const scene::Model& model, const Notes& notes, const frame::D
   out["extensionsRequired"] = model.extensionsRequired;
   out["drawCalls"] = list.opaque.size() + list.blended.size();
   out["materials"] = describeMaterials(model, list);
+  describeParts(model, out);
   out["leftOut"] = describeLeftOut(model, list);
   out["notes"] = notesJson(notes);
   return out;
@@ -119,6 +122,7 @@ void print(const json& out) {
     if (material.contains("unusedTextures"))
       std::cout << "    textures that change nothing: " << joined(material["unusedTextures"]) << "\n";
   }
+  printParts(out, std::cout);
   std::cout << "\nLeft out, because the scene does not need it\n";
   for (const json& text : out["leftOut"]) std::cout << "  " << text.get<std::string>() << "\n";
   if (out["leftOut"].empty()) std::cout << "  nothing\n";
@@ -142,9 +146,14 @@ int runInspect(const InspectArguments& arguments) {
   const scene::Model& model = loaded->model;
   frame::PictureSettings settings;
   settings.scene = arguments.scene;
+  settings.variant = arguments.variant;
   const Result<int> scene = frame::chooseScene(settings, model);
   if (!scene) return badInput(scene.error());
-  const frame::DrawList list = frame::buildDrawList(model, *scene, frame::drawOptions(settings, true));
+  const Result<int> variant = frame::chooseVariant(settings, model);
+  if (!variant) return badInput(variant.error());
+  frame::DrawOptions options = frame::drawOptions(settings, true);
+  options.variant = *variant;
+  const frame::DrawList list = frame::buildDrawList(model, *scene, options);
   checkImages(model, list, loaded->notes);
   const json out = describeModel(model, loaded->notes, list, *scene);
   if (arguments.asJson)
@@ -162,6 +171,7 @@ std::function<int()> addInspect(CLI::App& app) {
   auto arguments = std::make_shared<InspectArguments>();
   app.add_option("model", arguments->model, "a .gltf or .glb file, or builtin:NAME")->type_name("MODEL")->required();
   app.add_option("--scene", arguments->scene, "index of the scene (the file's default)")->type_name("N");
+  app.add_option("--variant", arguments->variant, "material variant (none)")->type_name("NAME|INDEX");
   app.add_flag("--json", arguments->asJson, "for scripts");
   app.add_flag("--strict", arguments->strict, "any warning makes the exit status 2");
   return [arguments] { return runInspect(*arguments); };

@@ -213,6 +213,8 @@ constexpr PictureOption table[] = {
      writeNumber<&S::fovYDeg>},
     {"camera", "NAME|INDEX", "a camera of the file", parseText<&S::camera>, writeText<&S::camera>},
     {"scene", "N", "index of the scene (the file's default)", parseScene, writeScene},
+    {"variant", "NAME|INDEX", "the file's material variant (none: its own materials)", parseText<&S::variant>,
+     writeText<&S::variant>},
     {"animation", "NAME|INDEX|all", "an animation of the file, or all at once (none: at rest)",
      parseText<&S::animation>, writeText<&S::animation>},
     {"time", "S", "seconds at which the animation stands (0)", parseNumberInto<&S::timeSeconds, 0, 1'000'000>,

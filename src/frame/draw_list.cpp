@@ -78,6 +78,9 @@ std::vector<int> addJoints(DrawList& list, const scene::FlatScene& flat) {
 int materialIndex(const scene::Primitive& primitive, const DrawList& list, const DrawOptions& options) {
   const int defaultMaterial = static_cast<int>(list.materials.size()) - 1;
   if (options.material) return 0;
+  const auto variant = static_cast<size_t>(options.variant);
+  if (options.variant >= 0 && variant < primitive.variantMaterials.size() && primitive.variantMaterials[variant] >= 0)
+    return primitive.variantMaterials[variant];
   return primitive.material >= 0 ? primitive.material : defaultMaterial;
 }
 

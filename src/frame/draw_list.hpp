@@ -22,6 +22,7 @@ struct DrawOptions {
   bool sceneLights = true;               // the file's lights
   bool demoLights = false;               // four point lights around the scene
   MaterialOverride material = {};
+  int variant = -1;     // index in Model::variants; -1: the primitives' own materials
   bool moving = false;  // other poses will follow: morph targets keep their program while all weights are 0
 };
 

@@ -136,7 +136,8 @@ TextureUse useOf(const scene::Model& model, const scene::Material& material, Tex
       use.srgb = true, use.channels = 0b0111;
       break;
     case TextureSlot::metallicRoughness:
-      use.channels = 0b0110;
+      use.srgb = material.specularGlossiness;
+      use.channels = material.specularGlossiness ? 0b1111 : 0b0110;
       break;
     case TextureSlot::occlusion:
       use.channels = 0b0001;
@@ -203,6 +204,7 @@ layout::MaterialUniforms materialUniforms(const scene::Material& material) {
   out.factors = glm::vec4(material.metallicFactor, material.perceptualRoughnessFactor, material.occlusionStrength,
                           material.alphaCutoff);
   out.scales.x = material.normalScale;
+  out.specularGlossiness = glm::vec4(material.specularFactor, material.glossinessFactor);
   for (const TextureSlot slot : scene::textureSlots) {
     const auto index = static_cast<int>(slot);
     const scene::TextureRef& ref = textureRef(material, slot);
@@ -305,7 +307,8 @@ void setTextureDetail(const GpuScene& gpu, int draws, const gl::ContextInfo& con
   for (const auto& [sampler, object] : gpu.samplers) {
     glSamplerParameterf(object.id(), GL_TEXTURE_LOD_BIAS, bias);
     // Any filter but trilinear is a wish for exactly that filter.
-    if (sampler.minFilter == scene::Filter::linear && sampler.mipFilter == scene::MipFilter::linear)
+    if (sampler.magFilter == scene::Filter::linear && sampler.minFilter == scene::Filter::linear &&
+        sampler.mipFilter == scene::MipFilter::linear)
       glSamplerParameterf(object.id(), GL_TEXTURE_MAX_ANISOTROPY_EXT,
                           draws > 1 ? 1 : std::min(8.0f, context.maxAnisotropy));
   }

@@ -127,6 +127,21 @@ Result<int> chooseScene(const PictureSettings& settings, const scene::Model& mod
   return scene;
 }
 
+Result<int> chooseVariant(const PictureSettings& settings, const scene::Model& model) {
+  if (settings.variant.empty()) return -1;
+  const int count = static_cast<int>(model.variants.size());
+  std::string known;
+  for (int i = 0; i < count; ++i) {
+    const std::string& name = model.variants[static_cast<size_t>(i)];
+    if (name == settings.variant) return i;
+    known += (i == 0 ? "" : ", ") + std::to_string(i) + (name.empty() ? "" : " (" + name + ")");
+  }
+  if (const std::optional<int> index = parseIndex(settings.variant); index && *index >= 0 && *index < count)
+    return *index;
+  return fail(model.name, "", "the file has no material variant '" + settings.variant + "'",
+              known.empty() ? "it has none at all: leave out --variant" : "it has " + known);
+}
+
 Result<scene::Pose> choosePose(const PictureSettings& settings, const scene::Model& model) {
   const Result<std::vector<int>> animations = scene::chooseAnimations(model, settings.animation);
   if (!animations) return tl::unexpected(animations.error());
@@ -185,7 +200,9 @@ std::string chooseEnvironment(const PictureSettings& settings, const std::string
   if (!settings.environment.empty()) return settings.environment;
   if (const scene::BuiltinScene* builtin = builtinOf(source)) return std::string(builtin->environment);
   // Lit at all? Asked of the draw list, which knows.
-  const DrawList list = buildDrawList(model, scene, drawOptions(settings, true));
+  DrawOptions options = drawOptions(settings, true);
+  options.variant = chooseVariant(settings, model).value_or(-1);
+  const DrawList list = buildDrawList(model, scene, options);
   return list.needs(false).irradiance ? "builtin:studio" : "none";
 }
 
@@ -221,11 +238,15 @@ Result<PreparedPicture> preparePicture(const PictureSettings& settings, SceneOnG
   const scene::Model& model = *scene.model;
   const Result<int> sceneIndex = chooseScene(settings, model);
   if (!sceneIndex) return tl::unexpected(sceneIndex.error());
+  const Result<int> variant = chooseVariant(settings, model);
+  if (!variant) return tl::unexpected(variant.error());
   PreparedPicture prepared;
   const bool lit = environment.environment != nullptr;
   const Result<scene::Pose> pose = choosePose(settings, model);
   if (!pose) return tl::unexpected(pose.error());
-  prepared.list = buildDrawList(model, *sceneIndex, drawOptions(settings, lit), *pose);
+  DrawOptions options = drawOptions(settings, lit);
+  options.variant = *variant;
+  prepared.list = buildDrawList(model, *sceneIndex, options, *pose);
   const DrawList& list = prepared.list;
   const Result<scene::View> view =
       chooseView(settings, scene.source, model, list, framingBounds(settings, model, *sceneIndex, list.bounds));

@@ -27,11 +27,14 @@ struct EnvironmentOnGpu {
 inline constexpr int convergedAbove = 4;
 inline constexpr int convergedLightSamples = 4;  // environment samples per draw
 
-// What the settings ask of the draw list.
+// What the settings ask of the draw list, but for the variant, which needs the model: chooseVariant.
 DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment);
 
 // Errors: no such scene in the model.
 Result<int> chooseScene(const PictureSettings& settings, const scene::Model& model);
+
+// Index in model.variants, -1 for none. Errors: no such variant.
+Result<int> chooseVariant(const PictureSettings& settings, const scene::Model& model);
 
 // The pose that the settings ask for, of the chosen scene. Errors: no such animation.
 Result<scene::Pose> choosePose(const PictureSettings& settings, const scene::Model& model);

@@ -30,6 +30,7 @@ struct PictureSettings {
   std::optional<double> fovYDeg;     // vertical, [1, 179]; not given: the camera's, else 45
   std::string camera;                // name or index of a camera in the file; empty: none. Excludes orbit and target.
   int scene = -1;                    // index; -1: the file's default scene
+  std::string variant;               // KHR_materials_variants: name or index; empty: the file's own materials
 
   std::string animation;   // name or index of an animation in the file, "all"; empty: none, the model is at rest
   double timeSeconds = 0;  // at which the animation stands, [0, 1e6]

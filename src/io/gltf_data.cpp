@@ -88,6 +88,19 @@ Result<std::span<const uint8_t>> bufferBytes(Document& doc, const Json& buffer, 
   return std::span<const uint8_t>(doc.embedded.back());
 }
 
+// A stand-in for what EXT or KHR_meshopt_compression hold compressed: marked as such, or, where the file requires the
+// extension, without any data.
+bool isFallback(const Document& doc, const Json& buffer, size_t index) {
+  const auto& required = doc.model.extensionsRequired;
+  for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
+    const Json* meshopt = extensionOf(buffer, name);
+    if (meshopt && meshopt->value("fallback", Json()) == true) return true;
+    const bool hasData = buffer.contains("uri") || (index == 0 && doc.hasBinary);
+    if (!hasData && std::find(required.begin(), required.end(), name) != required.end()) return true;
+  }
+  return false;
+}
+
 Result<void> readBuffer(Document& doc, const Json& buffer, size_t index) {
   const std::string place = pointer("/buffers", index);
   const auto length = buffer.find("byteLength");
@@ -96,8 +109,7 @@ Result<void> readBuffer(Document& doc, const Json& buffer, size_t index) {
   }
   const auto bytes = length->get<uint64_t>();
   if (bytes == 0) return doc.error(place + "/byteLength", "the buffer has a length of zero");
-  const Json* meshopt = extensionOf(buffer, "EXT_meshopt_compression");
-  doc.isFallback.push_back(meshopt && meshopt->value("fallback", Json()) == true);
+  doc.isFallback.push_back(isFallback(doc, buffer, index));
   if (doc.isFallback.back()) {  // for readers that do not know the extension: not read, often not there
     doc.buffers.emplace_back();
     return {};

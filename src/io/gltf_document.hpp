@@ -34,7 +34,7 @@ struct Document {
 
   tinygltf::Model gltf;                           // without buffers and images
   std::vector<std::span<const uint8_t>> buffers;  // by index; into storage or binary
-  std::vector<bool> isFallback;                   // by the file's buffer: EXT_meshopt_compression's stand-in, empty
+  std::vector<bool> isFallback;                   // by the file's buffer: a stand-in for compressed views, empty
   std::vector<FileBytes> files;                   // storage
   std::vector<std::vector<uint8_t>> embedded;     // storage
   scene::Model model;
@@ -66,7 +66,8 @@ Result<void> checkIndex(const Document& doc, int index, size_t count, const std:
 Result<void> readBuffers(Document& doc);
 Result<void> readImages(Document& doc);  // after tinygltf's buffer views
 
-// gltf_meshopt.cpp: EXT_meshopt_compression. Before checkBufferViews; its views point to decoded bytes afterwards.
+// gltf_meshopt.cpp: EXT_ and KHR_meshopt_compression. Before checkBufferViews; its views point to decoded bytes
+// afterwards.
 Result<void> decodeMeshopt(Document& doc);
 
 // gltf_skins.cpp
@@ -91,6 +92,9 @@ Result<std::vector<int>> variantMaterials(Document& doc, const tinygltf::Primiti
 Result<void> readMeshes(Document& doc);
 // gltf_animations.cpp: after all that can be animated
 Result<void> readAnimations(Document& doc);
+
+// gltf_xmp.cpp: KHR_xmp_json_ld
+Result<void> readXmp(Document& doc);
 
 // -- Extensions (gltf_extensions.cpp) --
 

@@ -9,18 +9,21 @@ namespace {
 
 // Everything that is read; each name is listed here once.
 constexpr std::string_view supportedExtensions[] = {
-    "KHR_lights_punctual",              // gltf_lights.cpp
-    "KHR_texture_transform",            // gltf_materials.cpp
-    "KHR_materials_unlit",              // gltf_materials.cpp
-    "KHR_materials_emissive_strength",  // gltf_materials.cpp
-    "KHR_materials_variants",           // gltf_variants.cpp
-    "KHR_mesh_quantization",            // accessors.cpp: all component types are read anyway
-    "KHR_draco_mesh_compression",       // gltf_draco.cpp
-    "EXT_mesh_gpu_instancing",          // gltf_instancing.cpp
-    "KHR_node_visibility",              // gltf_nodes.cpp
-    "KHR_animation_pointer",            // gltf_animation_targets.cpp
-    "EXT_meshopt_compression",          // gltf_meshopt.cpp
-    "EXT_texture_webp",                 // gltf_materials.cpp, image.cpp
+    "KHR_lights_punctual",                  // gltf_lights.cpp
+    "KHR_texture_transform",                // gltf_materials.cpp
+    "KHR_materials_unlit",                  // gltf_materials.cpp
+    "KHR_materials_pbrSpecularGlossiness",  // gltf_materials.cpp
+    "KHR_materials_emissive_strength",      // gltf_materials.cpp
+    "KHR_materials_variants",               // gltf_variants.cpp
+    "KHR_mesh_quantization",                // accessors.cpp: all component types are read anyway
+    "KHR_draco_mesh_compression",           // gltf_draco.cpp
+    "EXT_mesh_gpu_instancing",              // gltf_instancing.cpp
+    "KHR_node_visibility",                  // gltf_nodes.cpp
+    "KHR_animation_pointer",                // gltf_animation_targets.cpp
+    "EXT_meshopt_compression",              // gltf_meshopt.cpp
+    "KHR_meshopt_compression",              // gltf_meshopt.cpp
+    "KHR_xmp_json_ld",                      // gltf_xmp.cpp
+    "EXT_texture_webp",                     // gltf_materials.cpp, image.cpp
 };
 
 // Where a required extension can be had without.
@@ -28,7 +31,6 @@ struct Remedy {
   std::string_view extension, remedy;
 };
 constexpr Remedy remedies[] = {
-    {"KHR_meshopt_compression", "export the model without meshopt compression"},
     {"KHR_texture_basisu",
      "export the model with PNG, JPEG or WebP textures: KTX2 needs a Basis Universal transcoder, which facet lacks"},
 };

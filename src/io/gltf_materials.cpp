@@ -252,12 +252,69 @@ Result<void> readEmissiveStrength(Document& doc, const Value& extension, const s
   return {};
 }
 
+// `count` numbers in [0, 1] at object[key]; what is missing leaves the target as it is.
+Result<void> readFactors(Document& doc, const Value& object, const char* key, int count, const std::string& place,
+                         float* target) {
+  const Value& value = object.Get(key);
+  if (value.Type() == tinygltf::NULL_TYPE) return {};
+  const std::string at = place + "/" + key;
+  if (static_cast<int>(value.ArrayLen()) != count)
+    return doc.error(at, "does not have " + std::to_string(count) + " numbers");
+  for (int i = 0; i < count; ++i) {
+    const std::string element = pointer(at, static_cast<size_t>(i));
+    if (!value.Get(i).IsNumber()) return doc.error(element, "is not a number");
+    const auto single = factor(doc, value.Get(i).GetNumberAsDouble(), 0, 1, element);
+    if (!single) return tl::unexpected(single.error());
+    target[i] = *single;
+  }
+  return {};
+}
+
+// A texture of an extension.
+Result<void> readRef(Document& doc, const Value& object, const char* key, const std::string& place,
+                     scene::TextureRef& target) {
+  target = {};
+  const Value& info = object.Get(key);
+  if (info.Type() == tinygltf::NULL_TYPE) return {};
+  const std::string at = place + "/" + key;
+  const Value &index = info.Get("index"), &texCoord = info.Get("texCoord"), &inner = info.Get("extensions");
+  if (!index.IsInt()) return doc.error(at + "/index", "is not a whole number");
+  if (auto ok = checkIndex(doc, index.GetNumberAsInt(), doc.model.textures.size(), at + "/index", "texture"); !ok)
+    return ok;
+  Extensions extensions;
+  for (const std::string& name : inner.IsObject() ? inner.Keys() : std::vector<std::string>())
+    extensions.emplace(name, inner.Get(name));
+  const auto ref =
+      readRef(doc, index.GetNumberAsInt(), texCoord.IsInt() ? texCoord.GetNumberAsInt() : 0, extensions, at);
+  if (!ref) return tl::unexpected(ref.error());
+  target = *ref;
+  return {};
+}
+
+// KHR_materials_pbrSpecularGlossiness: takes the place of the core's metallic-roughness where a file has both.
+Result<void> readSpecularGlossiness(Document& doc, const Value& extension, const std::string& place,
+                                    scene::Material& material) {
+  if (material.unlit) return {};  // which says itself what the base colour is
+  material.specularGlossiness = true;
+  material.baseColorFactor = glm::vec4(1);
+  if (auto ok = readFactors(doc, extension, "diffuseFactor", 4, place, &material.baseColorFactor.x); !ok) return ok;
+  if (auto ok = readFactors(doc, extension, "specularFactor", 3, place, &material.specularFactor.x); !ok) return ok;
+  const auto glossiness = number(doc, extension, "glossinessFactor", place);
+  if (!glossiness) return tl::unexpected(glossiness.error());
+  const auto inRange = factor(doc, glossiness->value_or(1.0f), 0, 1, place + "/glossinessFactor");
+  if (!inRange) return tl::unexpected(inRange.error());
+  material.glossinessFactor = *inRange;
+  if (auto ok = readRef(doc, extension, "diffuseTexture", place, material.baseColor); !ok) return ok;
+  return readRef(doc, extension, "specularGlossinessTexture", place, material.metallicRoughness);
+}
+
 using ReadExtension = Result<void> (*)(Document&, const Value&, const std::string& place, scene::Material&);
 constexpr struct {
   const char* name;
   ReadExtension read;
 } materialExtensions[] = {
     {"KHR_materials_unlit", readUnlit},
+    {"KHR_materials_pbrSpecularGlossiness", readSpecularGlossiness},
     {"KHR_materials_emissive_strength", readEmissiveStrength},
 };
 

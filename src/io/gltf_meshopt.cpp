@@ -1,8 +1,12 @@
-// EXT_meshopt_compression: buffer views whose bytes are decoded before anything looks at them.
+// EXT_meshopt_compression and KHR_meshopt_compression, which adds a filter for colours and a version 1 of the vertex
+// codec: buffer views whose bytes are decoded before anything looks at them.
 
 #include <meshoptimizer.h>
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "base/parallel.hpp"
@@ -15,11 +19,12 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* extensionName = "EXT_meshopt_compression";
+constexpr const char* extensionNames[] = {"EXT_meshopt_compression", "KHR_meshopt_compression"};
+constexpr size_t khr = 1;
 constexpr const char* remedy = "export the model again, or without meshopt compression";
 
 enum class Mode { attributes, triangles, indices };
-enum class Filter { none, octahedral, quaternion, exponential };
+enum class Filter { none, octahedral, quaternion, exponential, color };
 
 struct Named {
   std::string_view name;
@@ -31,7 +36,8 @@ constexpr Named modes[] = {{"ATTRIBUTES", static_cast<int>(Mode::attributes)},
 constexpr Named filters[] = {{"NONE", static_cast<int>(Filter::none)},
                              {"OCTAHEDRAL", static_cast<int>(Filter::octahedral)},
                              {"QUATERNION", static_cast<int>(Filter::quaternion)},
-                             {"EXPONENTIAL", static_cast<int>(Filter::exponential)}};
+                             {"EXPONENTIAL", static_cast<int>(Filter::exponential)},
+                             {"COLOR", static_cast<int>(Filter::color)}};  // KHR only
 
 struct CompressedView {
   size_t view = 0;
@@ -87,6 +93,9 @@ Result<void> checkLayout(const Document& doc, const CompressedView& v) {
   if (v.mode == Mode::triangles && v.count % 3 != 0) return wrong("count", v.count, "a multiple of 3");
   if (v.filter == Filter::octahedral && v.stride != 4 && v.stride != 8) {
     return wrong("byteStride", v.stride, "4 or 8, as the filter OCTAHEDRAL asks for");
+  }
+  if (v.filter == Filter::color && v.stride != 4 && v.stride != 8) {
+    return wrong("byteStride", v.stride, "4 or 8, as the filter COLOR asks for");
   }
   if (v.filter == Filter::quaternion && v.stride != 8) {
     return wrong("byteStride", v.stride, "8, as the filter QUATERNION asks for");
@@ -148,10 +157,10 @@ Result<std::span<const uint8_t>> encodedBytes(const Document& doc, const Json& e
   return bytes.subspan(*offset, *length);
 }
 
-Result<CompressedView> readExtension(const Document& doc, const Json& extension, size_t view) {
+Result<CompressedView> readExtension(const Document& doc, const Json& extension, size_t name, size_t view) {
   CompressedView v;
   v.view = view;
-  v.place = pointer("/bufferViews", view) + "/extensions/" + extensionName;
+  v.place = pointer("/bufferViews", view) + "/extensions/" + extensionNames[name];
   const auto encoded = encodedBytes(doc, extension, v.place);
   if (!encoded) return tl::unexpected(encoded.error());
   v.encoded = *encoded;
@@ -164,12 +173,35 @@ Result<CompressedView> readExtension(const Document& doc, const Json& extension,
   const auto mode = named(doc, extension, "mode", v.place, modes);
   if (!mode) return tl::unexpected(mode.error());
   v.mode = static_cast<Mode>(*mode);
-  const auto filter = named(doc, extension, "filter", v.place, filters, 0);
+  const std::span<const Named> known(filters, std::size(filters) - (name == khr ? 0 : 1));
+  const auto filter = named(doc, extension, "filter", v.place, known, 0);
   if (!filter) return tl::unexpected(filter.error());
   v.filter = static_cast<Filter>(*filter);
   if (auto ok = checkLayout(doc, v); !ok) return tl::unexpected(ok.error());
   if (auto ok = checkSizes(doc, v); !ok) return tl::unexpected(ok.error());
   return v;
+}
+
+// KHR_meshopt_compression, appendix B, filter 4: y, co, cg of K bits and alpha of K - 1 bits under a bit that is set,
+// so that its place tells K. Alpha 0 has no such bit: not valid, black and transparent here.
+template <class Unsigned>
+void decodeColors(uint8_t* data, uint64_t count) {
+  using Signed = std::make_signed_t<Unsigned>;
+  constexpr auto largest = static_cast<float>(std::numeric_limits<Unsigned>::max());
+  for (uint64_t i = 0; i < count; ++i, data += 4 * sizeof(Unsigned)) {
+    Unsigned in[4];
+    std::memcpy(in, data, sizeof in);
+    const int y = in[0], co = static_cast<Signed>(in[1]), cg = static_cast<Signed>(in[2]);
+    const int one = (1 << std::bit_width(in[3])) - 1;
+    const int alpha = in[3] & (one >> 1);
+    const int rgba[4] = {y + co - cg, y + cg, y - co - cg, alpha << 1 | (alpha & 1)};
+    Unsigned out[4];
+    for (int c = 0; c < 4; ++c) {
+      const float value = one > 0 ? std::round(static_cast<float>(rgba[c]) * (largest / static_cast<float>(one))) : 0;
+      out[c] = static_cast<Unsigned>(std::clamp(value, 0.0f, largest));
+    }
+    std::memcpy(data, out, sizeof out);
+  }
 }
 
 constexpr int outOfMemory = 1;  // beside the library's 0 (good), -1, -2 and -3
@@ -195,12 +227,17 @@ void decode(CompressedView& v) {
   if (v.filter == Filter::octahedral) meshopt_decodeFilterOct(to, v.count, v.stride);
   if (v.filter == Filter::quaternion) meshopt_decodeFilterQuat(to, v.count, v.stride);
   if (v.filter == Filter::exponential) meshopt_decodeFilterExp(to, v.count, v.stride);
+  if (v.filter == Filter::color)
+    v.stride == 4 ? decodeColors<uint8_t>(to, v.count) : decodeColors<uint16_t>(to, v.count);
 }
 
 std::string problemOf(const CompressedView& v) {
   const std::string mode(modes[static_cast<size_t>(v.mode)].name);
   const std::string elements = std::to_string(v.count) + " elements";
   if (v.status == outOfMemory) return "there is not enough memory for its " + elements;
+  constexpr uint8_t vertexVersion1 = 0xa1;
+  if (v.status == -1 && v.mode == Mode::attributes && !v.encoded.empty() && v.encoded[0] == vertexVersion1)
+    return "its data is of version 1 of the vertex codec, which the meshoptimizer library in use cannot read";
   if (v.status == -1) return "its data does not begin as the mode " + mode + " asks for";
   if (v.status == -2) return "its data ends before " + elements + " are decoded";
   if (v.status == -3) return "its data has not the length that " + elements + " take";
@@ -217,15 +254,18 @@ Result<std::vector<CompressedView>> readExtensions(const Document& doc) {
     if (auto ok = checkIndex(doc, buffer, doc.buffers.size(), place + "/buffer", "buffer"); !ok) {
       return tl::unexpected(ok.error());
     }
-    if (const Json* extension = extensionOf((*views)[i], extensionName)) {
-      auto view = readExtension(doc, *extension, i);
+    const Json* extension = nullptr;
+    for (size_t name = 0; name < std::size(extensionNames) && extension == nullptr; ++name) {
+      extension = extensionOf((*views)[i], extensionNames[name]);
+      if (extension == nullptr) continue;
+      auto view = readExtension(doc, *extension, name, i);
       if (!view) return tl::unexpected(view.error());
       found.push_back(std::move(*view));
-    } else if (doc.isFallback[static_cast<size_t>(buffer)]) {
-      return doc.error(
-          place + "/buffer",
-          "buffer " + std::to_string(buffer) + " is a fallback, which only views with " + extensionName + " may use",
-          remedy);
+    }
+    if (extension == nullptr && doc.isFallback[static_cast<size_t>(buffer)]) {
+      return doc.error(place + "/buffer",
+                       "buffer " + std::to_string(buffer) + " is a fallback, which only compressed views may use",
+                       remedy);
     }
   }
   return found;
@@ -235,7 +275,8 @@ Result<std::vector<CompressedView>> readExtensions(const Document& doc) {
 
 Result<void> decodeMeshopt(Document& doc) {
   bool used = std::find(doc.isFallback.begin(), doc.isFallback.end(), true) != doc.isFallback.end();
-  for (const auto& view : doc.gltf.bufferViews) used = used || view.extensions.count(extensionName) > 0;
+  for (const auto& view : doc.gltf.bufferViews)
+    for (const char* name : extensionNames) used = used || view.extensions.count(name) > 0;
   if (!used) return {};
   auto views = readExtensions(doc);
   if (!views) return tl::unexpected(views.error());

@@ -1,9 +1,17 @@
 #include "optics/bsdf.hpp"
 
+#include <algorithm>
+
 #include "optics/diffuse.hpp"
 #include "optics/fresnel.hpp"
 
 namespace facet::optics {
+
+Surface specularGlossinessSurface(const glm::dvec3& diffuse, const glm::dvec3& specular, double glossiness) {
+  const double largest = std::max({specular.r, specular.g, specular.b});
+  return {
+      .baseColor = diffuse - largest * diffuse, .metallic = 0, .perceptualRoughness = 1 - glossiness, .f0 = specular};
+}
 
 double alphaOf(const Surface& surface) { return surface.perceptualRoughness * surface.perceptualRoughness; }
 
@@ -21,18 +29,17 @@ Reflected reflect(const Surface& surface, const Dfg& dfg, const Angles& angles) 
   const auto lobe = [&](const glm::dvec3& f0) {
     return facets * F_Schlick(angles.VoH, f0, 1) * compensationTurquin(dfg, f0);
   };
-  const glm::dvec3 f0(dielectricF0);
-  const glm::dvec3 transmitted = glm::dvec3(1) - specularAlbedoTurquin(dfg, f0);
+  const glm::dvec3 transmitted = glm::dvec3(1) - specularAlbedoTurquin(dfg, surface.f0);
   const double metal = surface.metallic, dielectric = 1 - metal;
   Reflected reflected;
-  reflected.specular = metal * lobe(surface.baseColor) + dielectric * lobe(f0);
+  reflected.specular = metal * lobe(surface.baseColor) + dielectric * lobe(surface.f0);
   reflected.diffuse = dielectric * surface.baseColor * transmitted * (Fd_Lambert() * angles.NoL);
   return reflected;
 }
 
 DistantWeights distantWeights(const Surface& surface, const Dfg& dfg) {
   const SpecularEnergy metal = energyFdezAguera(dfg, surface.baseColor);
-  const SpecularEnergy dielectric = energyFdezAguera(dfg, glm::dvec3(dielectricF0));
+  const SpecularEnergy dielectric = energyFdezAguera(dfg, surface.f0);
   const double m = surface.metallic;
   return {m * metal.single + (1 - m) * dielectric.single,
           m * metal.multiple + (1 - m) * (dielectric.multiple + surface.baseColor * dielectric.diffuse)};

@@ -17,7 +17,11 @@ struct Surface {
   glm::dvec3 baseColor{1};  // linear; f0 of the metal, albedo of the dielectric's diffuse part
   double metallic = 1;      // share of the metal
   double perceptualRoughness = 1;
+  glm::dvec3 f0{dielectricF0};  // of the dielectric
 };
+
+// KHR_materials_pbrSpecularGlossiness: a dielectric whose diffuse albedo is diffuse (1 - max(specular)), all in [0, 1].
+Surface specularGlossinessSurface(const glm::dvec3& diffuse, const glm::dvec3& specular, double glossiness);
 
 double alphaOf(const Surface& surface);  // perceptualRoughness^2
 Dfg dfgOf(const Surface& surface, double NoV);
@@ -27,10 +31,10 @@ struct Reflected {
   glm::dvec3 specular{0}, diffuse{0};
 };
 // Metal: D V F NoL (1 + f0 (1 / E - 1)) with f0 = baseColor, Turquin's compensation. Dielectric: the same with
-// f0 = 0.04, and baseColor / pi (1 - Es) NoL with Es the directional albedo, at V, of that very lobe. So white reflects
-// exactly all of a white furnace. Both factors look at V only: the sum is not reciprocal, D V F is. 0 if V or L is
-// below the horizon; alpha = 0 has no specular value here (a delta). dfg = dfgOf(surface, NoV), passed in because it
-// costs an integral.
+// its own f0, and baseColor / pi (1 - Es) NoL with Es the directional albedo, at V, of that very lobe. So white
+// reflects exactly all of a white furnace. Both factors look at V only: the sum is not reciprocal, D V F is. 0 if V or
+// L is below the horizon; alpha = 0 has no specular value here (a delta). dfg = dfgOf(surface, NoV), passed in because
+// it costs an integral.
 Reflected reflect(const Surface& surface, const Dfg& dfg, const glm::dvec3& N, const glm::dvec3& V,
                   const glm::dvec3& L);
 // The same where the angles are at hand.

@@ -140,15 +140,18 @@ Check energyCheck(const std::string& function, double (*twin)(const optics::Dfg&
   return check;
 }
 
-Check checkBsdf() {
-  Check check{"evaluateBsdf",
+// Of the surface that GLSL and C++ make of the inputs' w.
+Check bsdfCheck(const std::string& name, const std::string& makeSurface, bool glossiness,
+                optics::Surface (*surfaceOf)(CheckVectors)) {
+  Check check{name,
               {{"bsdf.glsl"},
-               "Surface s = makeSurface(in0.xyz, in1.xyz, vec3(in2.w, 0.5, 0.0), in0.w, in1.w, 1.0);\n"
-               "s.dfg = in3.xyz;\n"
-               "out0.rgb = evaluateBsdf(s, in2.xyz);",
+               "Surface s = " + makeSurface +
+                   ";\n"
+                   "s.dfg = in3.xyz;\n"
+                   "out0.rgb = evaluateBsdf(s, in2.xyz);",
                4},
-              {"N.x", "N.y", "N.z", "metallic", "V.x", "V.y", "V.z", "perceptualRoughness", "L.x", "L.y", "L.z",
-               "baseColor.r", "A", "B"},
+              {"N.x", "N.y", "N.z", glossiness ? "f0.g" : "metallic", "V.x", "V.y", "V.z",
+               glossiness ? "glossiness" : "perceptualRoughness", "L.x", "L.y", "L.z", "baseColor.r", "A", "B"},
               {}};
   std::map<std::pair<double, double>, optics::Dfg> tables;
   const auto tableAt = [&](double NoV, double r) {
@@ -170,24 +173,25 @@ Check checkBsdf() {
             for (double baseColor : {0.0, 0.8, 1.0}) {
               const optics::Dfg dfg = tableAt(NoV, r);
               check.inputs.insert(check.inputs.end(),
-                                  {glm::vec4(glm::vec3(N), metallic), glm::vec4(glm::vec3(V), r),
+                                  {glm::vec4(glm::vec3(N), metallic), glm::vec4(glm::vec3(V), glossiness ? 1 - r : r),
                                    glm::vec4(glm::vec3(L), baseColor), glm::vec4(dfg.A, dfg.B, 0, 0)});
             }
     }
-  check.twin = [](CheckVectors in) {
+  check.twin = [surfaceOf](CheckVectors in) {
     optics::Angles angles = optics::anglesBetween(xyz(in[0]), xyz(in[1]), xyz(in[2]));
     angles.NoV = std::clamp(angles.NoV, minNoV, 1.0);
     angles.NoL = std::min(angles.NoL, 1.0);
     if (glm::length(xyz(in[1]) + xyz(in[2])) <= 1e-6) angles.NoH = 0;
-    const optics::Surface surface{{in[2].w, 0.5, 0}, in[0].w, std::max(in[1].w, std::sqrt(minAnalyticAlpha))};
+    optics::Surface surface = surfaceOf(in);
+    surface.perceptualRoughness = std::max(surface.perceptualRoughness, std::sqrt(minAnalyticAlpha));
     const optics::Reflected reflected = optics::reflect(surface, {in[3].x, in[3].y}, angles);
     const glm::dvec3 sum = reflected.specular + reflected.diffuse;
     return CheckValues{sum.x, sum.y, sum.z};
   };
   check.floor = 1e-2;
   check.tolerance = floatEpsilon;
-  check.conditioning = [](CheckVectors in) {
-    const double alpha = std::max(in[1].w * in[1].w, minAnalyticAlpha);
+  check.conditioning = [surfaceOf](CheckVectors in) {
+    const double alpha = std::max(optics::alphaOf(surfaceOf(in)), minAnalyticAlpha);
     const double NoV = std::max(glm::dot(xyz(in[0]), xyz(in[1])), minNoV);
     const double NoL = std::max(glm::dot(xyz(in[0]), xyz(in[2])), 1e-4);
     const double sum = std::max(glm::length(xyz(in[1]) + xyz(in[2])), 1e-4);
@@ -199,6 +203,23 @@ Check checkBsdf() {
       "off by an epsilon";
   check.clamped = "NoV to [1e-4, 1] (minNoV), alpha >= 1e-3 (minAnalyticAlpha); |V + L| <= 1e-6: no specular part";
   return check;
+}
+
+Check checkBsdf() {
+  return bsdfCheck("evaluateBsdf", "makeSurface(in0.xyz, in1.xyz, vec3(in2.w, 0.5, 0.0), in0.w, in1.w, 1.0)", false,
+                   [](CheckVectors in) {
+                     return optics::Surface{{in[2].w, 0.5, 0}, in[0].w, in[1].w};
+                   });
+}
+
+Check checkSpecularGlossiness() {
+  return bsdfCheck(
+      "makeSpecularGlossinessSurface",
+      "makeSpecularGlossinessSurface(in0.xyz, in1.xyz, vec3(in2.w, 0.5, 0.0), vec4(0.25, in0.w, 0.0, in1.w), "
+      "1.0)",
+      true, [](CheckVectors in) {
+        return optics::specularGlossinessSurface({in[2].w, 0.5, 0}, {0.25, in[0].w, 0}, in[1].w);
+      });
 }
 
 Check checkIrradianceAlbedo() {
@@ -293,6 +314,7 @@ std::vector<Check> surfaceChecks() {
       energyCheck("energyCompensation",
                   [](const optics::Dfg& dfg, double f0) { return optics::compensationTurquin(dfg, glm::dvec3(f0)).x; }),
       checkBsdf(),
+      checkSpecularGlossiness(),
       checkIrradianceAlbedo(),
       checkVisibleNormal(),
       checkMeanDirection(),

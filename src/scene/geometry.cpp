@@ -67,17 +67,6 @@ glm::vec3 faceNormal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
   return length > 0 && std::isfinite(length) ? glm::vec3(n / length) : glm::vec3(0, 0, 1);
 }
 
-// All that the primitive can be drawn with: its own first. `materials` are the model's.
-std::vector<const Material*> drawnWith(const Model& model, const Primitive& p, const std::vector<Material>& materials) {
-  const auto at = [&](int m) {
-    return m >= 0 && size_t(m) < materials.size() ? &materials[size_t(m)] : &materialOf(model, Primitive{});
-  };
-  std::vector<const Material*> all = {at(p.material)};
-  for (const int m : p.variantMaterials)
-    if (m >= 0) all.push_back(at(m));
-  return all;
-}
-
 using Warnings = std::vector<std::string>;
 
 void addTangents(Primitive& p, const std::vector<const Material*>& materials, Warnings& warnings) {
@@ -212,7 +201,7 @@ void completeGeometry(Model& model, Notes& notes, int scene) {
 
   parallelFor(jobs.size(), [&](size_t j) {
     Primitive& p = model.meshes[jobs[j].mesh].primitives[jobs[j].primitive];
-    completePrimitive(p, drawnWith(model, p, materials), jobs[j].warnings);
+    completePrimitive(p, materialsOf(materials, p), jobs[j].warnings);
   });
   for (Job& job : jobs)
     for (std::string& warning : job.warnings)

@@ -90,6 +90,13 @@ struct Material {
   bool doubleSided = false;
   bool unlit = false;  // KHR_materials_unlit: base colour only
 
+  // KHR_materials_pbrSpecularGlossiness, a dielectric of any f0 over a diffuse base: base colour is its diffuse colour,
+  // metallicRoughness its specular-glossiness texture (sRGB rgb f0, linear a glossiness); metallic and roughness are
+  // not looked at.
+  bool specularGlossiness = false;
+  glm::vec3 specularFactor = glm::vec3(1);  // f0, linear, [0, 1]
+  float glossinessFactor = 1;               // 1 - perceptual roughness, [0, 1]
+
   TextureRef baseColor;          // sRGB rgb, linear a
   TextureRef metallicRoughness;  // linear; g perceptual roughness, b metallic
   TextureRef normal;             // linear; rgb -> [-1, 1]
@@ -251,6 +258,16 @@ struct Animation {
   std::vector<AnimationChannel> channels;  // each sampler has the width that its property wants
 };
 
+// KHR_xmp_json_ld: metadata, and which objects it is about.
+struct Metadata {
+  struct Reference {
+    std::string object;  // JSON pointer: "/asset", "/nodes/3"
+    int packet = 0;
+  };
+  std::vector<std::string> packets;  // JSON text
+  std::vector<Reference> references;
+};
+
 struct Scene {
   std::string name;
   std::vector<int> nodes;  // roots
@@ -273,6 +290,7 @@ struct Model {
   // For inspect.
   std::string generator, copyright;
   std::vector<std::string> extensionsUsed, extensionsRequired;
+  Metadata xmp;
 };
 
 }  // namespace facet::scene

@@ -51,6 +51,7 @@ bool usesTexture(const Material& m, TextureSlot slot) {
   if (m.unlit) return false;
   switch (slot) {
     case TextureSlot::metallicRoughness:
+      if (m.specularGlossiness) return m.specularFactor != glm::vec3(0) || m.glossinessFactor != 0;
       return m.metallicFactor != 0 || m.perceptualRoughnessFactor != 0;
     case TextureSlot::normal:
       return m.normalScale != 0;
@@ -66,10 +67,18 @@ bool usesTexture(const Material& material, const Primitive& primitive, TextureSl
   return set >= 0 && set < maxTexCoordSets && !primitive.texCoords[size_t(set)].empty() && usesTexture(material, slot);
 }
 
+namespace {
+
+const Material& defaultMaterial() {
+  static const Material material;
+  return material;
+}
+
+}  // namespace
+
 const Material& materialOf(const Model& model, const Primitive& primitive) {
-  static const Material defaultMaterial;
   const int m = primitive.material;
-  return m >= 0 && size_t(m) < model.materials.size() ? model.materials[size_t(m)] : defaultMaterial;
+  return m >= 0 && size_t(m) < model.materials.size() ? model.materials[size_t(m)] : defaultMaterial();
 }
 
 std::vector<Material> materialsOverTime(const Model& model) {
@@ -87,6 +96,14 @@ std::vector<Material> materialsOverTime(const Model& model) {
       if (channel.property == AnimatedProperty::normalScale) m.normalScale = 1;
       if (channel.property == AnimatedProperty::occlusionStrength) m.occlusionStrength = 1;
     }
+  return materials;
+}
+
+std::vector<const Material*> materialsOf(const std::vector<Material>& all, const Primitive& primitive) {
+  const auto at = [&](int m) { return m >= 0 && size_t(m) < all.size() ? &all[size_t(m)] : &defaultMaterial(); };
+  std::vector<const Material*> materials = {at(primitive.material)};
+  for (const int m : primitive.variantMaterials)
+    if (m >= 0 && m != primitive.material) materials.push_back(at(m));
   return materials;
 }
 

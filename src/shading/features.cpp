@@ -37,7 +37,11 @@ bool readsBaseColor(const FeatureInput& in) {
 }
 bool baseColorTexture(const FeatureInput& in) { return sampled(in, TextureSlot::baseColor) && readsBaseColor(in); }
 bool metallicRoughnessTexture(const FeatureInput& in) {
+  if (in.material.specularGlossiness && channelIs(in, "metallic")) return false;  // it is none
   return sampled(in, TextureSlot::metallicRoughness) && (wanted(in, "metallic") || channelIs(in, "roughness"));
+}
+bool specularGlossiness(const FeatureInput& in) {
+  return in.material.specularGlossiness && (wanted(in, "metallic") || channelIs(in, "roughness"));
 }
 bool normalTexture(const FeatureInput& in) {
   return sampled(in, TextureSlot::normal) && wanted(in, "normal") && !in.primitive.tangents.empty();
@@ -122,6 +126,7 @@ constexpr FeatureRow rows[] = {
      }},
     {"flat normals per pixel", "FLAT_NORMALS", flatPerPixel},
     {"base colour texture", "HAS_BASE_COLOR_TEXTURE", baseColorTexture},
+    {"specular-glossiness", "SPECULAR_GLOSSINESS", specularGlossiness},
     {"metallic-roughness texture", "HAS_METALLIC_ROUGHNESS_TEXTURE", metallicRoughnessTexture},
     {"normal texture", "HAS_NORMAL_TEXTURE", normalTexture},
     {"occlusion texture", "HAS_OCCLUSION_TEXTURE", occlusionTexture},

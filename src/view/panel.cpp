@@ -99,8 +99,27 @@ void lightsSection(ViewerState& state) {
   ImGui::SliderFloat("occlusion", &state.settings.occlusion, 0, 1, "%.2f", ImGuiSliderFlags_AlwaysClamp);
 }
 
+// A variant whose name is taken by another, or missing, is called by its index.
+void variantChoice(ViewerState& state) {
+  const std::vector<std::string>& variants = state.shown.variants;
+  if (variants.empty()) return;
+  const char* own = "the file's own";
+  const auto current = static_cast<size_t>(state.shown.variant);
+  if (!beginList("variant", current < variants.size() ? variants[current] : own)) return;
+  if (ImGui::Selectable(own, state.shown.variant < 0)) state.settings.variant.clear();
+  for (size_t i = 0; i < variants.size(); ++i) {
+    ImGui::PushID(static_cast<int>(i));
+    const bool first = std::ranges::find(variants, variants[i]) == variants.begin() + static_cast<ptrdiff_t>(i);
+    if (ImGui::Selectable(variants[i].c_str(), i == current))
+      state.settings.variant = first && variants[i] != "variant " + std::to_string(i) ? variants[i] : std::to_string(i);
+    ImGui::PopID();
+  }
+  ImGui::EndCombo();
+}
+
 void materialSection(ViewerState& state) {
-  if (!section("Material", state.material.on)) return;
+  if (!section("Material", state.material.on || !state.shown.variants.empty())) return;
+  variantChoice(state);
   MaterialChoice& material = state.material;
   ImGui::Checkbox("one for everything", &material.on);
   if (!material.on) return;

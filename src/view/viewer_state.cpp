@@ -23,16 +23,18 @@ scene::Material overriding(const MaterialChoice& choice) {
 
 }  // namespace
 
-frame::DrawOptions drawOptions(const ViewerState& state, bool hasEnvironment) {
+frame::DrawOptions drawOptions(const ViewerState& state, int variant, bool hasEnvironment) {
   frame::DrawOptions options = frame::drawOptions(state.settings, hasEnvironment);
+  options.variant = variant;
   if (state.material.on) options.material = overriding(state.material);
   return options;
 }
 
-ListRequest listRequest(const ViewerState& state, int scene, bool hasEnvironment) {
+ListRequest listRequest(const ViewerState& state, int scene, int variant, bool hasEnvironment) {
   const frame::DrawOptions options = frame::drawOptions(state.settings, hasEnvironment);
   ListRequest request;
   request.scene = scene;
+  request.variant = variant;
   request.environment = options.features.environment;
   request.occlusion = options.features.occlusion;
   request.channel = options.features.channel;

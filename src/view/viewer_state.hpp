@@ -62,6 +62,8 @@ struct ShownScene {
   std::vector<AnimationName> animations;
   std::vector<std::string> scenes;
   int scene = 0;
+  std::vector<std::string> variants;
+  int variant = -1;     // -1: the file's own materials
   int sceneLights = 0;  // lights in the file's scene
   std::vector<std::string> warnings, infos;
   ViewerStatistics statistics;
@@ -87,6 +89,7 @@ struct ViewerState {
 // What a draw list is made of; where it is unchanged, the draw list is still good.
 struct ListRequest {
   int scene = 0;
+  int variant = -1;
   bool environment = false, occlusion = true;
   int channel = 0, imageLightSamples = 0;
   bool sceneLights = true, demoLights = false;
@@ -99,8 +102,8 @@ struct ListRequest {
 };
 // The same but for the time: only what moves is new.
 bool differsInTimeOnly(ListRequest a, const ListRequest& b);
-ListRequest listRequest(const ViewerState& state, int scene, bool hasEnvironment);
-frame::DrawOptions drawOptions(const ViewerState& state, bool hasEnvironment);
+ListRequest listRequest(const ViewerState& state, int scene, int variant, bool hasEnvironment);
+frame::DrawOptions drawOptions(const ViewerState& state, int variant, bool hasEnvironment);
 
 // The settings whose command shows what is on the screen. The material in place of the file's has no option.
 frame::PictureSettings commandSettings(const ViewerState& state);

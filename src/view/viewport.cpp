@@ -63,6 +63,10 @@ void describeShown(const Viewport& viewport, ViewerState& state) {
   shown.scenes.clear();
   for (size_t i = 0; i < model.scenes.size(); ++i)
     shown.scenes.push_back(model.scenes[i].name.empty() ? "scene " + std::to_string(i) : model.scenes[i].name);
+  shown.variants.clear();
+  for (size_t i = 0; i < model.variants.size(); ++i)
+    shown.variants.push_back(model.variants[i].empty() ? "variant " + std::to_string(i) : model.variants[i]);
+  shown.variant = viewport.built.variant;
   shown.sceneLights = static_cast<int>(scene::flatten(model, shown.scene).lights.size());
   shown.statistics.variants = variantCount(viewport.list);
   shown.statistics.images = static_cast<int>(model.images.size());
@@ -164,7 +168,9 @@ void giveUp(Viewport& viewport, ViewerState& state, const std::optional<ListRequ
   viewport.failed = request;
   viewport.next.reset();
   if (viewport.environment) state.settings.environment = viewport.environment->source;
-  if (viewport.scene) state.settings.scene = viewport.built.scene;
+  if (!viewport.scene) return;
+  state.settings.scene = viewport.built.scene;
+  state.settings.variant = viewport.built.variant < 0 ? "" : std::to_string(viewport.built.variant);
 }
 
 }  // namespace
@@ -203,12 +209,13 @@ void takeModel(Viewport& viewport, ViewerState& state, ModelLoaded loaded) {
     return;
   }
   const bool first = !viewport.scene && !viewport.next;
-  if (!first) {  // the settings of the old scene's cameras and scenes mean nothing in the new one
+  if (!first) {  // the old model's cameras, scenes and variants mean nothing in the new one
     if (const std::optional<scene::View> view = currentView(viewport, state)) freeCamera(state, *view);
     state.settings.camera.clear();
     state.settings.scene = -1;
     state.settings.animation.clear();
     state.playback.playing = false;
+    state.settings.variant.clear();
   }
   auto slot = std::make_unique<SceneSlot>();
   slot->source = loaded.source;
@@ -254,13 +261,15 @@ bool bringUp(Viewport& viewport, ViewerState& state, Loader& loader) {
   const scene::Model& model = scene->loaded->model;
   const Result<int> index = frame::chooseScene(state.settings, model);
   if (!index) return giveUp(viewport, state, std::nullopt, index.error()), false;
+  const Result<int> variant = frame::chooseVariant(state.settings, model);
+  if (!variant) return giveUp(viewport, state, std::nullopt, variant.error()), false;
   const std::string source = frame::chooseEnvironment(state.settings, scene->source, model, *index);
   EnvironmentSlot* environment = findEnvironment(viewport, source);
   if (!environment && !(loader.environment.running() && viewport.loadingEnvironment == source)) {
     startEnvironment(loader, source);
     viewport.loadingEnvironment = source;
   }
-  const ListRequest request = listRequest(state, *index, source != "none");
+  const ListRequest request = listRequest(state, *index, *variant, source != "none");
   const bool isShown = scene == viewport.scene.get() && environment == viewport.environment;
   if ((isShown && request == viewport.built) || request == viewport.failed) return false;
   if (request == viewport.asked && (!environment || loader.images.running())) return false;
@@ -271,7 +280,7 @@ bool bringUp(Viewport& viewport, ViewerState& state, Loader& loader) {
     state.settings.animation.clear();
     return false;
   }
-  frame::DrawList list = frame::buildDrawList(model, *index, drawOptions(state, source != "none"), *pose);
+  frame::DrawList list = frame::buildDrawList(model, *index, drawOptions(state, *variant, source != "none"), *pose);
   std::vector<bool> missing = frame::missingImages(model, list, scene->onGpu.gpu);
   for (size_t i = 0; i < scene->pixels.size(); ++i) missing[i] = missing[i] && scene->pixels[i].width == 0;
   const bool complete = std::ranges::none_of(missing, std::identity());
@@ -320,6 +329,7 @@ bool drawViewport(Viewport& viewport, ViewerState& state) {
   DrawnFrame wanted{state.settings, state.camera, viewport.listNumber};
   wanted.settings.environment.clear();  // the list's number stands for what is loaded
   wanted.settings.scene = -1;
+  wanted.settings.variant.clear();
   if (viewport.drawn == wanted) return false;
   const frame::PictureSettings& s = state.settings;
   frame::Targets& targets = viewport.targets;

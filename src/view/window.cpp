@@ -230,6 +230,8 @@ Result<Start> prepareStart(const WindowOptions& options) {
   const Result<int> index = frame::chooseScene(settings, model);
   if (!index) return tl::unexpected(index.error());
   if (const Result<scene::Pose> pose = frame::choosePose(settings, model); !pose) return tl::unexpected(pose.error());
+  if (const Result<int> variant = frame::chooseVariant(settings, model); !variant)
+    return tl::unexpected(variant.error());
   if (settings.environment.empty())
     startEnvironment(loader, frame::chooseEnvironment(settings, options.model, model, *index));
   if (!settings.camera.empty()) {

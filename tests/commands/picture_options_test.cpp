@@ -55,6 +55,7 @@ PictureSettings unusual() {
   s.target = glm::dvec3(0.0027, -1e-7, 12345678.9);
   s.fovYDeg = 33.3;
   s.scene = 3;
+  s.variant = "night & day";
   s.environment = "it's here/a b.hdr";
   s.environmentRotationDeg = -0.1f, s.environmentStrength = 1e-3f;
   s.background = frame::Background::color;
@@ -88,6 +89,7 @@ TEST_CASE("each option sets its own field") {
   CHECK(set("fov-y", "30").fovYDeg == 30);
   CHECK(set("camera", "Main camera").camera == "Main camera");
   CHECK(set("scene", "2").scene == 2);
+  CHECK(set("variant", "beach").variant == "beach");
   CHECK(set("env", "builtin:sky").environment == "builtin:sky");
   CHECK(set("env-rotation", "-90").environmentRotationDeg == -90);
   CHECK(set("env-strength", "0").environmentStrength == 0);

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "frame/picture.hpp"
 #include "scene/geometry.hpp"
 #include "support/gltf_load.hpp"
 
@@ -149,4 +150,36 @@ TEST_CASE("Draw list: one material in place of all, and none of the model's") {
   REQUIRE(list.opaque.size() == 1);
   CHECK(list.blended.empty());
   CHECK(list.materials[size_t(list.opaque[0].material)].name == "steel");
+}
+
+TEST_CASE("Draw list: a variant's materials take the place of the primitives' own") {
+  test::GltfBuilder builder = test::triangle();
+  builder.json["materials"] = {{{"name", "own"}}, {{"name", "red"}, {"alphaMode", "BLEND"}}};
+  builder.json["extensions"]["KHR_materials_variants"]["variants"] = {
+      {{"name", "day"}}, {{"name", "night"}}, {{"name", "1"}}};
+  json& from = builder.json["meshes"][0]["primitives"][0];
+  from["material"] = 0;
+  from["extensions"]["KHR_materials_variants"]["mappings"] = {{{"material", 1}, {"variants", {1}}}};
+  const scene::Model model = load(builder);
+  const auto shown = [&](const std::string& variant) {
+    frame::PictureSettings settings;
+    settings.variant = variant;
+    const Result<int> index = frame::chooseVariant(settings, model);
+    if (!index) return describe(index.error());
+    const frame::DrawList list = frame::buildDrawList(model, 0, {.variant = *index});
+    const std::vector<frame::Draw>& draws = list.opaque.empty() ? list.blended : list.opaque;
+    return list.materials[static_cast<size_t>(draws.at(0).material)].name + (list.opaque.empty() ? " blended" : "");
+  };
+  CHECK(shown("") == "own");
+  CHECK(shown("day") == "own");  // the primitive has no material for it
+  CHECK(shown("0") == "own");
+  CHECK(shown("night") == "red blended");
+  CHECK(shown("1") == "own");  // a name comes before an index
+  CHECK(shown("dusk") == "m: the file has no material variant 'dusk'; it has 0 (day), 1 (night), 2 (1).");
+  CHECK(shown("3") == "m: the file has no material variant '3'; it has 0 (day), 1 (night), 2 (1).");
+  CHECK(shown("-1") == "m: the file has no material variant '-1'; it has 0 (day), 1 (night), 2 (1).");
+  frame::PictureSettings settings;
+  settings.variant = "night";
+  CHECK(describe(frame::chooseVariant(settings, {}).error()) ==
+        "the file has no material variant 'night'; it has none at all: leave out --variant.");
 }

@@ -1,5 +1,6 @@
 #include "frame/gpu_scene.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 using namespace facet;
@@ -76,4 +77,17 @@ TEST_CASE("GPU scene: a texture holds the channels of all slots that read it") {
       found = true;
     }
   CHECK(found);
+}
+
+TEST_CASE("GPU scene: a specular-glossiness texture goes through the sRGB curve and keeps its alpha") {
+  Model model = texturedModel();
+  model.materials[0].specularGlossiness = true;
+  frame::DrawOptions options;
+  options.features.environment = true;
+  const frame::DrawList list = frame::buildDrawList(model, 0, options);
+  const auto uses = frame::textureUses(model, list);
+  const auto use = std::ranges::find(uses, model.textures[1].image, &frame::TextureUse::image);
+  REQUIRE(use != uses.end());
+  CHECK(use->srgb);
+  CHECK(use->channels == 0b1111);
 }

@@ -4,7 +4,6 @@
 #include <cstring>
 #include <iostream>
 
-#include "base/srgb.hpp"
 #include "optics/bsdf.hpp"
 #include "optics/color.hpp"
 #include "support/picture.hpp"
@@ -223,72 +222,6 @@ TEST_CASE("A background colour is that colour in the PNG, whatever exposure and 
   CHECK(std::abs(picture.display.data[1] - 128) <= 1);
   CHECK(picture.display.data[2] == 0);
   checkPixel(test::pixel(picture.radiance, 1, 1), {1, 0.21404114f, 0, 1});
-}
-
-TEST_CASE("Textures: transform, sampler and vertex colour reach the pixel") {
-  GltfBuilder builder = emptyScene();
-  const std::vector<uint8_t> texels = {255, 0, 0, 0, 255, 0};
-  builder.append("images", {{"uri", test::dataUri(test::pngBytes(2, 1, 3, 8, texels), "image/png")}});
-  builder.append("samplers", {{"magFilter", 9728}, {"minFilter", 9728}});
-  builder.append("textures", {{"source", 0}, {"sampler", 0}});
-  const int uv = builder.add(std::vector<float>{0, 0, 1, 0, 1, 1, 0, 1}, test::floatType, "VEC2");
-  for (const double offset : {0.0, 0.5}) {
-    json m = unlit({1, 0.5, 1, 1});
-    m["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
-    if (offset > 0)
-      m["pbrMetallicRoughness"]["baseColorTexture"]["extensions"]["KHR_texture_transform"]["offset"] = {offset, 0};
-    json quad = test::addQuad(builder, {-0.5, -0.5}, {0.5, 0.5});
-    quad["attributes"]["TEXCOORD_0"] = uv;
-    test::addMeshNode(builder, quad, builder.append("materials", m), at(offset * 2 - 0.5, 0, 0));
-  }
-  test::addOrthographicCamera(builder, 1, 0.5);
-  PictureSettings settings = test::bareSettings(8, 4);
-  settings.camera = "0";
-  const frame::Picture picture = test::Studio().render(test::loadBuilt(builder), settings);
-  checkPixel(test::pixel(picture.radiance, 1, 2), {1, 0, 0, 1});
-  checkPixel(test::pixel(picture.radiance, 3, 2), {0, 0.5, 0, 1});
-  checkPixel(test::pixel(picture.radiance, 5, 2), {0, 0.5, 0, 1});  // half a turn on
-  checkPixel(test::pixel(picture.radiance, 7, 2), {1, 0, 0, 1});
-  CHECK(picture.statistics.imagesDecoded == 1);
-}
-
-TEST_CASE("Every set of texture coordinates reaches its texture") {
-  const int set = GENERATE(0, 1, 2, 5, 7);
-  GltfBuilder builder = emptyScene();
-  // Texel i is (i + 1) * 25; set n points at texel n, the second texture's set at texel 8.
-  std::vector<uint8_t> texels;
-  for (int i = 0; i < 9; ++i) texels.insert(texels.end(), 3, static_cast<uint8_t>((i + 1) * 25));
-  builder.append("images", {{"uri", test::dataUri(test::pngBytes(9, 1, 3, 8, texels), "image/png")}});
-  builder.append("samplers", {{"magFilter", 9728}, {"minFilter", 9728}});
-  builder.append("textures", {{"source", 0}, {"sampler", 0}});
-  json m = material({1, 1, 1, 1});
-  m["pbrMetallicRoughness"]["metallicRoughnessTexture"] = {{"index", 0}, {"texCoord", set}};
-  m["occlusionTexture"] = {{"index", 0}, {"texCoord", 7 - set}};
-  m["emissiveTexture"] = {{"index", 0}, {"texCoord", 7 - set}};
-  m["emissiveFactor"] = {1, 1, 1};
-  json quad = test::addQuad(builder, {-1, -1}, {1, 1});
-  for (int n = 0; n < 8; ++n) {
-    const float u = (static_cast<float>(n) + 0.5f) / 9;
-    quad["attributes"]["TEXCOORD_" + std::to_string(n)] =
-        builder.add(std::vector<float>{u, 0, u, 0, u, 0, u, 0}, test::floatType, "VEC2");
-  }
-  test::addMeshNode(builder, quad, builder.append("materials", m));
-  test::addOrthographicCamera(builder, 1, 1);
-  const io::LoadedModel model = test::loadBuilt(builder);
-  PictureSettings settings = test::bareSettings(2, 2);
-  settings.camera = "0";
-  test::Studio studio;
-  for (const char* channel : {"roughness", "occlusion"}) {
-    settings.channel = channel;
-    const int expected = channel[0] == 'r' ? set : 7 - set;
-    const float value = static_cast<float>((expected + 1) * 25) / 255;
-    checkPixel(test::pixel(studio.render(model, settings).radiance, 1, 1), {value, value, value, 1});
-  }
-  // Two sets in one program. Nothing lights it, so that only emission is left.
-  settings.channel = "";
-  const auto linear = static_cast<float>(linearFromSrgb(static_cast<float>((8 - set) * 25) / 255));
-  // Drivers may decode sRGB with a few bits less; the texels are 0.02 apart at least.
-  checkPixel(test::pixel(studio.render(model, settings).radiance, 1, 1), {linear, linear, linear, 1}, 3e-3f);
 }
 
 TEST_CASE("Tone mapping end to end: exposure, mapper, sRGB, 8 bits") {

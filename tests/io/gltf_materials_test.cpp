@@ -157,3 +157,60 @@ TEST_CASE("Images of textures with extensions", "[io][gltf]") {
   CHECK(refused(2) == place + "image 2 does not exist; there are 2; export the model again.");
   CHECK(refused("x") == place + "is not a whole number; export the model again.");
 }
+
+TEST_CASE("KHR_materials_pbrSpecularGlossiness takes the place of metallic-roughness", "[io][gltf]") {
+  GltfBuilder b;
+  b.append("images", {{"uri", "data:,x"}});
+  for (int i = 0; i < 3; ++i) b.append("textures", {{"source", 0}});
+  const Json core = {{"baseColorFactor", {0.9, 0.9, 0.9, 0.9}},
+                     {"baseColorTexture", {{"index", 0}}},
+                     {"metallicRoughnessTexture", {{"index", 0}}}};
+  const auto add = [&](const Json& extension, const Json& others = Json::object()) {
+    Json extensions = others;
+    extensions["KHR_materials_pbrSpecularGlossiness"] = extension;
+    b.append("materials", {{"pbrMetallicRoughness", core}, {"extensions", extensions}});
+  };
+  add(Json::object());
+  add({{"diffuseFactor", {0.1, 0.2, 0.3, 0.4}},
+       {"specularFactor", {0.5, 0.6, 1.5}},
+       {"glossinessFactor", 0.7},
+       {"diffuseTexture", {{"index", 1}, {"texCoord", 3}}},
+       {"specularGlossinessTexture",
+        {{"index", 2}, {"extensions", {{"KHR_texture_transform", {{"offset", {0.5, 0}}, {"texCoord", 2}}}}}}}});
+  add(Json::object(), {{"KHR_materials_unlit", Json::object()}});
+  const auto model = loaded(b);
+  const auto& m = model.model.materials;
+  CHECK(m[0].specularGlossiness);
+  CHECK(m[0].baseColorFactor == glm::vec4(1));
+  CHECK(m[0].specularFactor == glm::vec3(1));
+  CHECK(m[0].glossinessFactor == 1);
+  CHECK_FALSE(m[0].baseColor);
+  CHECK_FALSE(m[0].metallicRoughness);
+  CHECK(m[1].baseColorFactor == glm::vec4(0.1f, 0.2f, 0.3f, 0.4f));
+  CHECK(m[1].specularFactor == glm::vec3(0.5f, 0.6f, 1));
+  CHECK(m[1].glossinessFactor == 0.7f);
+  CHECK(m[1].baseColor.texture == 1);
+  CHECK(m[1].baseColor.texCoord == 3);
+  CHECK(m[1].metallicRoughness.texture == 2);
+  CHECK(m[1].metallicRoughness.texCoord == 2);
+  CHECK(m[1].metallicRoughness.transform.offset == glm::vec2(0.5f, 0));
+  CHECK(notes(model) ==
+        "! /materials/1/extensions/KHR_materials_pbrSpecularGlossiness/specularFactor/2: is out of range: clamped\n");
+  CHECK_FALSE(m[2].specularGlossiness);
+  CHECK(m[2].baseColor.texture == 0);
+
+  const auto problem = [&](const Json& extension) {
+    b.json["materials"] = Json::array();
+    add(extension);
+    return outcome(b.text());
+  };
+  const std::string at = "m: /materials/0/extensions/KHR_materials_pbrSpecularGlossiness/";
+  CHECK(problem({{"diffuseFactor", {1, 1, 1}}}) ==
+        at + "diffuseFactor: does not have 4 numbers; export the model again.");
+  CHECK(problem({{"specularFactor", {1, "a", 1}}}) ==
+        at + "specularFactor/1: is not a number; export the model again.");
+  CHECK(problem({{"diffuseTexture", {{"index", 7}}}}) ==
+        at + "diffuseTexture/index: texture 7 does not exist; there are 3; export the model again.");
+  CHECK(problem({{"specularGlossinessTexture", {{"index", -1}}}}) ==
+        at + "specularGlossinessTexture/index: texture -1 does not exist; there are 3; export the model again.");
+}

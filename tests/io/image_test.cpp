@@ -20,20 +20,40 @@ std::string decode(const Bytes& bytes, const io::Limits& limits = {}) {
 }
 Bytes text(std::string_view t) { return Bytes(t.begin(), t.end()); }
 
-// JPEG, 16 x 8 pixels of grey 200: one 8 x 8 block coded twice. Written by hand after ITU T.81: quantisation by 1,
-// Huffman codes 0 -> category 0 / end of block, 10 -> category 10 (DC).
-Bytes greyJpeg() {
-  const Bytes head = {0xff, 0xd8, 0xff, 0xdb, 0x00, 0x43, 0x00};
-  Bytes jpeg(head.size() + 64, 1);
-  std::copy(head.begin(), head.end(), jpeg.begin());
-  const Bytes rest = {0xff, 0xc0, 0x00, 0x0b, 8, 0, 8, 0, 16, 1, 1, 0x11, 0,                                // frame
-                      0xff, 0xc4, 0x00, 0x15, 0x00, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 10,  // DC codes
-                      0xff, 0xc4, 0x00, 0x14, 0x10, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,      // AC codes
-                      0xff, 0xda, 0x00, 0x08, 1, 1, 0x00, 0, 63, 0,                                         // scan
-                      // DC difference 8 * (200 - 128) = 576: 10 + 1001000000, end of block 0; then 0 + 0; ones to fill
-                      0b10100100, 0b00000001, 0xff, 0xd9};
-  jpeg.insert(jpeg.end(), rest.begin(), rest.end());
+// JPEG, 16 x 8 pixels: two MCUs of an 8 x 8 block for each component. Written by hand after ITU T.81: quantisation by
+// 1, Huffman codes 0 -> category 0 / end of block, 10 -> category 10 (DC). A DC difference of 8 (v - 128) makes v.
+// adobe: the components are inverted CMYK.
+Bytes jpegBytes(int components, const std::string& bits, bool adobe = false) {
+  Bytes jpeg = {0xff, 0xd8};
+  const auto add = [&](const Bytes& bytes) { jpeg.insert(jpeg.end(), bytes.begin(), bytes.end()); };
+  const auto n = static_cast<uint8_t>(components);
+  if (adobe) add({0xff, 0xee, 0, 14, 'A', 'd', 'o', 'b', 'e', 0, 100, 0, 0, 0, 0, 0});
+  add({0xff, 0xdb, 0x00, 0x43, 0x00});
+  add(Bytes(64, 1));
+  add({0xff, 0xc0, 0x00, static_cast<uint8_t>(8 + 3 * n), 8, 0, 8, 0, 16, n});  // frame
+  for (uint8_t i = 1; i <= n; ++i) add({i, 0x11, 0});
+  add({0xff, 0xc4, 0x00, 0x15, 0x00, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 10});  // DC codes
+  add({0xff, 0xc4, 0x00, 0x14, 0x10, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});      // AC codes
+  add({0xff, 0xda, 0x00, static_cast<uint8_t>(6 + 2 * n), n});                                 // scan
+  for (uint8_t i = 1; i <= n; ++i) add({i, 0x00});
+  add({0, 63, 0});
+  for (size_t i = 0; i < bits.size(); i += 8) {
+    uint8_t byte = 0;
+    for (size_t k = i; k < i + 8; ++k) byte = static_cast<uint8_t>(byte << 1 | (k >= bits.size() || bits[k] == '1'));
+    jpeg.push_back(byte);
+    if (byte == 0xff) jpeg.push_back(0);
+  }
+  add({0xff, 0xd9});
   return jpeg;
+}
+
+// 8 * (200 - 128) = 576: 10 + 1001000000, end of block 0; then 0 + 0.
+Bytes greyJpeg() {
+  return jpegBytes(1,
+                   "10"
+                   "1001000000"
+                   "0"
+                   "00");
 }
 
 // Lossless.
@@ -97,14 +117,47 @@ TEST_CASE("PNG keeps its channels and its depth", "[io][image]") {
 }
 
 TEST_CASE("PNG of 16 bits keeps them", "[io][image]") {
-  const Bytes data = {0x12, 0x34, 0xff, 0xff, 0x00, 0x01, 0xab, 0xcd};  // big-endian in the file
-  const auto pixels = io::decodeImage(test::pngBytes(2, 2, 1, 16, data), "i");
-  REQUIRE(pixels);
-  CHECK(pixels->bytesPerSample == 2);
-  CHECK(pixels->channels == 1);
-  const uint16_t wanted[] = {0x1234, 0xffff, 0x0001, 0xabcd};
-  REQUIRE(pixels->data.size() == sizeof wanted);
-  CHECK(std::memcmp(pixels->data.data(), wanted, sizeof wanted) == 0);
+  for (int channels = 1; channels <= 4; ++channels) {
+    const Bytes four = {0x12, 0x34, 0xff, 0xff, 0x00, 0x01, 0xab, 0xcd};  // big-endian in the file
+    const uint16_t numbers[] = {0x1234, 0xffff, 0x0001, 0xabcd};
+    Bytes data;
+    std::vector<uint16_t> wanted;
+    for (int i = 0; i < channels; ++i) {
+      data.insert(data.end(), four.begin(), four.end());
+      wanted.insert(wanted.end(), std::begin(numbers), std::end(numbers));
+    }
+    const auto pixels = io::decodeImage(test::pngBytes(2, 2, channels, 16, data), "i");
+    REQUIRE(pixels);
+    CHECK(pixels->bytesPerSample == 2);
+    CHECK(pixels->channels == channels);
+    REQUIRE(pixels->data.size() == wanted.size() * 2);
+    CHECK(std::memcmp(pixels->data.data(), wanted.data(), pixels->data.size()) == 0);
+  }
+}
+
+TEST_CASE("PNG of one, two and four bits, and of palettes, becomes 8 bits", "[io][image]") {
+  // A row of one byte is relabelled (byte 19 width, 24 depth, 25 colour type); the decoder does not look at the sums.
+  const auto packed = [](uint8_t bits, uint8_t type, const Bytes& chunks) {
+    Bytes png = test::pngBytes(1, 1, 1, 8, Bytes{0b11'00'01'10});
+    png[19] = static_cast<uint8_t>(8 / bits), png[24] = bits, png[25] = type;
+    png.insert(png.begin() + 33, chunks.begin(), chunks.end());
+    return png;
+  };
+  CHECK(io::decodeImage(packed(1, 0, {}), "i")->data == Bytes{255, 255, 0, 0, 0, 255, 255, 0});
+  CHECK(io::decodeImage(packed(2, 0, {}), "i")->data == Bytes{255, 0, 85, 170});
+  CHECK(io::decodeImage(packed(4, 0, {}), "i")->data == Bytes{12 * 17, 6 * 17});
+  const Bytes palette = {0, 0, 0, 12, 'P', 'L', 'T', 'E', 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 0, 0, 0, 0};
+  const auto colors = io::decodeImage(packed(2, 3, palette), "i");
+  REQUIRE(outcome(colors) == "decoded");
+  CHECK(colors->channels == 3);
+  CHECK(colors->data == Bytes{10, 11, 12, 1, 2, 3, 4, 5, 6, 7, 8, 9});
+  Bytes withAlpha = palette;
+  const Bytes alphas = {0, 0, 0, 2, 't', 'R', 'N', 'S', 50, 60, 0, 0, 0, 0};
+  withAlpha.insert(withAlpha.end(), alphas.begin(), alphas.end());
+  const auto clear = io::decodeImage(packed(2, 3, withAlpha), "i");
+  REQUIRE(outcome(clear) == "decoded");
+  CHECK(clear->channels == 4);
+  CHECK(clear->data == Bytes{10, 11, 12, 255, 1, 2, 3, 50, 4, 5, 6, 60, 7, 8, 9, 255});
 }
 
 TEST_CASE("JPEG", "[io][image]") {
@@ -114,6 +167,39 @@ TEST_CASE("JPEG", "[io][image]") {
   CHECK(pixels->height == 8);
   CHECK(pixels->channels == 1);
   CHECK(pixels->data == Bytes(16 * 8, 200));
+}
+
+TEST_CASE("JPEG of three and four components is RGB", "[io][image]") {
+  // Y 128, Cb 128, Cr 200: R = Y + 1.402 * 72 = 228.9, G = Y - 0.714 * 72 = 76.6, B = Y (JFIF).
+  const auto color = io::decodeImage(jpegBytes(3,
+                                               "00"
+                                               "00"
+                                               "1010010000000"
+                                               "000000"),
+                                     "i");
+  REQUIRE(outcome(color) == "decoded");
+  CHECK(color->channels == 3);
+  REQUIRE(color->data.size() == 16 * 8 * 3);
+  const int wanted[] = {229, 77, 128};
+  for (size_t i = 0; i < color->data.size(); ++i) REQUIRE(std::abs(color->data[i] - wanted[i % 3]) <= 1);
+  // Inverted C 200, M and Y 128, K 255: each times K / 255.
+  const auto print = io::decodeImage(jpegBytes(4,
+                                               "10"
+                                               "1001000000"
+                                               "0"
+                                               "00"
+                                               "00"
+                                               "10"
+                                               "1111111000"
+                                               "0"
+                                               "00000000",
+                                               true),
+                                     "i");
+  REQUIRE(outcome(print) == "decoded");
+  CHECK(print->channels == 3);
+  REQUIRE(print->data.size() == 16 * 8 * 3);
+  const int inks[] = {200, 128, 128};
+  for (size_t i = 0; i < print->data.size(); ++i) REQUIRE(std::abs(print->data[i] - inks[i % 3]) <= 1);
 }
 
 TEST_CASE("Images that are refused say why", "[io][image]") {

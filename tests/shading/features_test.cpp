@@ -71,6 +71,20 @@ TEST_CASE("Variants hold what material, vertices and frame use, and nothing else
   // One bit each for the normals and the two sets.
   CHECK(std::popcount(shading::attributeBits(key)) == 3);
 
+  Material shiny = fullMaterial();
+  shiny.specularGlossiness = true;
+  CHECK(variant(shiny, full, lit) ==
+        "normals, tangents, uv0, base colour texture, specular-glossiness, metallic-roughness texture, normal texture, "
+        "occlusion texture, emissive texture, punctual lights, environment");
+  CHECK(variant(shiny, full, view("roughness")) ==
+        "uv0, specular-glossiness, metallic-roughness texture, unlit, view of roughness");
+  CHECK(variant(shiny, full, view("metallic")) == "specular-glossiness, unlit, view of metallic");
+  CHECK(variant(shiny, full, view("uv")) == "uv0, unlit, view of uv");
+  shiny.specularFactor = glm::vec3(0);
+  CHECK(shading::samplesSlot({shiny, full, lit}, scene::TextureSlot::metallicRoughness));
+  shiny.glossinessFactor = 0;
+  CHECK_FALSE(shading::samplesSlot({shiny, full, lit}, scene::TextureSlot::metallicRoughness));
+
   Material glass;
   glass.alphaMode = scene::AlphaMode::blend;
   glass.doubleSided = true;

@@ -53,6 +53,7 @@ TEST_CASE("Uniform blocks lie in memory as C++ lays them out") {
       {"material.emissiveFactor", offsetof(MaterialUniforms, emissiveFactor)},
       {"material.factors", offsetof(MaterialUniforms, factors)},
       {"material.scales", offsetof(MaterialUniforms, scales)},
+      {"material.specularGlossiness", offsetof(MaterialUniforms, specularGlossiness)},
       {"material.texCoordSets[0]", offsetof(MaterialUniforms, texCoordSets)},
       {"material.texCoordRows[0]", offsetof(MaterialUniforms, texCoordRows)},
   };

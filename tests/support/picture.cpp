@@ -132,7 +132,8 @@ Json unlit(const glm::vec4& color, const Json& extra) {
 GltfBuilder emptyScene() {
   GltfBuilder builder;
   builder.json["scenes"] = {{{"nodes", Json::array()}}};
-  builder.json["extensionsUsed"] = {"KHR_materials_unlit", "KHR_texture_transform", "KHR_lights_punctual"};
+  builder.json["extensionsUsed"] = {"KHR_materials_unlit", "KHR_materials_pbrSpecularGlossiness",
+                                    "KHR_texture_transform", "KHR_lights_punctual"};
   return builder;
 }
 

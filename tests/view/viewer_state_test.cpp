@@ -56,17 +56,17 @@ TEST_CASE("viewer state: the copied command gives the same settings again") {
 
 TEST_CASE("viewer state: only what the draw list reads asks for a new one") {
   view::ViewerState state;
-  const view::ListRequest before = view::listRequest(state, 0, true);
+  const view::ListRequest before = view::listRequest(state, 0, -1, true);
   state.settings.exposureStops = 3;
   state.settings.environmentRotationDeg = 90;
   state.settings.occlusion = 0.5f;
   state.material.metallic = 1;  // switched off
   state.camera.theta = 9;
-  CHECK(view::listRequest(state, 0, true) == before);
+  CHECK(view::listRequest(state, 0, -1, true) == before);
   const auto changes = [&](auto change) {
     view::ViewerState other = state;
     change(other);
-    return view::listRequest(other, 0, true) != before;
+    return view::listRequest(other, 0, -1, true) != before;
   };
   CHECK(changes([](view::ViewerState& s) { s.settings.occlusion = 0; }));
   CHECK(changes([](view::ViewerState& s) { s.settings.environmentStrength = 0; }));
@@ -76,8 +76,9 @@ TEST_CASE("viewer state: only what the draw list reads asks for a new one") {
   CHECK(changes([](view::ViewerState& s) { s.material.on = true; }));
   CHECK(changes([](view::ViewerState& s) { s.settings.samples = 16; }));
   CHECK_FALSE(changes([](view::ViewerState& s) { s.settings.samples = 2; }));
-  CHECK(view::listRequest(state, 1, true) != before);
-  CHECK(view::listRequest(state, 0, false) != before);
+  CHECK(view::listRequest(state, 1, -1, true) != before);
+  CHECK(view::listRequest(state, 0, 0, true) != before);
+  CHECK(view::listRequest(state, 0, -1, false) != before);
 }
 
 TEST_CASE("viewer state: the material choice takes every draw's place") {
@@ -86,7 +87,7 @@ TEST_CASE("viewer state: the material choice takes every draw's place") {
   REQUIRE(loaded);
   view::ViewerState state;
   state.material = {true, {0.1f, 0.2f, 0.3f}, 0.75f, 0.25f};
-  const frame::DrawList list = frame::buildDrawList(loaded->model, 0, view::drawOptions(state, true));
+  const frame::DrawList list = frame::buildDrawList(loaded->model, 0, view::drawOptions(state, -1, true));
   REQUIRE(list.opaque.size() == 1);
   const scene::Material& material = list.materials[static_cast<size_t>(list.opaque[0].material)];
   CHECK(material.baseColorFactor == glm::vec4(0.1f, 0.2f, 0.3f, 1));

@@ -1,0 +1,18 @@
+#pragma once
+
+// What inspect tells of a model beside its geometry and materials.
+
+#include <iosfwd>
+#include <nlohmann/json.hpp>
+
+#include "scene/model.hpp"
+
+namespace facet::commands {
+
+// Adds "animations", "skins", "morphTargets", "instancing", "variants" and "xmp", each an array, to the object.
+void describeParts(const scene::Model& model, nlohmann::ordered_json& out);
+
+// The same as text; nothing of what is empty.
+void printParts(const nlohmann::ordered_json& described, std::ostream& out);
+
+}  // namespace facet::commands
