@@ -209,6 +209,26 @@ TEST_CASE("Skins: joints and inverse bind matrices", "[io][skins]") {
         "! /skins/0/inverseBindMatrices: the last row of 1 is not 0 0 0 1 and is ignored\n");
 }
 
+TEST_CASE("Sparse inverse bind matrices, more than there are joints", "[io][skins]") {
+  GltfBuilder b = skinned(2);
+  std::vector<float> values(32, 0.0f);
+  for (const size_t i : {0, 5, 10, 15, 16, 21, 26, 31}) values[i] = 1;
+  values[13] = 4;  // y of the first translation
+  const int places = b.addView(std::vector<uint8_t>{1, 5}), view = b.addView(values);
+  b.json["skins"][0]["inverseBindMatrices"] =
+      b.addAccessor({{"componentType", 5126},
+                     {"type", "MAT4"},
+                     {"count", 6},
+                     {"sparse",
+                      {{"count", 2},
+                       {"indices", {{"bufferView", places}, {"componentType", 5121}}},
+                       {"values", {{"bufferView", view}}}}}});
+  const auto model = loaded(b);
+  REQUIRE(model.model.skins[0].inverseBindMatrices.size() == 2);
+  CHECK(model.model.skins[0].inverseBindMatrices[1][3] == glm::dvec4(0, 4, 0, 1));
+  CHECK(notes(model) == "! /skins/0/inverseBindMatrices: the last row of 1 is not 0 0 0 1 and is ignored\n");
+}
+
 TEST_CASE("Broken skins are refused with one sentence", "[io][skins]") {
   const struct {
     void (*breakIt)(GltfBuilder&);
