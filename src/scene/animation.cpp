@@ -105,7 +105,9 @@ void take(Vector& to, const std::vector<double>& v, double low = -unbounded, dou
   for (int i = 0; i < to.length(); ++i) to[i] = limited(v[size_t(i)], low, high);
 }
 
-void setNode(Node& node, AnimatedProperty property, const std::vector<double>& v) {
+void setNode(Node& node, const AnimationChannel& channel, const std::vector<double>& v, const Model& model) {
+  const AnimatedProperty property = channel.property;
+  const int element = channel.element;
   const bool moves = property == AnimatedProperty::translation || property == AnimatedProperty::rotation ||
                      property == AnimatedProperty::scale;
   if (moves) decompose(node);
@@ -114,8 +116,11 @@ void setNode(Node& node, AnimatedProperty property, const std::vector<double>& v
   if (property == AnimatedProperty::scale) node.scale = {v[0], v[1], v[2]};
   if (property == AnimatedProperty::visible) node.visible = v[0] != 0;
   if (property != AnimatedProperty::weights) return;
-  node.weights.resize(v.size());
-  for (size_t i = 0; i < v.size(); ++i) node.weights[i] = limited(v[i], -unbounded, unbounded);
+  if (node.weights.empty() && element >= 0 && node.mesh >= 0) node.weights = model.meshes[size_t(node.mesh)].weights;
+  // A single weight leaves the others as they are.
+  const size_t first = element < 0 ? 0 : size_t(element);
+  node.weights.resize(element < 0 ? v.size() : std::max(node.weights.size(), first + 1));
+  for (size_t i = 0; i < v.size(); ++i) node.weights[first + i] = limited(v[i], -unbounded, unbounded);
 }
 
 void setMaterial(Material& m, const AnimationChannel& channel, const std::vector<double>& v) {
@@ -201,7 +206,7 @@ void apply(const Model& model, const Animation& animation, double time, std::vec
     const auto edit = [&](auto& changes, const auto& rest) -> auto& { return changes.edit(rest, channel.object); };
     switch (kindOf(channel.property)) {
       case Kind::node:
-        setNode(edit(pose.nodes, model.nodes), channel.property, value);
+        setNode(edit(pose.nodes, model.nodes), channel, value, model);
         break;
       case Kind::material:
         setMaterial(edit(pose.materials, model.materials), channel, value);

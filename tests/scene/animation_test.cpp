@@ -347,3 +347,23 @@ TEST_CASE("Splines that leave the range of floats end at its border") {
   CHECK(pose.materials.of(model.materials, 0).normalScale == std::numeric_limits<float>::max());
   CHECK(std::isfinite(at(a.samplers[0], 5e29)[0]));
 }
+
+TEST_CASE("Animation: a single weight leaves the others, which are the mesh's where the node has none") {
+  Model model;
+  model.meshes = {{"mesh", {}, {0.1f, 0.2f, 0.3f}}};
+  model.nodes.resize(1);
+  model.nodes[0].mesh = 0;
+  AnimationSampler sampler;
+  sampler.times = {0, 1};
+  sampler.values = {0, 1};
+  sampler.width = 1;
+  AnimationChannel channel;
+  channel.property = AnimatedProperty::weights;
+  channel.object = 0;
+  channel.element = 1;
+  model.animations = {{"one", {sampler}, {channel}}};
+  CHECK(poseAt(model, std::vector{0}, 0.5).nodes.of(model.nodes, 0).weights == std::vector<float>{0.1f, 0.5f, 0.3f});
+  model.animations[0].channels[0].element = 4;
+  CHECK(poseAt(model, std::vector{0}, 1).nodes.of(model.nodes, 0).weights ==
+        std::vector<float>{0.1f, 0.2f, 0.3f, 0, 1});
+}
