@@ -62,18 +62,18 @@ glm::vec3 faceNormal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
   return length > 0 && std::isfinite(length) ? glm::vec3(n / length) : glm::vec3(0, 0, 1);
 }
 
-// Warning or empty. Of several materials the first one with a normal texture decides about the tangents.
-std::string completePrimitive(Primitive& p, const std::vector<const Material*>& materials) {
+// Warning or empty.
+std::string completePrimitive(Primitive& p, const Material& material) {
   std::string warning;
-  for (const Material* material : materials) {
-    if (!hasTriangles(p.topology) || material->unlit || p.positions.empty()) continue;
+  if (hasTriangles(p.topology) && !material.unlit && !p.positions.empty()) {
     if (p.normals.empty()) p = withFlatNormals(p);
-    if (!p.tangents.empty() || !usesTexture(*material, TextureSlot::normal)) continue;
-    if (usesTexture(*material, p, TextureSlot::normal))
-      p = withTangents(p, material->normal.texCoord);
-    else
-      warning = "the normal texture needs TEXCOORD_" + std::to_string(material->normal.texCoord) +
-                ", which is missing; the texture is not used";
+    if (p.tangents.empty() && usesTexture(material, TextureSlot::normal)) {
+      if (usesTexture(material, p, TextureSlot::normal))
+        p = withTangents(p, material.normal.texCoord);
+      else
+        warning = "the normal texture needs TEXCOORD_" + std::to_string(material.normal.texCoord) +
+                  ", which is missing; the texture is not used";
+    }
   }
   p.bounds = bounds(p);
   return warning;
@@ -145,7 +145,7 @@ void completeGeometry(Model& model, Notes& notes, int scene) {
 
   parallelFor(jobs.size(), [&](size_t j) {
     Primitive& p = model.meshes[jobs[j].mesh].primitives[jobs[j].primitive];
-    jobs[j].warning = completePrimitive(p, materialsOf(model, p));
+    jobs[j].warning = completePrimitive(p, materialOf(model, p));
   });
   for (Job& job : jobs)
     if (!job.warning.empty())

@@ -67,13 +67,6 @@ const Material& materialOf(const Model& model, const Primitive& primitive) {
   return m >= 0 && size_t(m) < model.materials.size() ? model.materials[size_t(m)] : defaultMaterial;
 }
 
-std::vector<const Material*> materialsOf(const Model& model, const Primitive& primitive) {
-  std::vector<const Material*> materials = {&materialOf(model, primitive)};
-  for (const int m : primitive.variantMaterials)
-    if (m >= 0 && m != primitive.material) materials.push_back(&model.materials[size_t(m)]);
-  return materials;
-}
-
 std::vector<bool> drawnMeshes(const Model& model, int scene) {
   std::vector<bool> drawn(model.meshes.size(), false);
   for (const Instance& instance : flatten(model, scene).instances) drawn[size_t(instance.mesh)] = true;

@@ -44,9 +44,6 @@ void forEachTexture(const Material& material, const Primitive& primitive, Use&& 
 // The primitive's material; glTF's default material where it names none.
 const Material& materialOf(const Model& model, const Primitive& primitive);
 
-// The materials that the primitive can have: its own, then those of the variants.
-std::vector<const Material*> materialsOf(const Model& model, const Primitive& primitive);
-
 // Meshes drawn in the scene: one entry per mesh of the model.
 std::vector<bool> drawnMeshes(const Model& model, int scene);
 
