@@ -66,7 +66,8 @@ Result<void> checkIndex(const Document& doc, int index, size_t count, const std:
 Result<void> readBuffers(Document& doc);
 Result<void> readImages(Document& doc);  // after tinygltf's buffer views
 
-// gltf_meshopt.cpp: EXT_ and KHR_meshopt_compression. Before checkBufferViews; its views point to decoded bytes afterwards.
+// gltf_meshopt.cpp: EXT_ and KHR_meshopt_compression. Before checkBufferViews; its views point to decoded bytes
+// afterwards.
 Result<void> decodeMeshopt(Document& doc);
 
 // gltf_nodes.cpp
