@@ -18,6 +18,25 @@ bool isSkinned(const Primitive& primitive, std::span<const glm::dmat4> joints) {
   return !primitive.influences.empty() && !joints.empty();
 }
 
+// The sum of the targets' boxes may be far larger than the box of the sums: targets move different vertices. Where it
+// is cheap, the latter is computed.
+constexpr size_t exactMorphSums = 1 << 16;  // vertices times targets
+
+Bounds morphedBounds(const Primitive& primitive, std::span<const float> weights, const Bounds& enclosing) {
+  size_t targets = 0;
+  forEachMoving(primitive, weights, [&](const MorphTarget&, double) { ++targets; });
+  if (targets < 2 || primitive.positions.size() * targets > exactMorphSums) return enclosing;
+  Bounds box;
+  for (size_t v = 0; v < primitive.positions.size(); ++v) {
+    glm::dvec3 position(primitive.positions[v]);
+    forEachMoving(primitive, weights,
+                  [&](const MorphTarget& t, double weight) { position += weight * glm::dvec3(t.positions[v]); });
+    box.add(position);
+  }
+  // Vertices that no triangle uses are not in the enclosing box.
+  return {glm::max(box.min, enclosing.min), glm::min(box.max, enclosing.max)};
+}
+
 void include(Bounds& box, const Bounds& other) {
   if (other.empty()) return;
   box.add(other.min);
@@ -45,7 +64,8 @@ Bounds deformedBounds(const Primitive& primitive, std::span<const float> weights
   const auto morphed = [&](const Bounds& box) {
     return box.empty() ? box : Bounds{box.min + difference.min, box.max + difference.max};
   };
-  if (!isSkinned(primitive, joints)) return transformed(morphed(primitive.bounds), worldFromNode);
+  if (!isSkinned(primitive, joints))
+    return transformed(morphedBounds(primitive, weights, morphed(primitive.bounds)), worldFromNode);
 
   Bounds all;
   const size_t count = std::min(joints.size(), primitive.jointBounds.size());

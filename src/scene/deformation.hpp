@@ -15,7 +15,7 @@ std::vector<float> morphWeights(const Mesh& mesh, const Node& node);
 
 // The box around the primitive's drawn vertices after morphing and skinning or placing, from the bounds that
 // completeGeometry made: never too small. Exact where each vertex follows one joint and matrices don't turn boxes.
-//   morphs: the bounds grow by each target's differences times its weight.
+//   morphs: the bounds grow by each target's differences times its weight; exact for small primitives.
 //   skins: each vertex is a mean of where its joints would put it; joints: world from mesh, by joint.
 Bounds deformedBounds(const Primitive& primitive, std::span<const float> weights, std::span<const glm::dmat4> joints,
                       const glm::dmat4& worldFromNode);

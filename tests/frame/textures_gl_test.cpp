@@ -105,8 +105,10 @@ TEST_CASE("Texture filters: nearest has hard edges, linear has none") {
   const float texels[2][2] = {{0, 1}, {0.2f, 0.6f}};
   for (int y = 0; y < 16; ++y)
     for (int x = 0; x < 16; ++x)
-      REQUIRE(test::pixel(hard.radiance, x, y).x == Approx(texels[y / 8][x / 8]).margin(3e-4));
-  const frame::Picture soft = textured(png, 16, {{"magFilter", 9729}, {"wrapS", 33071}, {"wrapT", 33071}});
+      REQUIRE(test::pixel(hard.radiance, x, y).x == Approx(texels[y / 8][x / 8]).margin(5e-4));  // half floats
+  // Without mipmaps, so that no anisotropic filter takes the place of the linear one: Mesa's does when magnifying too.
+  const frame::Picture soft =
+      textured(png, 16, {{"magFilter", 9729}, {"minFilter", 9729}, {"wrapS", 33071}, {"wrapT", 33071}});
   for (int x = 0; x < 16; ++x) {
     // Texel centres lie at 4 and 12 pixels.
     const float t = std::clamp((static_cast<float>(x) + 0.5f - 4) / 8, 0.0f, 1.0f);

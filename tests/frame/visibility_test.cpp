@@ -63,8 +63,10 @@ TEST_CASE("Visibility: rows of a picture see their own part only") {
 
 TEST_CASE("Visibility: orthographic views, and bounds that say nothing") {
   const scene::Bounds all{glm::dvec3(-100), glm::dvec3(100)};
-  const scene::View view =
-      scene::cameraView({.perspective = false, .xMag = 2, .yMag = 1, .zNear = 1, .zFar = 20}, glm::dmat4(1), 2, all);
+  scene::Camera camera;
+  camera.perspective = false;
+  camera.xMag = 2, camera.yMag = 1, camera.zNear = 1, camera.zFar = 20;
+  const scene::View view = scene::cameraView(camera, glm::dmat4(1), 2, all);
   frame::DrawList list = boxes({{2.4, 0, -5}, {2.6, 0, -5}, {0, 1.6, -5}, {0, 0, -21}, {0, 0, 0}});
   CHECK(visible(list, view) == Indices{0});
   const double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();

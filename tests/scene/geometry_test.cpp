@@ -130,22 +130,6 @@ TEST_CASE("Geometry is completed as the materials need it") {
     completeGeometry(model, notes);
     CHECK(model.meshes[0].primitives[0].tangents == given.tangents);
   }
-  SECTION("a variant's material may need more than the own one") {
-    mapped.normal.texCoord = 2;
-    Primitive given = quad();
-    given.texCoords[2] = {{1, 1}, {0, 1}, {0, 0}, {1, 0}};  // u to the left
-    Material unlit;
-    unlit.unlit = true;
-    Model model = modelWith(given, unlit);
-    model.materials.push_back(mapped);
-    model.meshes[0].primitives[0].variantMaterials = {-1, 1};
-    completeGeometry(model, notes);
-    const Primitive& p = model.meshes[0].primitives[0];
-    CHECK(!p.normals.empty());
-    REQUIRE(!p.tangents.empty());
-    CHECK(p.tangents[0].x == -1);
-    CHECK(notes.empty());
-  }
   SECTION("unlit needs nothing") {
     mapped.unlit = true;
     Model model = modelWith(quad(), mapped);
