@@ -9,9 +9,10 @@
 #include "base/srgb.hpp"
 #include "commands/picture_options.hpp"
 #include "shading/features.hpp"
-#include "view/playback.hpp"
+#include "view/panel_window.hpp"
 #include "view/statistics_panel.hpp"
 #include "view/style.hpp"
+#include "view/timeline.hpp"
 
 namespace facet::view {
 

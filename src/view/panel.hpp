@@ -2,8 +2,6 @@
 
 // The panel at the window's left and the status line below: Dear ImGui widgets on the viewer's state.
 
-#include <imgui.h>
-
 #include <vector>
 
 #include "view/controls.hpp"
@@ -11,15 +9,6 @@
 #include "view/viewer_state.hpp"
 
 namespace facet::view {
-
-// Windows of the panel: laid out by the program, not by the user.
-inline constexpr ImGuiWindowFlags fixedWindow = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
-                                                ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                                                ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNavFocus;
-inline constexpr float panelEms = 21;  // the panel's width in font sizes
-
-// What the current ImGui window covers.
-Area windowArea();
 
 struct PanelResult {
   bool screenshot = false, frameAll = false, resetCamera = false;

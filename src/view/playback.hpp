@@ -1,11 +1,16 @@
 #pragma once
 
-// Playing animations: the clock, and the timeline at the window's bottom.
+// Playing animations: the clock.
 
-#include "view/panel.hpp"
 #include "view/viewer_state.hpp"
 
 namespace facet::view {
+
+// Null where the model is at rest.
+const AnimationName* chosenAnimation(const ViewerState& state);
+
+// Plays it from the beginning; empty: the model comes to rest.
+void chooseAnimation(ViewerState& state, const std::string& option);
 
 // The last moment of what is chosen, seconds; 0: nothing is.
 double chosenDuration(const ViewerState& state);
@@ -16,8 +21,5 @@ void advance(ViewerState& state, double seconds);
 
 // Plays what is chosen, the first animation where nothing is, from the beginning where the end was reached; or pauses.
 void togglePlaying(ViewerState& state);
-
-// For scenes that have animations.
-void drawTimeline(ViewerState& state, PanelResult& result);
 
 }  // namespace facet::view
