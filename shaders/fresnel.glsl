@@ -25,11 +25,12 @@ float F_Dielectric(float VoH, float eta) {
   if (eta == 1.0) return 0.0;
   eta = min(eta, 1e6);
   float c = clamp(VoH, 0.0, 1.0);
-  float g2 = (eta - 1.0) * (eta + 1.0) + c * c;
+  float s2 = (1.0 - c) * (1.0 + c);
+  float g2 = s2 < 0.5 ? eta * eta - s2 : (eta - 1.0) * (eta + 1.0) + c * c;  // whichever cancels less
   if (g2 <= 0.0) return 1.0;
   float g = sqrt(g2);
   float s = (g - c) / (g + c);
-  float p = (c * (g + c) - 1.0) / (c * (g - c) + 1.0);
+  float p = (c * g - s2) / (c * g + s2);  // (c (g + c) - 1) / (c (g - c) + 1) without the cancellation
   return min(0.5 * s * s * (1.0 + p * p), 1.0);
 }
 
@@ -49,7 +50,7 @@ vec3 F_Conductor(float VoH, vec3 eta, vec3 k) {
   k = clamp(k, 0.0, 1e4);
   float c = clamp(VoH, 0.0, 1.0);
   float c2 = c * c, s2 = (1.0 - c) * (1.0 + c);
-  vec3 real = (eta - k) * (eta + k) - s2;
+  vec3 real = s2 < 0.5 ? (eta - k) * (eta + k) - s2 : (eta - 1.0) * (eta + 1.0) - k * k + c2;
   vec3 ek = eta * k;
   vec3 modulus = sqrt(real * real + 4.0 * ek * ek);  // a^2 + b^2
   vec3 large = sqrt(0.5 * (modulus + abs(real)));

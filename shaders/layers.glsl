@@ -1,5 +1,5 @@
-// What a layer leaves for those below it, and the coat of KHR_materials_clearcoat. The rule, and what the Fresnel term in
-// the place of the albedo costs, are in src/optics/layers.hpp. Cosines are those of the layer's own normal.
+// What a layer leaves for those below it, and the coat of KHR_materials_clearcoat. The rule, and what the Fresnel term
+// in the place of the albedo costs, are in src/optics/layers.hpp. Cosines are those of the layer's own normal.
 #include "microfacet.glsl"
 
 const float coatF0 = 0.04;

@@ -1,4 +1,5 @@
-// Other distributions of normals and shadowing terms than microfacet.glsl's, for point lights. alpha >= minAnalyticAlpha.
+// Other distributions of normals and shadowing terms than microfacet.glsl's, for point lights.
+// alpha >= minAnalyticAlpha.
 // The twin is src/optics/ndf.cpp.
 #include "constants.glsl"
 
@@ -47,7 +48,8 @@ float V_BeckmannCorrelated(float NoV, float NoL, float alpha) {
 // Walter et al. 2007, eq. 27; error 3.1e-3 at most. Also what they take for Blinn, with the same alpha.
 float G1_BeckmannRational(float NoX, float alpha) {
   float a = NoX / max(alpha * sqrt(max((1.0 - NoX) * (1.0 + NoX), 0.0)), 1e-10);
-  return a < 1.6 ? max(a * (3.535 + 2.181 * a) / (1.0 + a * (2.276 + 2.577 * a)), 0.0) : 1.0;
+  if (NoX <= 0.0) return 0.0;
+  return a < 1.6 ? a * (3.535 + 2.181 * a) / (1.0 + a * (2.276 + 2.577 * a)) : 1.0;
 }
 
 // Schlick 1994, eq. 19, with k = alpha / 2: Smith's G1 of GGX; error 0.16 at most.

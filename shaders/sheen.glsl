@@ -19,7 +19,7 @@ float lambdaCharlieFit(float x, float sharpness) {
   float c = mix(0.19823, 0.16801, sharpness);
   float d = mix(-1.97760, -1.27393, sharpness);
   float e = mix(-4.32054, -4.85967, sharpness);
-  return a / (1.0 + b * pow(max(x, 1e-30), c)) + d * x + e;
+  return a / (1.0 + b * (x > 0.0 ? pow(x, c) : 0.0)) + d * x + e;
 }
 float Lambda_Charlie(float cosine, float alpha) {
   float s = 1.0 - clamp(alpha, minSheenAlpha, 1.0);

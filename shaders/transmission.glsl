@@ -8,7 +8,10 @@
 vec3 refractedDirection(vec3 V, vec3 H, float eta) {
   if (eta <= 0.0) return vec3(0.0);
   float VoH = dot(V, H);
-  float cos2T = 1.0 - (1.0 - VoH * VoH) / (eta * eta);
+  vec3 VxH = cross(V, H);
+  float s2 = dot(VxH, VxH);
+  float g2 = s2 < 0.5 ? eta * eta - s2 : (eta - 1.0) * (eta + 1.0) + VoH * VoH;  // whichever cancels less
+  float cos2T = g2 / (eta * eta);
   if (cos2T <= 0.0) return vec3(0.0);
   return normalize((VoH / eta - sqrt(cos2T)) * H - V / eta);
 }

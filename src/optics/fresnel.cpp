@@ -26,6 +26,7 @@ glm::dvec3 F_Schlick(double VoH, const glm::dvec3& f0, double f90) {
 glm::dvec3 F_SchlickAverage(const glm::dvec3& f0, double f90) { return (f0 * 20.0 + glm::dvec3(f90)) / 21.0; }
 
 double f0FromIor(double ior) {
+  if (std::isinf(ior)) return 1;
   const double ratio = (ior - 1) / (ior + 1);
   return ratio * ratio;  // ior = 0 gives 1
 }
@@ -37,7 +38,7 @@ double iorFromF0(double f0) {
 
 double F_Dielectric(double VoH, double eta) {
   if (eta == 1) return 0;
-  if (eta <= 0) return 1;
+  if (eta <= 0 || std::isinf(eta)) return 1;
   const double cosI = std::clamp(VoH, 0.0, 1.0);
   const double sin2T = (1 - cosI) * (1 + cosI) / (eta * eta);
   if (sin2T >= 1) return 1;

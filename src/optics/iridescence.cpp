@@ -74,6 +74,36 @@ glm::dvec3 F_Iridescence(double cosine, double outsideIor, double filmIor, doubl
   return glm::max(sum, glm::dvec3(0));
 }
 
+glm::dvec3 F_ThinFilm(double cosine, double outsideIor, double filmIor, double thicknessNm, const glm::dvec3& baseF0) {
+  const double cos1 = std::clamp(cosine, 0.0, 1.0);
+  const double t = std::clamp(thicknessNm / 0.03, 0.0, 1.0);
+  const double film = glm::mix(outsideIor, filmIor, t * t * (3 - 2 * t));
+  const double sine = outsideIor * std::sqrt((1 - cos1) * (1 + cos1));  // conserved n sin
+  if (cos1 == 0 || (sine >= film && film != outsideIor)) return glm::dvec3(1);
+  const double cos2 = film == outsideIor ? cos1 : std::sqrt(1 - sine * sine / (film * film));
+  const double path = 2 * film * thicknessNm * cos2;
+  const glm::dvec3 white = interferenceColor(0, glm::dvec3(0));
+  const auto sensitivity = [&](double m) { return interferenceColor(m * path, glm::dvec3(0)) / white; };
+  const glm::dvec3 S1 = sensitivity(1), S2 = sensitivity(2);
+
+  glm::dvec3 F(0);
+  for (int i = 0; i < 3; ++i) {
+    const double root = std::sqrt(std::clamp(baseF0[i], 0.0, 0.9999)), base = (1 + root) / (1 - root);
+    const double cos3 = std::sqrt(std::max(0.0, 1 - sine * sine / (base * base)));
+    // Sum of one polarisation by its amplitudes r12, r23; one round trip in the film carries r21 r23.
+    const auto series = [&](double r12, double r23) {
+      const double R12 = r12 * r12, trip = -r12 * r23;
+      const double Rs = (1 - R12) * (1 - R12) * r23 * r23 / (1 - std::min(trip * trip, 0.9999));
+      return R12 + Rs + 2 * (Rs - (1 - R12)) * (trip * S1[i] + trip * trip * S2[i]);
+    };
+    const auto amplitude = [](double a, double b) { return a + b > 0 ? (a - b) / (a + b) : 0; };
+    const double s = series(amplitude(outsideIor * cos1, film * cos2), amplitude(film * cos2, base * cos3));
+    const double p = series(amplitude(film * cos1, outsideIor * cos2), amplitude(base * cos2, film * cos3));
+    F[i] = std::max(0.0, (s + p) / 2);
+  }
+  return F;
+}
+
 glm::dvec3 f0FromSchlick(const glm::dvec3& F, double cosine) {
   const double weight = schlickWeight(cosine);
   if (weight >= 1) return glm::dvec3(0);

@@ -18,6 +18,13 @@ namespace facet::optics {
 glm::dvec3 F_Iridescence(double cosine, double outsideIor, double filmIor, double thicknessNm,
                          const glm::dvec3& baseF0);
 
+// The same series with the exact Fresnel terms of both polarisations apart, as Belcour and Barla's own, and with
+// sensitivities normalised to white. thicknessNm -> 0: the exact dielectric of index iorFromF0(baseF0). Error against
+// F_ThinFilmSpectral (as above): 0.019 facing, 0.014 at cosine 0.2 for baseF0 = 0.04; 0.028 for 0.3; for 0.8 0.035
+// facing, 0.166 at cosine 0.2 (higher orders). A metal's f0 counts as a real index in both. baseF0 counts up to 0.9999.
+// cosine 0: 1.
+glm::dvec3 F_ThinFilm(double cosine, double outsideIor, double filmIor, double thicknessNm, const glm::dvec3& baseF0);
+
 // Gaussians of the paper's section 5: XYZ of cos(2 pi OPD / lambda + shift), to linear Rec. 709. opticalPathNm [nm].
 glm::dvec3 interferenceColor(double opticalPathNm, const glm::dvec3& shift);
 

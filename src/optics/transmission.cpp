@@ -21,7 +21,7 @@ double G1OverCosine(double cosine, double alpha) { return 4 * V_SmithGGXCorrelat
 bool refracted(const glm::dvec3& V, const glm::dvec3& H, double eta, glm::dvec3& L) {
   if (eta <= 0) return false;
   const double VoH = glm::dot(V, H);
-  const double cos2T = 1 - (1 - VoH * VoH) / (eta * eta);
+  const double cos2T = ((eta - 1) * (eta + 1) + VoH * VoH) / (eta * eta);
   if (cos2T <= 0) return false;
   L = glm::normalize((VoH / eta - std::copysign(std::sqrt(cos2T), VoH)) * H - V / eta);
   return true;

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
 
 #include "optics/diffuse.hpp"
 #include "optics/microfacet.hpp"
@@ -56,6 +57,8 @@ TEST_CASE("f0 and ior: both ways, and the infinite index") {
   CHECK(iorFromF0(1) == 0);
   CHECK(iorFromF0(0) == 1);
   CHECK(F_Dielectric(0.3, 0) == 1);
+  CHECK(F_Dielectric(0.3, std::numeric_limits<double>::infinity()) == 1);
+  CHECK(f0FromIor(std::numeric_limits<double>::infinity()) == 1);
   CHECK(F_Dielectric(1, 1.7) == Approx(f0FromIor(1.7)).epsilon(1e-13));
 }
 

@@ -57,29 +57,43 @@ TEST_CASE("Iridescence: ends, known values") {
 }
 
 TEST_CASE("Iridescence: the error against the spectral sum") {
-  const auto errors = [](double f0, double mu) {
+  const auto errors = [](auto model, double f0, double mu) {
     double worst = 0, sum = 0, count = 0;
     for (double film : {1.1, 1.3, 1.5, 1.8, 2.2})
       for (double d = 50; d <= 1000; d += 50) {
         const glm::dvec3 exact = F_ThinFilmSpectral(mu, 1, film, d, glm::dvec3(iorFromF0(f0)), 5);
-        const double error = largest(F_Iridescence(mu, 1, film, d, glm::dvec3(f0)) - exact);
+        const double error = largest(model(mu, 1, film, d, glm::dvec3(f0)) - exact);
         worst = std::max(worst, error);
         sum += error;
         count += 1;
       }
     return glm::dvec2(worst, sum / count);
   };
-  const auto check = [&](double f0, double mu, double worst, double mean) {
-    const glm::dvec2 error = errors(f0, mu);
+  const auto check = [&](auto model, double f0, double mu, double worst, double mean) {
+    const glm::dvec2 error = errors(model, f0, mu);
     INFO("f0 " << f0 << ", cosine " << mu << ": worst " << error.x << ", mean " << error.y);
     CHECK(error.x == Approx(worst).margin(0.001));
     CHECK(error.y == Approx(mean).margin(0.0005));
   };
-  check(0.04, 1, 0.042, 0.0080);
-  check(0.8, 1, 0.077, 0.0202);
-  check(0.8, 0.6, 0.114, 0.0424);
-  check(0.04, 0.2, 0.258, 0.0870);
-  check(0.3, 0.2, 0.475, 0.2133);
+  check(F_Iridescence, 0.04, 1, 0.042, 0.0080);
+  check(F_Iridescence, 0.8, 1, 0.077, 0.0202);
+  check(F_Iridescence, 0.8, 0.6, 0.114, 0.0424);
+  check(F_Iridescence, 0.04, 0.2, 0.258, 0.0870);
+  check(F_Iridescence, 0.3, 0.2, 0.475, 0.2133);
+  check(F_ThinFilm, 0.04, 1, 0.019, 0.0032);
+  check(F_ThinFilm, 0.8, 1, 0.035, 0.0094);
+  check(F_ThinFilm, 0.04, 0.2, 0.014, 0.0032);
+  check(F_ThinFilm, 0.3, 0.2, 0.028, 0.0083);
+  check(F_ThinFilm, 0.8, 0.2, 0.166, 0.0159);
+}
+
+TEST_CASE("Thin film: no film is no film") {
+  for (double mu : {1e-6, 0.05, 0.3, 0.8, 1.0})
+    for (double f0 : {0.0, 0.04, 0.5, 0.9})
+      CHECK(F_ThinFilm(mu, 1, 1.7, 0, glm::dvec3(f0)).x ==
+            Approx(F_Dielectric(mu, iorFromF0(f0))).epsilon(1e-9).margin(1e-8));
+  CHECK(F_ThinFilm(0, 1, 1.7, 300, glm::dvec3(0.04)) == glm::dvec3(1));
+  CHECK(F_ThinFilm(0.1, 1.5, 1.0, 300, glm::dvec3(0.04)) == glm::dvec3(1));  // total reflection
 }
 
 TEST_CASE("Iridescence: extremes are finite") {
@@ -89,7 +103,9 @@ TEST_CASE("Iridescence: extremes are finite") {
       for (double d : {0.0, 1e-9, 0.03, 400.0, 1e5, 1e30})
         for (double f0 : {0.0, 0.04, 1.0}) {
           const glm::dvec3 F = F_Iridescence(mu, 1, film, d, glm::dvec3(f0));
+          const glm::dvec3 exact = F_ThinFilm(mu, 1, film, d, glm::dvec3(f0));
           for (int i = 0; i < 3; ++i) bad += !(std::isfinite(F[i]) && F[i] >= 0);
+          for (int i = 0; i < 3; ++i) bad += !(std::isfinite(exact[i]) && exact[i] >= 0);
         }
   CHECK(bad == 0);
 }
