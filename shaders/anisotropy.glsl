@@ -5,7 +5,7 @@
 // KHR_materials_anisotropy: alpha_t = mix(alpha, 1, strength^2), alpha_b = alpha.
 vec2 alphaFromAnisotropy(float alpha, float strength) { return vec2(mix(alpha, 1.0, strength * strength), alpha); }
 
-// Burley 2012, eq. 13 [1/sr]. At the horizon and below 0.
+// Burley 2012, appendix B.2 [1/sr]. At the horizon and below 0.
 float D_GGXAnisotropic(vec3 H, vec2 alpha) {
   vec3 slopes = vec3(H.xy / alpha, H.z);
   float k = 1.0 / dot(slopes, slopes);

@@ -24,7 +24,7 @@ float Fd_Frostbite(float NoV, float NoL, float VoL, float perceptualRoughness) {
   return schlickFrom1(NoL, f90) * schlickFrom1(NoV, f90) * factor / PI;
 }
 
-// Oren and Nayar 1994, eq. 30 (qualitative); sigma = alpha / sqrt(2) [rad]. Both at the horizon: the lobe is left out.
+// Oren and Nayar 1994, the qualitative form; sigma = alpha / sqrt(2) [rad]. Both at the horizon: the lobe is left out.
 float Fd_OrenNayar(float NoV, float NoL, float VoL, float perceptualRoughness) {
   float alpha = perceptualRoughness * perceptualRoughness;
   float variance = 0.5 * alpha * alpha;
@@ -34,7 +34,7 @@ float Fd_OrenNayar(float NoV, float NoL, float VoL, float perceptualRoughness) {
   return (1.0 - 0.5 * variance / (variance + 0.33) + 0.45 * variance / (variance + 0.09) * lobe) / PI;
 }
 
-// Directional albedo of Fujii's Oren-Nayar, Portsmouth et al. 2024, eq. 17; 1 - sin^3 without the cancellation.
+// Directional albedo of Fujii's Oren-Nayar, Portsmouth et al. 2024; 1 - sin^3 without the cancellation.
 float albedoFujii(float NoX, float r) {
   float c = clamp(NoX, 0.0, 1.0);
   float s = sqrt((1.0 - c) * (1.0 + c));
@@ -42,7 +42,7 @@ float albedoFujii(float NoX, float r) {
   return (1.0 + r / PI * G) / (1.0 + (0.5 - 2.0 / (3.0 * PI)) * r);
 }
 
-// Portsmouth, Kutz, Hill 2024, eq. 15 to 22; includes the albedo. White of albedo 1 reflects all of a white furnace.
+// Portsmouth, Kutz, Hill 2024 (EON); includes the albedo. White of albedo 1 reflects all of a white furnace.
 vec3 Fd_Eon(float NoV, float NoL, float VoL, float r, vec3 albedo) {
   float A = 1.0 / (1.0 + (0.5 - 2.0 / (3.0 * PI)) * r);
   float across = VoL - NoV * NoL;

@@ -9,6 +9,7 @@ vec3 F_Schlick(float VoH, vec3 f0, float f90) {
 // Reflectance at normal incidence and index of refraction; an index of 0 stands for an infinite one, as in
 // KHR_materials_ior, and so has f0 = 1. ior >= 0.
 float f0FromIor(float ior) {
+  ior = max(ior, 0.0);
   float ratio = (ior - 1.0) / (ior + 1.0);
   return ratio * ratio;
 }
@@ -17,7 +18,7 @@ float iorFromF0(float f0) {
   return root < 1.0 ? (1.0 + root) / (1.0 - root) : 0.0;
 }
 
-// Unpolarised Fresnel equations of two dielectrics in the form of Cook and Torrance 1982, section 3. eta = index behind
+// Unpolarised Fresnel equations of two dielectrics in the form of Cook and Torrance 1982. eta = index behind
 // over index before the surface; eta <= 0 stands for infinity: 1. Total reflection (eta < 1): 1. eta = 1: 0.
 // VoH = 0: 1. eta above 1e6 counts as that: F is then 1 - 4e-6 at least at normal incidence.
 float F_Dielectric(float VoH, float eta) {
@@ -64,7 +65,7 @@ vec3 F_Conductor(float VoH, vec3 eta, vec3 k) {
   return clamp(0.5 * (Rs + Rp), 0.0, 1.0);
 }
 
-// Kutz et al. 2021, "Novel aspects of the Adobe Standard Material", eq. 4 to 6: Schlick's curve less
+// Kutz et al. 2021, "Novel aspects of the Adobe Standard Material", F82-tint: Schlick's curve less
 // a VoH (1 - VoH)^6, which is tint times Schlick's at cosine 1 / 7. f0, tint in [0, 1]; tint = 1: Schlick.
 vec3 F_82Tint(float VoH, vec3 f0, vec3 tint) {
   const float atSeventh = 0.46266437;  // (6/7)^5

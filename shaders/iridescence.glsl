@@ -23,7 +23,7 @@ vec3 interferenceColor(float opticalPathNm, vec3 shift) {
 vec3 F_Iridescence(float cosine, float outsideIor, float filmIor, float thicknessNm, vec3 baseF0) {
   float cos1 = clamp(cosine, 0.0, 1.0);
   thicknessNm = clamp(thicknessNm, 0.0, 1e5);
-  float film = mix(outsideIor, filmIor, smoothstep(0.0, 0.03, thicknessNm));
+  float film = max(mix(outsideIor, filmIor, smoothstep(0.0, 0.03, thicknessNm)), 1e-3);
   float ratio = outsideIor / film;
   float cos2Squared = (1.0 - ratio) * (1.0 + ratio) + ratio * ratio * cos1 * cos1;
   if (cos2Squared < 0.0) return vec3(1.0);
@@ -55,7 +55,7 @@ vec3 F_Iridescence(float cosine, float outsideIor, float filmIor, float thicknes
 vec3 F_ThinFilm(float cosine, float outsideIor, float filmIor, float thicknessNm, vec3 baseF0) {
   float c1 = clamp(cosine, 0.0, 1.0);
   thicknessNm = clamp(thicknessNm, 0.0, 1e5);
-  float film = mix(outsideIor, filmIor, smoothstep(0.0, 0.03, thicknessNm));
+  float film = max(mix(outsideIor, filmIor, smoothstep(0.0, 0.03, thicknessNm)), 1e-3);
   float ratio = outsideIor / film;
   float cos2Squared = (1.0 - ratio) * (1.0 + ratio) + ratio * ratio * c1 * c1;
   if (cos2Squared <= 0.0 || c1 <= 0.0) return vec3(1.0);

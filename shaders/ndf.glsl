@@ -52,7 +52,7 @@ float G1_BeckmannRational(float NoX, float alpha) {
   return a < 1.6 ? a * (3.535 + 2.181 * a) / (1.0 + a * (2.276 + 2.577 * a)) : 1.0;
 }
 
-// Schlick 1994, eq. 19, with k = alpha / 2: Smith's G1 of GGX; error 0.16 at most.
+// Schlick 1994, with k = alpha / 2: Smith's G1 of GGX; error 0.16 at most.
 float G1_SchlickGGX(float NoX, float alpha) {
   float k = 0.5 * alpha;
   return NoX > 0.0 ? NoX / (NoX + k * (1.0 - NoX)) : 0.0;

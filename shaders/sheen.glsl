@@ -4,7 +4,7 @@
 
 const float minSheenAlpha = 1e-3;
 
-// "Charlie" [1/sr], Estevez and Kulla 2017, eq. 2. Along the normal 0.
+// "Charlie" [1/sr], Estevez and Kulla 2017. Along the normal 0.
 float D_Charlie(float NoH, float alpha) {
   float inverse = 1.0 / max(alpha, minSheenAlpha);
   float c = clamp(NoH, 0.0, 1.0);
@@ -12,7 +12,7 @@ float D_Charlie(float NoH, float alpha) {
   return (2.0 + inverse) * pow(sin2, 0.5 * inverse) / (2.0 * PI);
 }
 
-// Estevez and Kulla 2017, eq. 3 and table 1, as in KHR_materials_sheen. Up to 2e8 at the horizon.
+// Estevez and Kulla 2017, the fit as in KHR_materials_sheen. Up to 8e8 at the horizon.
 float lambdaCharlieFit(float x, float sharpness) {
   float a = mix(21.5473, 25.3245, sharpness);
   float b = mix(3.82987, 3.32435, sharpness);

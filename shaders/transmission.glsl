@@ -7,13 +7,13 @@
 // (infinite: nothing passes).
 vec3 refractedDirection(vec3 V, vec3 H, float eta) {
   if (eta <= 0.0) return vec3(0.0);
+  eta = min(eta, 1e6);
   float VoH = dot(V, H);
   vec3 VxH = cross(V, H);
   float s2 = dot(VxH, VxH);
   float g2 = s2 < 0.5 ? eta * eta - s2 : (eta - 1.0) * (eta + 1.0) + VoH * VoH;  // whichever cancels less
-  float cos2T = g2 / (eta * eta);
-  if (cos2T <= 0.0) return vec3(0.0);
-  return normalize((VoH / eta - sqrt(cos2T)) * H - V / eta);
+  if (g2 <= 0.0) return vec3(0.0);
+  return normalize((VoH - sqrt(g2)) * H - V);
 }
 
 // f |NoL| of transmission [1/sr], Walter et al. 2007, eq. 21 without the eta^2 of radiance; N on V's side, L beyond.

@@ -14,9 +14,10 @@ struct AnisotropicAlpha {
 // KHR_materials_anisotropy: alpha_t = mix(alpha, 1, strength^2), alpha_b = alpha; strength in [0, 1].
 AnisotropicAlpha alphaFromAnisotropy(double alpha, double strength);
 
-// Burley 2012 eq. 13, Heitz 2014 eq. 85: 1 / (pi t b (x^2 / t^2 + y^2 / b^2 + z^2)^2) [1/sr]. 0 for H.z <= 0. H unit.
+// Burley 2012, appendix B.2; Heitz 2014, section 5.4: 1 / (pi t b (x^2 / t^2 + y^2 / b^2 + z^2)^2) [1/sr]. 0 for H.z <=
+// 0. H unit.
 double D_GGXAnisotropic(const glm::dvec3& H, const AnisotropicAlpha& alpha);
-// Heitz 2014 eq. 72 with alpha of the direction's azimuth (eq. 80). Along the normal 0.
+// Heitz 2014 eq. 72 with alpha of the direction's azimuth (section 5.4). Along the normal 0.
 double Lambda_GGXAnisotropic(const glm::dvec3& X, const AnisotropicAlpha& alpha);
 double G1_GGXAnisotropic(const glm::dvec3& X, const AnisotropicAlpha& alpha);  // below the horizon 0
 // Height-correlated G2 / (4 NoV NoL), Heitz 2014 eq. 99. Both at the horizon it grows without bound.

@@ -32,13 +32,13 @@ double Fd_Burley(const DiffuseAngles& angles, double perceptualRoughness);
 // scaled down to 1 / 1.51 at r = 1. Their linearRoughness is the perceptual one.
 double Fd_Frostbite(const DiffuseAngles& angles, double perceptualRoughness);
 
-// Oren and Nayar 1994, "Generalization of Lambert's Reflectance Model", eq. 30: the qualitative form (no C2, no C3, no
+// Oren and Nayar 1994, "Generalization of Lambert's Reflectance Model": the qualitative form (no C2, no C3, no
 // interreflection). sigma is the standard deviation of the facets' angle [rad], [0, pi / 2].
 double Fd_OrenNayar(const DiffuseAngles& angles, double sigma);
 // Beckmann facets of the same alpha have slopes of this deviation: alpha / sqrt(2), 40.5 degrees at alpha = 1.
 double sigmaOrenNayar(double perceptualRoughness);
 
-// Portsmouth, Kutz, Hill 2024, "EON: A practical energy-preserving rough diffuse BRDF", eq. 15 to 22 with the exact
+// Portsmouth, Kutz, Hill 2024, "EON: A practical energy-preserving rough diffuse BRDF", with the exact
 // albedo: Fujii's form of Oren-Nayar plus the light of further bounces. albedo (rho) in [0, 1]; r in [0, 1], taken as
 // perceptualRoughness. The result includes the albedo. rho = 1: the furnace is white.
 double Fd_Eon(const DiffuseAngles& angles, double r, double albedo);

@@ -36,7 +36,7 @@ double F_Conductor(double VoH, double eta, double k);
 glm::dvec3 F_Conductor(double VoH, const glm::dvec3& eta, const glm::dvec3& k);  // per channel
 glm::dvec3 F_ConductorAverage(const glm::dvec3& eta, const glm::dvec3& k);       // by quadrature
 
-// Kutz, Hasan, Edmondson 2021, "Novel aspects of the Adobe Standard Material", eq. 4 to 6: Schlick's curve with f90 =
+// Kutz, Hasan, Edmondson 2021, "Novel aspects of the Adobe Standard Material", F82-tint: Schlick's curve with f90 =
 // 1, less a VoH (1 - VoH)^6 with a such that at cosine 1 / 7 (82 degrees) it is Schlick's times tint. tint = 1:
 // Schlick. f0 and tint in [0, 1]. For small f0 and tint the curve would fall below 0 (to -0.13 at f0 = tint = 0):
 // clamped to 0.

@@ -31,7 +31,7 @@ double G1_BeckmannRational(double cosine, double alpha);
 // adds up to the projected area), by quadrature to about 1e-6. NoV > 0.
 double G1_Smith(const std::function<double(double sin2NoH)>& D, double alpha, double NoV);
 
-// Schlick 1994 eq. 19 for Smith's G1 of GGX with k = alpha / 2 (Karis 2013, without his remapping for lights):
+// Schlick 1994 for Smith's G1 of GGX with k = alpha / 2 (Karis 2013, without his remapping for lights):
 // NoX / (NoX (1 - k) + k). Error against G1_GGX: 0.16 at most, for narrow lobes near the horizon; none at alpha = 1.
 // alpha = 0: 1.
 double G1_SchlickGGX(double cosine, double alpha);

@@ -17,7 +17,7 @@ Check checkRefracted() {
   Check check = absoluteCheck("refractedDirection", "transmission.glsl",
                               "out0.xyz = refractedDirection(in0.xyz, vec3(0.0, 0.0, 1.0), in0.w);",
                               {"V.x", "V.y", "V.z", "eta"});
-  for (double eta : {-1.0, 0.0, 1e-3, 0.4, 1 / 1.5, 0.95, 1.0, 1.05, 1.5, 2.42, 1e6})
+  for (double eta : {-1.0, 0.0, 1e-3, 0.4, 1 / 1.5, 0.95, 1.0, 1.05, 1.5, 2.42, 1e6, 1e-30})
     for (double NoV : {1e-4, 0.02, 0.3, 0.74, 0.9, 1.0}) check.inputs.emplace_back(glm::vec3(around(NoV, 0.4)), eta);
   check.twin = [](CheckVectors in) {
     glm::dvec3 L(0);

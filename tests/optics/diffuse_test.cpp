@@ -38,7 +38,7 @@ TEST_CASE("Diffuse models: known values") {
   CHECK(Fd_Frostbite(facing, 1) == Approx(1 / (1.51 * pi)));
   CHECK(Fd_Frostbite(grazing, 1) == Approx(6.25 / (1.51 * pi)));
   CHECK(Fd_Frostbite(grazing, 0) == Approx(0).margin(1e-15));
-  // Eq. 30 by hand: sigma = 30 degrees, both at 60 degrees, opposite azimuths: only A is left.
+  // By hand: sigma = 30 degrees, both at 60 degrees, opposite azimuths: only A is left.
   const double s2 = pi * pi / 36;
   CHECK(Fd_OrenNayar(across, pi / 6) == Approx((1 - 0.5 * s2 / (s2 + 0.33)) / pi));
   // Same azimuth: B sin(60) tan(60) = 1.5 B.
@@ -47,6 +47,9 @@ TEST_CASE("Diffuse models: known values") {
   CHECK(Fd_OrenNayar(facing, 0) == Approx(1 / pi));
   CHECK(sigmaOrenNayar(1) == Approx(0.70710678));
   CHECK(Fd_Eon(across, 0, 0.3) == Approx(0.3 / pi));  // smooth: Lambert
+  // First bounce of r = 1: A = 1 / (1 + 1/2 - 2/(3 pi)); facing, and 1 + s / t with s = 0.75, t = 0.5.
+  CHECK(Fd_Eon(facing, 1, 1e-9) == Approx(0.776522e-9 / pi).epsilon(1e-5));
+  CHECK(Fd_Eon({0.5, 0.5, 1}, 1, 1e-9) == Approx(2.5 * 0.776522e-9 / pi).epsilon(1e-5));
   // alpha = 1: g = 0, the rough branch alone: VoH + (1 - VoH)^5 = 1 and 24.5 2^-8.9 when all coincide.
   CHECK(Fd_CallOfDuty(facing, 1) == Approx((1 + 24.5 * std::exp2(-8.9)) / pi));
   // alpha -> 0: g = 1, the smooth branch and no backscatter: 24.5 - 59 + 34.5 = 0.

@@ -63,7 +63,7 @@ TEST_CASE("f0 and ior: both ways, and the infinite index") {
 }
 
 TEST_CASE("F_DielectricAverage: Walsh's closed form, the relation of both sides, and the fit's error") {
-  const auto walsh = [](double n) {  // Walsh 1926; as in Egan and Hilgeman 1979, eq. A-4
+  const auto walsh = [](double n) {  // Walsh 1926
     const double n2 = n * n, n4 = n2 * n2;
     return 0.5 + (n - 1) * (3 * n + 1) / (6 * (n + 1) * (n + 1)) +
            n2 * (n2 - 1) * (n2 - 1) / std::pow(n2 + 1, 3) * std::log((n - 1) / (n + 1)) -
