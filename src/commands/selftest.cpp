@@ -52,11 +52,11 @@ void printTable(const gl::ContextInfo& context, const std::vector<CheckResult>& 
             << "Shader functions against double precision; the input shown is where the error comes nearest to what is "
                "allowed.\n\n";
   char line[256];
-  std::snprintf(line, sizeof line, "%-24s %7s %-8s %9s %9s %10s  %s\n", "function", "inputs", "kind", "error",
+  std::snprintf(line, sizeof line, "%-30s %7s %-8s %9s %9s %10s  %s\n", "function", "inputs", "kind", "error",
                 "allowed", "not finite", "at");
   std::cout << line;
   for (const CheckResult& r : results) {
-    std::snprintf(line, sizeof line, "%-24s %7zu %-8s %9.2e %9.2e %10zu  ", r.name.c_str(), r.evaluations,
+    std::snprintf(line, sizeof line, "%-30s %7zu %-8s %9.2e %9.2e %10zu  ", r.name.c_str(), r.evaluations,
                   r.relative ? "relative" : "absolute", r.error, r.allowed, r.nonFinite);
     std::cout << line << r.input << (r.passed ? "" : "  FAILED") << "\n";
   }

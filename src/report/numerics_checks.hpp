@@ -10,6 +10,9 @@ namespace facet::report {
 inline constexpr double floatEpsilon = 0x1p-23;
 
 std::vector<Check> surfaceChecks();  // microfacet, fresnel, diffuse, energy, bsdf, image_light
+std::vector<Check> modelChecks();    // fresnel (exact), diffuse models, ndf
+std::vector<Check> lobeChecks();     // anisotropy, sheen, iridescence
+std::vector<Check> layerChecks();    // transmission, layers
 std::vector<Check> lightChecks();    // lights
 std::vector<Check> displayChecks();  // color
 std::vector<Check> mappingChecks();  // mapping, environment_layers

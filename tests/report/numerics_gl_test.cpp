@@ -1,6 +1,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "report/numerics.hpp"
 #include "support/command.hpp"
@@ -46,6 +48,55 @@ TWIN("makeSpecularGlossinessSurface")
 TWIN("irradianceAlbedo")
 TWIN("sampleVisibleNormal")
 TWIN("specularMeanDirection")
+TWIN("f0FromIor")
+TWIN("iorFromF0")
+TWIN("F_Dielectric")
+TWIN("F_DielectricAverage")
+TWIN("F_Conductor")
+TWIN("F_82Tint")
+TWIN("Fd_Burley")
+TWIN("Fd_Frostbite")
+TWIN("Fd_OrenNayar")
+TWIN("albedoFujii")
+TWIN("Fd_Eon")
+TWIN("Fd_CallOfDuty")
+TWIN("D_Beckmann")
+TWIN("D_Blinn")
+TWIN("G1_Beckmann")
+TWIN("V_BeckmannCorrelated")
+TWIN("G1_BeckmannRational")
+TWIN("G1_SchlickGGX")
+TWIN("V_SchlickGGX")
+TWIN("V_Cavity")
+TWIN("alphaFromAnisotropy")
+TWIN("D_GGXAnisotropic")
+TWIN("V_GGXAnisotropic")
+TWIN("G1_GGXAnisotropic")
+TWIN("sampleVisibleNormalAnisotropic")
+TWIN("D_Charlie")
+TWIN("Lambda_Charlie")
+TWIN("V_Charlie")
+TWIN("V_Ashikhmin")
+TWIN("sheenScaling")
+TWIN("sheenGainGuard")
+TWIN("interferenceColor")
+TWIN("F_Iridescence")
+TWIN("F_ThinFilm")
+TWIN("f0FromSchlick")
+TWIN("refractedDirection")
+TWIN("transmissionBsdf")
+TWIN("reflectionBsdf")
+TWIN("slabReflectance")
+TWIN("volumeTransmittance")
+TWIN("dispersedIors")
+TWIN("transmissionRoughness")
+TWIN("diffuseTransmissionBsdf")
+TWIN("F_Coat")
+TWIN("coatLobe")
+TWIN("coatTransmittance")
+TWIN("coatTransmittanceBothWays")
+TWIN("layerTransmittance")
+TWIN("layerTransmittanceReciprocal")
 TWIN("distanceAttenuation")
 TWIN("coneAttenuation")
 TWIN("encodeSrgb")
@@ -62,7 +113,7 @@ TWIN("cubeSolidAngleDensity")
 TWIN("frameAround")
 TWIN("findLdLayer")
 
-TEST_CASE("Twin: the cases above are the whole table") { CHECK(report::numericalChecks().size() == 28); }
+TEST_CASE("Twin: the cases above are the whole table") { CHECK(report::numericalChecks().size() == 77); }
 
 TEST_CASE("A check sees a wrong function, and counts what is not finite") {
   report::Check check{
@@ -91,17 +142,23 @@ TEST_CASE("facet selftest: table, JSON, exit status") {
   const test::Outcome table = test::runFacet({"selftest"});
   INFO(table.text);
   CHECK(table.status == 0);
-  CHECK_THAT(table.text, Catch::Contains("D_GGX") && Catch::Contains("28 functions, 0 failed"));
+  CHECK_THAT(table.text, Catch::Contains("D_GGX") && Catch::Contains("77 functions, 0 failed"));
   const auto json = nlohmann::json::parse(test::runFacet({"--log-level", "error", "selftest", "--json"}).text);
   CHECK(json["passed"] == true);
-  CHECK(json["checks"].size() == 28);
+  CHECK(json["checks"].size() == 77);
   CHECK(json["checks"][0]["function"] == "D_GGX");
 
   // A folder with one broken chunk: the failure is named and the exit status says so.
   const test::TemporaryFolder folder;
   const auto copied = std::filesystem::copy_options::recursive;
   std::filesystem::copy(std::string(FACET_SOURCE_DIR) + "/shaders", folder.file("shaders"), copied);
-  folder.write("shaders/diffuse.glsl", std::string("float Fd_Lambert() { return 1.0; }\n"));
+  std::stringstream chunk;
+  chunk << std::ifstream(folder.file("shaders/diffuse.glsl")).rdbuf();
+  std::string text = chunk.str();
+  const std::string lambert = "float Fd_Lambert() { return 1.0 / PI; }";
+  REQUIRE(text.find(lambert) != std::string::npos);
+  text.replace(text.find(lambert), lambert.size(), "float Fd_Lambert() { return 1.0; }");
+  folder.write("shaders/diffuse.glsl", text);
   const test::Outcome broken = test::runFacet({"selftest", "--shader-dir", folder.file("shaders")});
   CHECK(broken.status == 1);
   CHECK_THAT(broken.text, Catch::Contains("Fd_Lambert failed: got 1, expected 0.31831"));

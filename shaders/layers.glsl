@@ -1,0 +1,37 @@
+// What a layer leaves for those below it, and the coat of KHR_materials_clearcoat. The rule, and what the Fresnel term
+// in the place of the albedo costs, are in src/optics/layers.hpp. Cosines are those of the layer's own normal.
+#include "microfacet.glsl"
+
+const float coatF0 = 0.04;
+
+// Schlick 1994 with f0 = 0.04, f90 = 1.
+float F_Coat(float VoH) {
+  float m = clamp(1.0 - VoH, 0.0, 1.0), m2 = m * m;
+  return coatF0 + (1.0 - coatF0) * (m2 * m2 * m);
+}
+
+// f NoL of the coat's lobe [1/sr], weight 1. V below the coat's horizon counts as minNoV above it; L below: 0.
+float coatLobe(vec3 coatNormal, vec3 V, vec3 L, float alpha) {
+  float NoL = min(dot(coatNormal, L), 1.0);
+  vec3 VL = V + L;
+  float length2 = dot(VL, VL);
+  if (NoL <= 0.0 || length2 < 1e-12) return 0.0;
+  vec3 H = VL * inversesqrt(length2);
+  float NoV = clamp(dot(coatNormal, V), minNoV, 1.0);
+  alpha = max(alpha, minAnalyticAlpha);
+  return D_GGX(coatNormal, H, alpha) * V_SmithGGXCorrelated(NoV, NoL, alpha) * F_Coat(dot(V, H)) * NoL;
+}
+
+// KHR_materials_clearcoat: on base and emission, once; and both ways.
+float coatTransmittance(float clearcoat, float coatNoV) { return 1.0 - clearcoat * F_Coat(coatNoV); }
+float coatTransmittanceBothWays(float clearcoat, float coatNoV, float coatNoL) {
+  return coatTransmittance(clearcoat, coatNoV) * coatTransmittance(clearcoat, coatNoL);
+}
+
+// The rule: 1 - weight E(V), E of the layer's lobe. Never a gain, none lost over a white base.
+float layerTransmittance(float weight, float albedoV) { return clamp(1.0 - weight * albedoV, 0.0, 1.0); }
+// Kulla and Conty 2017; albedoMean = 2 int E mu dmu.
+float layerTransmittanceReciprocal(float weight, float albedoV, float albedoL, float albedoMean) {
+  float left = max(1.0 - weight * albedoMean, 1e-6);
+  return layerTransmittance(weight, albedoV) * layerTransmittance(weight, albedoL) / left;
+}

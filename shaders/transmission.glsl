@@ -1,0 +1,74 @@
+// Light through a surface: a rough dielectric after Walter et al. 2007, volume attenuation, dispersion, thin slabs,
+// diffuse transmission. Directions are unit and leave the surface. The twin is src/optics/transmission.cpp.
+#include "microfacet.glsl"
+#include "fresnel.glsl"
+
+// Refracted direction of V at a facet H on V's side; eta = far / near index; 0 vector: total reflection or eta <= 0
+// (infinite: nothing passes).
+vec3 refractedDirection(vec3 V, vec3 H, float eta) {
+  if (eta <= 0.0) return vec3(0.0);
+  eta = min(eta, 1e6);
+  float VoH = dot(V, H);
+  vec3 VxH = cross(V, H);
+  float s2 = dot(VxH, VxH);
+  float g2 = s2 < 0.5 ? eta * eta - s2 : (eta - 1.0) * (eta + 1.0) + VoH * VoH;  // whichever cancels less
+  if (g2 <= 0.0) return vec3(0.0);
+  return normalize((VoH - sqrt(g2)) * H - V);
+}
+
+// f |NoL| of transmission [1/sr], Walter et al. 2007, eq. 21 without the eta^2 of radiance; N on V's side, L beyond.
+// eta = 1 is a delta: 0; within 1e-3 of it the lobe is as narrow as alpha (eta - 1), and 32 bit lose it: the caller
+// treats it as no interface. alpha >= minAnalyticAlpha, dot(N, V) >= minNoV.
+float transmissionBsdf(vec3 N, vec3 V, vec3 L, float alpha, float eta) {
+  float NoV = dot(N, V), NoL = dot(N, L);
+  if (eta <= 0.0 || NoV <= 0.0 || NoL >= 0.0) return 0.0;
+  vec3 H = V + eta * L;
+  float length2 = dot(H, H);
+  if (length2 < 1e-10) return 0.0;
+  H *= inversesqrt(length2);
+  if (dot(N, H) < 0.0) H = -H;
+  float VoH = dot(V, H), LoH = -dot(L, H);
+  if (VoH <= 0.0 || LoH <= 0.0) return 0.0;
+  // (VoH - eta LoH)^2 = |V + eta L|^2: H is along that sum.
+  float jacobian = eta * eta * LoH / length2;
+  float visible = 4.0 * V_SmithGGXCorrelated(1.0, NoV, alpha);  // G1(V) / NoV
+  float density = D_GGX(N, H, alpha) * VoH * visible * jacobian;
+  return (1.0 - F_Dielectric(VoH, eta)) * density * G1_GGX(-NoL, alpha);
+}
+
+// f |NoL| of reflection [1/sr] with the exact dielectric's F.
+float reflectionBsdf(vec3 N, vec3 V, vec3 L, float alpha, float eta) {
+  float NoV = dot(N, V), NoL = dot(N, L);
+  vec3 VL = V + L;
+  float length2 = dot(VL, VL);
+  if (NoV <= 0.0 || NoL <= 0.0 || length2 < 1e-12) return 0.0;
+  vec3 H = VL * inversesqrt(length2);
+  return F_Dielectric(dot(V, H), eta) * D_GGX(N, H, alpha) * V_SmithGGXCorrelated(NoV, NoL, alpha) * NoL;
+}
+
+// A thin slab with light going to and fro, F of one face.
+float slabReflectance(float F) { return 2.0 * F / (1.0 + F); }
+
+// KHR_materials_volume, Beer-Lambert: color^(distance / attenuationDistance). inverseDistance = 1 / attenuationDistance
+// [1/m], 0 for none. Distance 0: 1; colour 0: 0 for any path.
+vec3 volumeTransmittance(vec3 attenuationColor, float inverseDistance, float distance) {
+  float paths = clamp(distance * inverseDistance, 0.0, 1e6);
+  vec3 left = exp2(paths * log2(max(attenuationColor, 1e-30)));
+  return paths > 0.0 ? mix(vec3(0.0), left, greaterThan(attenuationColor, vec3(0.0))) : vec3(1.0);
+}
+
+// KHR_materials_dispersion: n_d and n_d -+ half of n_F - n_C = (n_d - 1) dispersion / 20; not below 1.
+vec3 dispersedIors(float ior, float dispersion) {
+  float halfSpread = (ior - 1.0) * dispersion / 40.0;
+  return max(vec3(ior - halfSpread, ior, ior + halfSpread), 1.0);
+}
+
+// Perceptual roughness with which transmitted light is blurred: 0 at ior 1, all from 1.5 on; ior 0 (infinite): all.
+float transmissionRoughness(float perceptualRoughness, float ior) {
+  return ior == 0.0 ? perceptualRoughness : perceptualRoughness * clamp(2.0 * ior - 2.0, 0.0, 1.0);
+}
+
+// KHR_materials_diffuse_transmission: BSDF of the diffuse base [1/sr], without the cosine.
+vec3 diffuseTransmissionBsdf(vec3 baseColor, vec3 transmissionColor, float factor, bool sameSide) {
+  return (sameSide ? (1.0 - factor) * baseColor : factor * transmissionColor) / PI;
+}

@@ -1,0 +1,124 @@
+#include "optics/ndf.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "optics/quadrature.hpp"
+
+namespace facet::optics {
+
+namespace {
+
+const double rootPi = std::sqrt(pi);
+
+double sin2FromCos(double cosine) { return std::max(0.0, (1 - cosine) * (1 + cosine)); }
+double floored(double cosine) { return std::max(cosine, smallestCosine); }
+
+// (exp(-a^2) / (a sqrt(pi)) - erfc(a)) / 2; beyond a = 5 the asymptotic series of erfc, whose first term cancels.
+double lambdaOf(double a) {
+  const double e = std::exp(-a * a);
+  if (a < 5) return (e / (a * rootPi) - std::erfc(a)) / 2;
+  const double x = 1 / (2 * a * a);
+  return e / (a * rootPi) * x * (1 - 3 * x * (1 - 5 * x * (1 - 7 * x * (1 - 9 * x)))) / 2;
+}
+
+// cosine Lambda, finite at the horizon: alpha / (2 sqrt(pi)).
+double cosineLambda(double cosine, double alpha) {
+  const double sine = std::sqrt(sin2FromCos(cosine));
+  if (alpha < smallestAlpha || sine == 0) return 0;
+  const double a = cosine / (alpha * sine);
+  if (a < 1e-8) return alpha * sine / (2 * rootPi);
+  return cosine * lambdaOf(a);
+}
+
+}  // namespace
+
+double D_BeckmannFromSin2(double sin2NoH, double alpha) {
+  const double cos2 = 1 - sin2NoH;
+  if (alpha < smallestAlpha || !(cos2 > 0)) return 0;
+  const double slope = std::sqrt(sin2NoH / cos2) / alpha;
+  if (slope > 38) return 0;  // exp(-1444) is 0
+  return std::exp(-slope * slope) / (pi * alpha * alpha * cos2 * cos2);
+}
+
+double D_Beckmann(double NoH, double alpha) { return NoH <= 0 ? 0 : D_BeckmannFromSin2(sin2FromCos(NoH), alpha); }
+
+double D_BlinnFromSin2(double sin2NoH, double alpha) {
+  if (alpha < smallestAlpha) return 0;
+  const double halfExponent = (1 / alpha - alpha) / alpha;  // 1 / alpha^2 - 1
+  const double log = sin2NoH < 1 ? halfExponent * std::log1p(-sin2NoH) : (halfExponent > 0 ? -1e9 : 0);
+  return std::exp(log) / (pi * alpha * alpha);
+}
+
+double D_Blinn(double NoH, double alpha) { return NoH <= 0 ? 0 : D_BlinnFromSin2(sin2FromCos(NoH), alpha); }
+
+double Lambda_Beckmann(double cosine, double alpha) {
+  const double c = floored(cosine);
+  return cosineLambda(c, alpha) / c;
+}
+
+double G1_Beckmann(double cosine, double alpha) { return cosine < 0 ? 0 : 1 / (1 + Lambda_Beckmann(cosine, alpha)); }
+
+double G2_Beckmann(double NoV, double NoL, double alpha) {
+  if (NoV < 0 || NoL < 0) return 0;
+  return 1 / (1 + Lambda_Beckmann(NoV, alpha) + Lambda_Beckmann(NoL, alpha));
+}
+
+double V_BeckmannCorrelated(double NoV, double NoL, double alpha) {
+  if (NoV < 0 || NoL < 0) return 0;
+  const double v = floored(NoV), l = floored(NoL);
+  return 1 / (4 * (v * l + (l * cosineLambda(v, alpha) + v * cosineLambda(l, alpha))));
+}
+
+double G1_BeckmannRational(double cosine, double alpha) {
+  if (cosine < 0) return 0;
+  const double sine = std::sqrt(sin2FromCos(cosine));
+  if (alpha < smallestAlpha || cosine >= 1.6 * alpha * sine) return 1;
+  const double a = cosine / (alpha * sine);
+  return a * (3.535 + 2.181 * a) / (1 + a * (2.276 + 2.577 * a));
+}
+
+double G1_Smith(const std::function<double(double sin2NoH)>& D, double alpha, double NoV) {
+  const double sinV = std::sqrt(sin2FromCos(NoV));
+  // int max(VoH, 0) dphi = 2 (VzHz phi0 + sinV sinH sin(phi0)), phi0 where VoH turns negative.
+  const auto overTheta = [&](double w) {
+    // tan(theta) = alpha tan(w): the lobe's width is the unit.
+    const double slope = alpha * std::tan(w), cos2 = 1 / (1 + slope * slope);
+    const double cosH = std::sqrt(cos2), sinH = slope * cosH;
+    const double edge = NoV * cosH >= sinV * sinH ? pi : std::acos(-NoV * cosH / (sinV * sinH));
+    const double visible = 2 * (NoV * cosH * edge + sinV * sinH * std::sin(edge));
+    const double dTheta = alpha / (std::cos(w) * std::cos(w)) * cos2;
+    return visible * D(sinH * sinH) * sinH * dTheta;
+  };
+  const double kink = sinV > 0 ? std::atan(NoV / (alpha * sinV)) : pi / 2;
+  const double end = pi / 2 - 1e-9;
+  const double total = integrateAdaptive<double>(overTheta, 0, std::min(kink, end), 1e-8 * NoV, 20) +
+                       (kink < end ? integrateAdaptive<double>(overTheta, kink, end, 1e-8 * NoV, 20) : 0);
+  return std::min(1.0, NoV / total);
+}
+
+double G1_SchlickGGX(double cosine, double alpha) {
+  if (cosine < 0) return 0;
+  const double c = floored(cosine), k = alpha / 2;
+  return c / (c + k * (1 - c));
+}
+
+double V_SchlickGGX(double NoV, double NoL, double alpha) {
+  if (NoV < 0 || NoL < 0) return 0;
+  const double k = alpha / 2, v = floored(NoV), l = floored(NoL);
+  return 1 / (4 * (v + k * (1 - v)) * (l + k * (1 - l)));
+}
+
+double G_Cavity(const Angles& angles) {
+  if (angles.NoV < 0 || angles.NoL < 0) return 0;
+  const double smaller = 2 * std::max(angles.NoH, 0.0) * std::min(angles.NoV, angles.NoL);
+  return smaller >= angles.VoH ? 1 : smaller / angles.VoH;
+}
+
+double V_Cavity(const Angles& angles) {
+  if (angles.NoV < 0 || angles.NoL < 0) return 0;
+  const double v = floored(angles.NoV), l = floored(angles.NoL);
+  return std::min(1 / (4 * v * l), std::max(angles.NoH, 0.0) / (2 * floored(angles.VoH) * std::max(v, l)));
+}
+
+}  // namespace facet::optics
