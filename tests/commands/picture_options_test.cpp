@@ -56,6 +56,7 @@ PictureSettings unusual() {
   s.fovYDeg = 33.3;
   s.scene = 3;
   s.variant = "night & day";
+  s.animation = "run's", s.timeSeconds = 1.25;
   s.environment = "it's here/a b.hdr";
   s.environmentRotationDeg = -0.1f, s.environmentStrength = 1e-3f;
   s.background = frame::Background::color;
@@ -71,6 +72,17 @@ PictureSettings unusual() {
 }
 
 }  // namespace
+
+TEST_CASE("a time needs an animation") {
+  const auto alone = fromArguments({{"time", "1.5"}});
+  REQUIRE_FALSE(alone);
+  CHECK(describe(alone.error()) ==
+        "--time: nothing moves without an animation; give --animation NAME, or --animation all.");
+  const auto both = fromArguments({{"time", "1.5"}, {"animation", "all"}});
+  REQUIRE(both);
+  CHECK(both->timeSeconds == 1.5);
+  CHECK(both->animation == "all");
+}
 
 TEST_CASE("each option sets its own field") {
   const auto set = [](std::string_view name, const std::string& text) {
