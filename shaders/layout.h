@@ -38,20 +38,37 @@ LAYOUT_CONST jointBinding = 6;         // of all skins
 LAYOUT_CONST morphTargetBinding = 7;   // of one primitive
 LAYOUT_CONST morphWeightBinding = 8;   // of all instances
 
-// Texture units. The first five are the material's slots in the order of scene::TextureSlot.
+// Texture units. First the material's slots in the order of scene::TextureSlot. A driver may offer as few as 16 units to
+// a stage: what counts is how many a variant uses, not their numbers.
 LAYOUT_CONST baseColorUnit = 0;
 LAYOUT_CONST metallicRoughnessUnit = 1;
 LAYOUT_CONST normalUnit = 2;
 LAYOUT_CONST occlusionUnit = 3;
 LAYOUT_CONST emissiveUnit = 4;
-LAYOUT_CONST materialSlotCount = 5;
-LAYOUT_CONST dfgUnit = 8;
-LAYOUT_CONST irradianceUnit = 9;
-LAYOUT_CONST mirrorLayersUnit = 10;  // LD layers 0 and 1
-LAYOUT_CONST roughLayersUnit = 11;   // LD layers 2 and up
-LAYOUT_CONST equirectUnit = 12;
-LAYOUT_CONST environmentCubeUnit = 14;
-LAYOUT_CONST sourceUnit = 13;  // input of a full-screen or compute pass
+LAYOUT_CONST clearcoatUnit = 5;
+LAYOUT_CONST clearcoatRoughnessUnit = 6;
+LAYOUT_CONST clearcoatNormalUnit = 7;
+LAYOUT_CONST sheenColorUnit = 8;
+LAYOUT_CONST sheenRoughnessUnit = 9;
+LAYOUT_CONST anisotropyUnit = 10;
+LAYOUT_CONST specularUnit = 11;
+LAYOUT_CONST specularColorUnit = 12;
+LAYOUT_CONST iridescenceUnit = 13;
+LAYOUT_CONST iridescenceThicknessUnit = 14;
+LAYOUT_CONST transmissionUnit = 15;
+LAYOUT_CONST thicknessUnit = 16;
+LAYOUT_CONST diffuseTransmissionUnit = 17;
+LAYOUT_CONST diffuseTransmissionColorUnit = 18;
+LAYOUT_CONST materialSlotCount = 19;
+LAYOUT_CONST dfgUnit = 19;
+LAYOUT_CONST irradianceUnit = 20;
+LAYOUT_CONST mirrorLayersUnit = 21;  // LD layers 0 and 1
+LAYOUT_CONST roughLayersUnit = 22;   // LD layers 2 and up
+LAYOUT_CONST equirectUnit = 23;
+LAYOUT_CONST sourceUnit = 24;  // input of a full-screen or compute pass
+LAYOUT_CONST environmentCubeUnit = 25;
+LAYOUT_CONST sheenAlbedoUnit = 26;
+LAYOUT_CONST opaqueFrameUnit = 27;  // what is behind transmitting surfaces, with mips
 
 // The LD chain: layer i holds perceptual roughness ldKnot(i) (environment_layers.glsl); how many cubes of which size.
 LAYOUT_CONST ldLayerCount = 13;
@@ -73,8 +90,16 @@ struct MaterialUniforms {
   vec4 factors;         // metallic, perceptual roughness, occlusion strength, alpha cutoff
   vec4 scales;          // x normal scale; yzw unused
   vec4 specularGlossiness;  // rgb f0, a glossiness; of materials of that model
-  vec4 texCoordSets[2];  // the set of slot 0..3, slot 4
-  vec4 texCoordRows[10];  // slot s: rows 2s, 2s + 1 of its KHR_texture_transform (xyz)
+  vec4 specular;            // rgb colour, a weight (KHR_materials_specular)
+  vec4 clearcoat;           // x factor, y perceptual roughness, z normal scale; w: the dielectric's ior (0: infinite)
+  vec4 sheen;               // rgb colour, a perceptual roughness
+  vec4 anisotropy;          // x strength; y cos, z sin of the rotation; w dispersion
+  vec4 iridescence;         // x factor, y ior; z, w thickness at texel 0 and 1 in nanometres
+  vec4 attenuation;         // rgb colour; w 1 / distance, 0: none
+  vec4 transmission;        // x factor, y thickness, z diffuse transmission; w unused
+  vec4 diffuseTransmission;  // rgb colour; w unused
+  vec4 texCoordSets[5];   // the set of slot s: [s / 4][s % 4]
+  vec4 texCoordRows[38];  // slot s: rows 2s, 2s + 1 of its KHR_texture_transform (xyz)
 };
 
 struct Instance {
@@ -102,7 +127,7 @@ struct LightUniforms {
 
 #ifdef __cplusplus
 #undef LAYOUT_CONST
-static_assert(sizeof(MaterialUniforms) == 17 * 16);
+static_assert(sizeof(MaterialUniforms) == 56 * 16);
 static_assert(sizeof(FrameUniforms) == 13 * 16);
 static_assert(sizeof(Instance) == 8 * 16);
 static_assert(sizeof(Joint) == 3 * 16);

@@ -125,28 +125,9 @@ void forEachDraw(const DrawList& list, const std::function<void(const Draw&)>& v
 }
 
 TextureUse useOf(const scene::Model& model, const scene::Material& material, TextureSlot slot) {
-  TextureUse use;
-  use.image = model.textures[static_cast<size_t>(textureRef(material, slot).texture)].image;
-  switch (slot) {
-    case TextureSlot::baseColor:
-      use.srgb = true;
-      use.channels = material.alphaMode == scene::AlphaMode::opaque ? 0b0111 : 0b1111;
-      break;
-    case TextureSlot::emissive:
-      use.srgb = true, use.channels = 0b0111;
-      break;
-    case TextureSlot::metallicRoughness:
-      use.srgb = material.specularGlossiness;
-      use.channels = material.specularGlossiness ? 0b1111 : 0b0110;
-      break;
-    case TextureSlot::occlusion:
-      use.channels = 0b0001;
-      break;
-    case TextureSlot::normal:
-      use.channels = 0b0111;
-      break;
-  }
-  return use;
+  const scene::TexelUse texels = scene::texelUse(material, slot);
+  const scene::Texture& texture = model.textures[static_cast<size_t>(textureRef(material, slot).texture)];
+  return {texture.image, texels.srgb, texels.channels};
 }
 
 const gl::Texture* findTexture(const GpuScene& gpu, const TextureUse& use) {
@@ -205,6 +186,18 @@ layout::MaterialUniforms materialUniforms(const scene::Material& material) {
                           material.alphaCutoff);
   out.scales.x = material.normalScale;
   out.specularGlossiness = glm::vec4(material.specularFactor, material.glossinessFactor);
+  const scene::Material& m = material;
+  out.specular = glm::vec4(m.specularColorFactor, m.specularWeight);
+  out.clearcoat = glm::vec4(m.clearcoatFactor, m.clearcoatRoughnessFactor, m.clearcoatNormalScale, m.ior);
+  out.sheen = glm::vec4(m.sheenColorFactor, m.sheenRoughnessFactor);
+  out.anisotropy =
+      glm::vec4(m.anisotropyStrength, std::cos(m.anisotropyRotation), std::sin(m.anisotropyRotation), m.dispersion);
+  out.iridescence =
+      glm::vec4(m.iridescenceFactor, m.iridescenceIor, m.iridescenceThicknessMinimum, m.iridescenceThicknessMaximum);
+  out.attenuation =
+      glm::vec4(m.attenuationColor, std::isfinite(m.attenuationDistance) ? 1 / m.attenuationDistance : 0.0f);
+  out.transmission = glm::vec4(m.transmissionFactor, m.thicknessFactor, m.diffuseTransmissionFactor, 0);
+  out.diffuseTransmission = glm::vec4(m.diffuseTransmissionColorFactor, 0);
   for (const TextureSlot slot : scene::textureSlots) {
     const auto index = static_cast<int>(slot);
     const scene::TextureRef& ref = textureRef(material, slot);

@@ -39,6 +39,7 @@ Storage planStorage(const io::Pixels& pixels, const TextureUse& use) {
     if (slot == plan.channels.size()) plan.channels.push_back(source);
     plan.swizzle[static_cast<size_t>(c)] = sources[slot];
   }
+  if (plan.channels.empty()) plan.channels = {from[0]};  // alpha of an image that has none: 1
   // sRGB exists for three and four channels only, and alpha stays outside the curve.
   if (use.srgb && plan.channels.size() < 3) {
     const bool alpha = (use.channels & 8) != 0 && from[3] >= 0;

@@ -69,7 +69,28 @@ struct TextureRef {
 };
 
 // The textures that a material can name.
-enum class TextureSlot : uint8_t { baseColor, metallicRoughness, normal, occlusion, emissive };
+enum class TextureSlot : uint8_t {
+  baseColor,
+  metallicRoughness,
+  normal,
+  occlusion,
+  emissive,
+  clearcoat,
+  clearcoatRoughness,
+  clearcoatNormal,
+  sheenColor,
+  sheenRoughness,
+  anisotropy,
+  specular,
+  specularColor,
+  iridescence,
+  iridescenceThickness,
+  transmission,
+  thickness,
+  diffuseTransmission,
+  diffuseTransmissionColor,
+};
+inline constexpr int textureSlotCount = 19;
 
 // ---- Materials ------------------------------------------------------------------------------------------------------
 
@@ -102,6 +123,53 @@ struct Material {
   TextureRef normal;             // linear; rgb -> [-1, 1]
   TextureRef occlusion;          // linear; r
   TextureRef emissive;           // sRGB
+
+  // KHR_materials_ior, _specular: the dielectric's interface
+  float ior = 1.5f;                              // 0: infinite, reflects all; else >= 1
+  float specularWeight = 1;                      // the extension's specularFactor, [0, 1]
+  glm::vec3 specularColorFactor = glm::vec3(1);  // linear, >= 0
+  TextureRef specular;                           // linear; a
+  TextureRef specularColor;                      // sRGB
+
+  // KHR_materials_clearcoat; factor 0: there is none
+  float clearcoatFactor = 0, clearcoatRoughnessFactor = 0;  // [0, 1]
+  float clearcoatNormalScale = 1;
+  TextureRef clearcoat;           // linear; r
+  TextureRef clearcoatRoughness;  // linear; g
+  TextureRef clearcoatNormal;     // as `normal`
+
+  // KHR_materials_sheen; colour 0: there is none
+  glm::vec3 sheenColorFactor = glm::vec3(0);  // linear, [0, 1]
+  float sheenRoughnessFactor = 0;             // perceptual, [0, 1]
+  TextureRef sheenColor;                      // sRGB
+  TextureRef sheenRoughness;                  // linear; a
+
+  // KHR_materials_anisotropy; strength 0: there is none
+  float anisotropyStrength = 0;  // [0, 1]
+  float anisotropyRotation = 0;  // radians, counter-clockwise from the tangent
+  TextureRef anisotropy;         // linear; rg direction -> [-1, 1], b strength
+
+  // KHR_materials_iridescence; factor 0: there is none
+  float iridescenceFactor = 0;                                                 // [0, 1]
+  float iridescenceIor = 1.3f;                                                 // >= 1
+  float iridescenceThicknessMinimum = 100, iridescenceThicknessMaximum = 400;  // nanometres, >= 0
+  TextureRef iridescence;                                                      // linear; r
+  TextureRef iridescenceThickness;                                             // linear; g
+
+  // KHR_materials_transmission, _volume, _dispersion; factor 0: nothing shines through
+  float transmissionFactor = 0;                                        // [0, 1]
+  TextureRef transmission;                                             // linear; r
+  float thicknessFactor = 0;                                           // metres in the mesh's space; 0: thin walls
+  TextureRef thickness;                                                // linear; g
+  float attenuationDistance = std::numeric_limits<float>::infinity();  // metres in the world, > 0
+  glm::vec3 attenuationColor = glm::vec3(1);                           // linear, [0, 1]
+  float dispersion = 0;                                                // 20 / Abbe number, >= 0
+
+  // KHR_materials_diffuse_transmission; factor 0: there is none
+  float diffuseTransmissionFactor = 0;                      // [0, 1]
+  glm::vec3 diffuseTransmissionColorFactor = glm::vec3(1);  // linear, [0, 1]
+  TextureRef diffuseTransmission;                           // linear; a
+  TextureRef diffuseTransmissionColor;                      // sRGB
 };
 
 // ---- Geometry -------------------------------------------------------------------------------------------------------

@@ -6,37 +6,98 @@
 
 namespace facet::scene {
 
-const char* name(TextureSlot slot) {
-  switch (slot) {
-    case TextureSlot::baseColor:
-      return "baseColorTexture";
-    case TextureSlot::metallicRoughness:
-      return "metallicRoughnessTexture";
-    case TextureSlot::normal:
-      return "normalTexture";
-    case TextureSlot::occlusion:
-      return "occlusionTexture";
-    case TextureSlot::emissive:
-      return "emissiveTexture";
-  }
-  return "";
+namespace {
+
+bool nonZero(const glm::vec3& v) { return v != glm::vec3(0); }
+
+struct SlotRow {
+  const char* name;
+  TextureRef Material::*ref;
+  TexelUse texels;
+  bool (*matters)(const Material&);  // of lit materials; can the texture change the picture?
+};
+
+constexpr uint8_t r = 1, g = 2, b = 4, a = 8, rgb = 7;
+
+// In the order of TextureSlot.
+constexpr SlotRow slotRows[] = {
+    {"baseColorTexture", &Material::baseColor, {true, rgb}, [](const Material&) { return true; }},
+    {"metallicRoughnessTexture",
+     &Material::metallicRoughness,
+     {false, g | b},
+     [](const Material& m) { return m.metallicFactor != 0 || m.perceptualRoughnessFactor != 0; }},
+    {"normalTexture", &Material::normal, {false, rgb}, [](const Material& m) { return m.normalScale != 0; }},
+    {"occlusionTexture", &Material::occlusion, {false, r}, [](const Material& m) { return m.occlusionStrength != 0; }},
+    {"emissiveTexture",
+     &Material::emissive,
+     {true, rgb},
+     [](const Material& m) { return nonZero(m.emissiveFactor) && m.emissiveStrength != 0; }},
+    {"clearcoatTexture", &Material::clearcoat, {false, r}, hasClearcoat},
+    {"clearcoatRoughnessTexture",
+     &Material::clearcoatRoughness,
+     {false, g},
+     [](const Material& m) { return hasClearcoat(m) && m.clearcoatRoughnessFactor != 0; }},
+    {"clearcoatNormalTexture",
+     &Material::clearcoatNormal,
+     {false, rgb},
+     [](const Material& m) { return hasClearcoat(m) && m.clearcoatNormalScale != 0; }},
+    {"sheenColorTexture", &Material::sheenColor, {true, rgb}, hasSheen},
+    {"sheenRoughnessTexture",
+     &Material::sheenRoughness,
+     {false, a},
+     [](const Material& m) { return hasSheen(m) && m.sheenRoughnessFactor != 0; }},
+    {"anisotropyTexture", &Material::anisotropy, {false, rgb}, hasAnisotropy},
+    {"specularTexture", &Material::specular, {false, a}, [](const Material& m) { return m.specularWeight != 0; }},
+    {"specularColorTexture",
+     &Material::specularColor,
+     {true, rgb},
+     [](const Material& m) { return m.specularWeight != 0 && nonZero(m.specularColorFactor); }},
+    {"iridescenceTexture", &Material::iridescence, {false, r}, hasIridescence},
+    {"iridescenceThicknessTexture",
+     &Material::iridescenceThickness,
+     {false, g},
+     [](const Material& m) {
+       return hasIridescence(m) && m.iridescenceThicknessMinimum != m.iridescenceThicknessMaximum;
+     }},
+    {"transmissionTexture", &Material::transmission, {false, r}, hasTransmission},
+    {"thicknessTexture", &Material::thickness, {false, g}, hasVolume},
+    {"diffuseTransmissionTexture", &Material::diffuseTransmission, {false, a}, hasDiffuseTransmission},
+    {"diffuseTransmissionColorTexture",
+     &Material::diffuseTransmissionColor,
+     {true, rgb},
+     [](const Material& m) { return hasDiffuseTransmission(m) && nonZero(m.diffuseTransmissionColorFactor); }},
+};
+static_assert(std::size(slotRows) == textureSlotCount);
+
+const SlotRow& row(TextureSlot slot) { return slotRows[size_t(slot)]; }
+
+}  // namespace
+
+bool hasClearcoat(const Material& m) { return m.clearcoatFactor != 0; }
+bool hasSheen(const Material& m) { return nonZero(m.sheenColorFactor); }
+bool hasAnisotropy(const Material& m) { return m.anisotropyStrength != 0; }
+bool hasIridescence(const Material& m) { return m.iridescenceFactor != 0; }
+bool hasTransmission(const Material& m) { return m.transmissionFactor != 0; }
+bool hasVolume(const Material& m) {
+  return (hasTransmission(m) || hasDiffuseTransmission(m)) && m.thicknessFactor != 0;
+}
+bool hasDispersion(const Material& m) { return hasTransmission(m) && hasVolume(m) && m.dispersion != 0; }
+bool hasDiffuseTransmission(const Material& m) { return m.diffuseTransmissionFactor != 0; }
+bool hasDielectricSpecular(const Material& m) {
+  return m.ior != 1.5f || m.specularWeight != 1 || m.specularColorFactor != glm::vec3(1) || m.specular ||
+         m.specularColor;
 }
 
-const TextureRef& textureRef(const Material& material, TextureSlot slot) {
-  switch (slot) {
-    case TextureSlot::metallicRoughness:
-      return material.metallicRoughness;
-    case TextureSlot::normal:
-      return material.normal;
-    case TextureSlot::occlusion:
-      return material.occlusion;
-    case TextureSlot::emissive:
-      return material.emissive;
-    case TextureSlot::baseColor:
-      break;
-  }
-  return material.baseColor;
+const char* name(TextureSlot slot) { return row(slot).name; }
+
+TexelUse texelUse(const Material& m, TextureSlot slot) {
+  TexelUse use = row(slot).texels;
+  if (slot == TextureSlot::baseColor && m.alphaMode != AlphaMode::opaque) use.channels = rgb | a;
+  if (slot == TextureSlot::metallicRoughness && m.specularGlossiness) use = {true, rgb | a};
+  return use;
 }
+
+const TextureRef& textureRef(const Material& material, TextureSlot slot) { return material.*row(slot).ref; }
 
 TextureRef& textureRef(Material& material, TextureSlot slot) {
   return const_cast<TextureRef&>(textureRef(std::as_const(material), slot));
@@ -46,20 +107,14 @@ bool usesTexture(const Material& m, TextureSlot slot) {
   if (!textureRef(m, slot)) return false;
   if (slot == TextureSlot::baseColor) {
     const bool alphaMatters = m.alphaMode != AlphaMode::opaque && m.baseColorFactor.a != 0;
-    return glm::vec3(m.baseColorFactor) != glm::vec3(0) || alphaMatters;
+    return nonZero(glm::vec3(m.baseColorFactor)) || alphaMatters;
   }
   if (m.unlit) return false;
-  switch (slot) {
-    case TextureSlot::metallicRoughness:
-      if (m.specularGlossiness) return m.specularFactor != glm::vec3(0) || m.glossinessFactor != 0;
-      return m.metallicFactor != 0 || m.perceptualRoughnessFactor != 0;
-    case TextureSlot::normal:
-      return m.normalScale != 0;
-    case TextureSlot::occlusion:
-      return m.occlusionStrength != 0;
-    default:
-      return m.emissiveFactor != glm::vec3(0) && m.emissiveStrength != 0;
+  if (m.specularGlossiness) {  // a model of its own, which none of the extensions below applies to
+    if (slot > TextureSlot::emissive) return false;
+    if (slot == TextureSlot::metallicRoughness) return nonZero(m.specularFactor) || m.glossinessFactor != 0;
   }
+  return row(slot).matters(m);
 }
 
 bool usesTexture(const Material& material, const Primitive& primitive, TextureSlot slot) {

@@ -10,11 +10,31 @@
 
 namespace facet::scene {
 
-inline constexpr std::array<TextureSlot, 5> textureSlots = {TextureSlot::baseColor, TextureSlot::metallicRoughness,
-                                                            TextureSlot::normal, TextureSlot::occlusion,
-                                                            TextureSlot::emissive};
+inline constexpr std::array<TextureSlot, textureSlotCount> textureSlots = [] {
+  std::array<TextureSlot, textureSlotCount> slots{};
+  for (size_t i = 0; i < slots.size(); ++i) slots[i] = static_cast<TextureSlot>(i);
+  return slots;
+}();
 
 const char* name(TextureSlot slot);  // as in glTF: "baseColorTexture"
+
+// Which effects of extensions a lit metallic-roughness material has; those of factor 0 cost nothing.
+bool hasDielectricSpecular(const Material& material);  // an interface other than ior 1.5 without tint
+bool hasClearcoat(const Material& material);
+bool hasSheen(const Material& material);
+bool hasAnisotropy(const Material& material);
+bool hasIridescence(const Material& material);
+bool hasTransmission(const Material& material);
+bool hasVolume(const Material& material);
+bool hasDispersion(const Material& material);
+bool hasDiffuseTransmission(const Material& material);
+
+// What the shaders read of a slot's texture.
+struct TexelUse {
+  bool srgb = false;     // colours go through the sRGB curve, alpha never
+  uint8_t channels = 0;  // bit 0 red .. bit 3 alpha
+};
+TexelUse texelUse(const Material& material, TextureSlot slot);
 const TextureRef& textureRef(const Material& material, TextureSlot slot);
 TextureRef& textureRef(Material& material, TextureSlot slot);
 
@@ -24,7 +44,8 @@ TextureRef& textureRef(Material& material, TextureSlot slot);
 //   metallic-roughness, specular-glossiness: both factors are 0;
 //   normal: the scale is 0, which leaves the geometric normal (for any texel with blue above 1/2, as all valid ones);
 //   occlusion: the strength is 0;
-//   emissive: factor or strength is 0.
+//   emissive: factor or strength is 0;
+//   those of an extension: its effect's factor is 0, or nothing of the product is left.
 bool usesTexture(const Material& material, TextureSlot slot);
 
 // As above, and the primitive has the texture coordinates that the texture asks for.

@@ -46,14 +46,29 @@ bool specularGlossiness(const FeatureInput& in) {
 bool normalTexture(const FeatureInput& in) {
   return sampled(in, TextureSlot::normal) && wanted(in, "normal") && !in.primitive.tangents.empty();
 }
-bool readsTangent(const FeatureInput& in) {
-  return normalTexture(in) || (channelIs(in, "tangent") && !in.primitive.tangents.empty());
-}
 bool occlusionTexture(const FeatureInput& in) {
   return in.frame.occlusion && sampled(in, TextureSlot::occlusion) &&
          (in.frame.channel == 0 ? !unlit(in) && in.frame.environment : channelIs(in, "occlusion"));
 }
 bool emissiveTexture(const FeatureInput& in) { return sampled(in, TextureSlot::emissive) && wanted(in, "emissive"); }
+
+// Materials of extensions: of the shaded picture of a metallic-roughness surface.
+bool extended(const FeatureInput& in) { return in.frame.channel == 0 && !unlit(in) && !in.material.specularGlossiness; }
+template <bool (*has)(const scene::Material&)>
+bool effect(const FeatureInput& in) {
+  return extended(in) && has(in.material);
+}
+template <TextureSlot slot>
+bool effectTexture(const FeatureInput& in) {
+  if (slot == TextureSlot::clearcoatNormal && in.primitive.tangents.empty()) return false;
+  return extended(in) && sampled(in, slot);
+}
+
+bool readsTangent(const FeatureInput& in) {
+  const bool coatNormal = effectTexture<TextureSlot::clearcoatNormal>(in);
+  return normalTexture(in) || coatNormal || effect<scene::hasAnisotropy>(in) ||
+         (channelIs(in, "tangent") && !in.primitive.tangents.empty());
+}
 
 bool samplesSlotOf(const FeatureInput& in, TextureSlot slot) {
   switch (slot) {
@@ -67,8 +82,10 @@ bool samplesSlotOf(const FeatureInput& in, TextureSlot slot) {
       return occlusionTexture(in);
     case TextureSlot::emissive:
       return emissiveTexture(in);
+    default:
+      if (slot == TextureSlot::clearcoatNormal && in.primitive.tangents.empty()) return false;
+      return extended(in) && sampled(in, slot);
   }
-  return false;
 }
 
 bool skinned(const FeatureInput& in) { return in.deformation.skinned && !in.primitive.influences.empty(); }
@@ -131,6 +148,33 @@ constexpr FeatureRow rows[] = {
     {"normal texture", "HAS_NORMAL_TEXTURE", normalTexture},
     {"occlusion texture", "HAS_OCCLUSION_TEXTURE", occlusionTexture},
     {"emissive texture", "HAS_EMISSIVE_TEXTURE", emissiveTexture},
+    {"dielectric specular", "HAS_DIELECTRIC_SPECULAR", effect<scene::hasDielectricSpecular>},
+    {"clearcoat", "HAS_CLEARCOAT", effect<scene::hasClearcoat>},
+    {"sheen", "HAS_SHEEN", effect<scene::hasSheen>},
+    {"anisotropy", "HAS_ANISOTROPY",
+     [](const FeatureInput& in) { return effect<scene::hasAnisotropy>(in) && !in.primitive.tangents.empty(); }},
+    {"iridescence", "HAS_IRIDESCENCE", effect<scene::hasIridescence>},
+    {"transmission", "HAS_TRANSMISSION", effect<scene::hasTransmission>},
+    {"volume", "HAS_VOLUME", effect<scene::hasVolume>},
+    {"dispersion", "HAS_DISPERSION", effect<scene::hasDispersion>},
+    {"diffuse transmission", "HAS_DIFFUSE_TRANSMISSION", effect<scene::hasDiffuseTransmission>},
+    {"clearcoat texture", "HAS_CLEARCOAT_TEXTURE", effectTexture<TextureSlot::clearcoat>},
+    {"clearcoat roughness texture", "HAS_CLEARCOAT_ROUGHNESS_TEXTURE", effectTexture<TextureSlot::clearcoatRoughness>},
+    {"clearcoat normal texture", "HAS_CLEARCOAT_NORMAL_TEXTURE", effectTexture<TextureSlot::clearcoatNormal>},
+    {"sheen colour texture", "HAS_SHEEN_COLOR_TEXTURE", effectTexture<TextureSlot::sheenColor>},
+    {"sheen roughness texture", "HAS_SHEEN_ROUGHNESS_TEXTURE", effectTexture<TextureSlot::sheenRoughness>},
+    {"anisotropy texture", "HAS_ANISOTROPY_TEXTURE", effectTexture<TextureSlot::anisotropy>},
+    {"specular texture", "HAS_SPECULAR_TEXTURE", effectTexture<TextureSlot::specular>},
+    {"specular colour texture", "HAS_SPECULAR_COLOR_TEXTURE", effectTexture<TextureSlot::specularColor>},
+    {"iridescence texture", "HAS_IRIDESCENCE_TEXTURE", effectTexture<TextureSlot::iridescence>},
+    {"iridescence thickness texture", "HAS_IRIDESCENCE_THICKNESS_TEXTURE",
+     effectTexture<TextureSlot::iridescenceThickness>},
+    {"transmission texture", "HAS_TRANSMISSION_TEXTURE", effectTexture<TextureSlot::transmission>},
+    {"thickness texture", "HAS_THICKNESS_TEXTURE", effectTexture<TextureSlot::thickness>},
+    {"diffuse transmission texture", "HAS_DIFFUSE_TRANSMISSION_TEXTURE",
+     effectTexture<TextureSlot::diffuseTransmission>},
+    {"diffuse transmission colour texture", "HAS_DIFFUSE_TRANSMISSION_COLOR_TEXTURE",
+     effectTexture<TextureSlot::diffuseTransmissionColor>},
     {"texture transform", "HAS_TEXTURE_TRANSFORM",
      [](const FeatureInput& in) {
        return anySlot(in, [](const TextureRef& ref) { return ref.transform != scene::TextureTransform{}; });
@@ -148,6 +192,8 @@ constexpr FeatureRow rows[] = {
 static_assert(std::size(rows) <= 64);
 
 constexpr uint64_t bit(size_t row) { return uint64_t{1} << row; }
+
+static_assert(std::size(rows) <= 64);
 
 }  // namespace
 
