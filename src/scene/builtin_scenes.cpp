@@ -16,7 +16,7 @@ namespace {
 
 constexpr double pi = 3.141592653589793;
 
-const std::array<BuiltinScene, 3> scenes = {{
+const std::array<BuiltinScene, 5> scenes = {{
     {"poster", "a golden trefoil among spheres of many materials", "builtin:studio", {-20, 75, 7.3, {0, 0.82, 0}, 35}},
     {"spheres",
      "roughness (to the right) by metallic (upwards) under four point lights",
@@ -26,6 +26,8 @@ const std::array<BuiltinScene, 3> scenes = {{
      "white metal and white dielectric, roughness 0 to 1: invisible if no energy is lost",
      "builtin:white",
      {0, 90, 14, {0, 0, 0}, 45}},
+    {"crowd", "100,000 nodes that share one mesh, for measuring", "builtin:studio", {30, 60, 95, {0, 0, 0}, 45}},
+    {"palette", "1,000 materials on as many meshes, for measuring", "builtin:studio", {0, 90, 51, {0, 0, 0}, 45}},
 }};
 
 std::string label(const char* format, double a, double b) {
@@ -66,6 +68,43 @@ std::vector<uint8_t> furnace() {
       const std::string name = label("metallic %.0f, roughness %.1f", metallic, perceptualRoughness);
       const int material = addMaterial(w, name, {1, 1, 1}, metallic, perceptualRoughness);
       const glm::dvec3 at(i - (steps - 1) / 2.0, metallic - 0.5, 0);
+      addNode(w, placed(name, addMesh(w, name, sphere, material), at, 0.45));
+    }
+  return glb(w);
+}
+
+// 100 nodes of 1000 children each, a grid of 50 x 40 x 50 places 1 m apart.
+std::vector<uint8_t> crowd() {
+  GlbWriter w = startGlb();
+  const int clay = addMaterial(w, "clay", {0.55, 0.30, 0.20}, 0, 0.7);
+  const int mesh = addMesh(w, "pebble", addShape(w, sphereShape(6, 8)), clay);
+  constexpr int groups = 100, members = 1000;
+  for (int group = 0; group < groups; ++group) {
+    nlohmann::json children = nlohmann::json::array();
+    for (int i = 0; i < members; ++i) children.push_back(groups + group * members + i);
+    addNode(w, {{"translation", {group % 10 * 5 - 22.5, 0, group / 10 * 5 - 22.5}}, {"children", children}});
+  }
+  for (int i = 0; i < groups * members; ++i) {
+    const int place = i % members;
+    w.gltf["nodes"].push_back({{"mesh", mesh},
+                               {"translation", {place % 5 - 2, place / 25 - 19.5, place / 5 % 5 - 2}},
+                               {"scale", {0.35, 0.35, 0.35}}});
+  }
+  return glb(w);
+}
+
+// Hue to the right, lightness upwards; every second row of metal.
+std::vector<uint8_t> palette() {
+  constexpr int columns = 40, rows = 25;
+  GlbWriter w = startGlb();
+  const nlohmann::json sphere = addShape(w, sphereShape(12, 16));
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column) {
+      const double hue = 2 * pi * column / columns, light = 0.1 + 0.8 * row / (rows - 1);
+      const glm::dvec3 color = light * (0.5 + 0.5 * glm::cos(hue - 2 * pi / 3 * glm::dvec3(0, 1, 2)));
+      const std::string name = label("column %.0f, row %.0f", column, row);
+      const int material = addMaterial(w, name, color, row % 2, 0.1 + 0.8 * column / (columns - 1));
+      const glm::dvec3 at(column - (columns - 1) / 2.0, row - (rows - 1) / 2.0, 0);
       addNode(w, placed(name, addMesh(w, name, sphere, material), at, 0.45));
     }
   return glb(w);
@@ -196,6 +235,8 @@ Result<std::vector<uint8_t>> builtinScene(std::string_view name) {
   }
   if (scene->name == "spheres") return spheres();
   if (scene->name == "furnace") return furnace();
+  if (scene->name == "crowd") return crowd();
+  if (scene->name == "palette") return palette();
   return poster();
 }
 

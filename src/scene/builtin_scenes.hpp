@@ -28,6 +28,7 @@ const BuiltinScene* findBuiltinScene(std::string_view name);
 //   furnace  2 x 11 spheres, roughness 0 ... 1 to the right; white metal (F0 = 1) above, white dielectric below.
 //   poster   a polished trefoil among spheres of many materials on a stone turntable, whose vertex colours hold the
 //            occlusion of the sky by what stands on it.
+//   crowd    100,000 nodes in a tree, all drawing one mesh; palette: 1,000 materials. What large scenes cost.
 Result<std::vector<uint8_t>> builtinScene(std::string_view name);
 
 }  // namespace facet::scene

@@ -1,5 +1,6 @@
 #include "scene/builtin_scenes.hpp"
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstring>
@@ -156,6 +157,30 @@ TEST_CASE("builtin:poster: nothing below the ground, occlusion in the ground's c
   CHECK(darkest < 0.05f);  // where a ball touches
   CHECK(brightest > 0.9f);
   CHECK(brightest <= 1);
+}
+
+TEST_CASE("builtin:crowd and builtin:palette are as large as they say") {
+  const auto crowd = parse(builtinScene("crowd").value());
+  CHECK(crowd["meshes"].size() == 1);
+  std::set<int> reached;
+  std::set<std::array<double, 3>> places;
+  for (const int root : crowd["scenes"][0]["nodes"]) {
+    const auto at = crowd["nodes"][size_t(root)]["translation"].get<std::array<double, 3>>();
+    for (const int child : crowd["nodes"][size_t(root)]["children"]) {
+      reached.insert(child);
+      const auto offset = crowd["nodes"][size_t(child)]["translation"].get<std::array<double, 3>>();
+      places.insert({at[0] + offset[0], at[1] + offset[1], at[2] + offset[2]});
+    }
+  }
+  CHECK(reached.size() == 100'000);
+  CHECK(places.size() == 100'000);  // nowhere two at the same place
+  const auto palette = parse(builtinScene("palette").value());
+  CHECK(palette["materials"].size() == 1000);
+  CHECK(palette["meshes"].size() == 1000);
+  std::set<std::string> colors;
+  for (const auto& material : palette["materials"])
+    colors.insert(material["pbrMetallicRoughness"]["baseColorFactor"].dump());
+  CHECK(colors.size() == 1000);
 }
 
 TEST_CASE("Built-in scenes are listed with an environment that exists and a camera, unknown names are refused") {
