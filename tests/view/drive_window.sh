@@ -115,12 +115,44 @@ await "shaders reloaded" 1
 screenshot corrected
 same sky corrected
 
-xdotool key Escape
-for _ in $(seq 200); do kill -0 $viewer 2>/dev/null || break; sleep 0.05; done
-kill -0 $viewer 2>/dev/null && fail "Escape does not end the viewer"
-wait $viewer
-status=$?
-viewer=
-[ $status = 0 ] || fail "exit status $status"
-grep -q "\(error\|warning\): OpenGL: " log && fail "OpenGL complains"
+quit() {
+  xdotool key Escape
+  for _ in $(seq 200); do kill -0 $viewer 2>/dev/null || break; sleep 0.05; done
+  kill -0 $viewer 2>/dev/null && fail "Escape does not end the viewer"
+  wait $viewer
+  status=$?
+  viewer=
+  [ $status = 0 ] || fail "exit status $status"
+  grep -q "\(error\|warning\): OpenGL: " log && fail "OpenGL complains"
+}
+quit
+
+# A triangle that rises by 1 m in a second: Space plays, Space pauses, and what stands still stays the same.
+cat >rise.gltf <<'END'
+{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0},"material":0}]}],"materials":[{"extensions":{"KHR_materials_unlit":{}},"doubleSided":true}],"extensionsUsed":["KHR_materials_unlit"],
+"animations":[{"name":"rise","samplers":[{"input":1,"output":2}],"channels":[{"sampler":0,"target":{"node":0,"path":"translation"}}]}],
+"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":3,"min":[0,0,0],"max":[1,1,0]},{"bufferView":1,"componentType":5126,"type":"SCALAR","count":2,"min":[0],"max":[1]},{"bufferView":2,"componentType":5126,"type":"VEC3","count":2}],
+"bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":8},{"buffer":0,"byteOffset":44,"byteLength":24}],
+"buffers":[{"byteLength":68,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAAAAAACAPwAAAAA="}]}
+END
+: >log
+screenshots=0
+"$facet" rise.gltf --env none --size 320x240 --samples 1 --gl-debug --log-level debug >log 2>&1 &
+viewer=$!
+await "frame drawn: rise.gltf" 1
+window=$(xdotool search --sync --onlyvisible --pid $viewer 2>/dev/null | head -1)
+[ -n "$window" ] || window=$(xdotool search --onlyvisible --name facet | head -1)
+xdotool windowfocus --sync "$window" || fail "the window takes no focus"
+xdotool key h
+screenshot rest
+xdotool key space
+await "frame drawn" 10
+xdotool key space
+sleep 0.3
+screenshot paused
+screenshot still
+same paused still
+differ rest paused
+quit
 echo "passed"
