@@ -62,7 +62,7 @@ TEST_CASE("Uniform blocks lie in memory as C++ lays them out") {
     CHECK(property(id, GL_UNIFORM, member.name, GL_OFFSET) == GLint(member.offset));
   }
   CHECK(property(id, GL_UNIFORM, "material.texCoordSets[0]", GL_ARRAY_STRIDE) == sizeof(glm::vec4));
-  CHECK(property(id, GL_UNIFORM, "material.texCoordRows[0]", GL_ARRAY_SIZE) == 10);
+  CHECK(property(id, GL_UNIFORM, "material.texCoordRows[0]", GL_ARRAY_SIZE) == 38);
   CHECK(property(id, GL_UNIFORM_BLOCK, "FrameBlock", GL_BUFFER_DATA_SIZE) == sizeof(FrameUniforms));
   CHECK(property(id, GL_UNIFORM_BLOCK, "MaterialBlock", GL_BUFFER_DATA_SIZE) == sizeof(MaterialUniforms));
   CHECK(property(id, GL_UNIFORM_BLOCK, "FrameBlock", GL_BUFFER_BINDING) == layout::frameBinding);
