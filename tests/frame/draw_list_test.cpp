@@ -1,9 +1,11 @@
 #include "frame/draw_list.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "frame/picture.hpp"
+#include "scene/builtin_scenes.hpp"
 #include "scene/geometry.hpp"
 #include "support/gltf_load.hpp"
 
@@ -182,4 +184,22 @@ TEST_CASE("Draw list: a variant's materials take the place of the primitives' ow
   settings.variant = "night";
   CHECK(describe(frame::chooseVariant(settings, {}).error()) ==
         "the file has no material variant 'night'; it has none at all: leave out --variant.");
+}
+
+TEST_CASE("Draw list: 100,000 nodes of one mesh are one draw, 1,000 materials as many, sorted by material") {
+  const auto built = [](const char* name) {
+    const auto bytes = scene::builtinScene(name);
+    Result<io::LoadedModel> loaded = io::loadGltfBytes(*bytes, name, {});
+    REQUIRE(loaded);
+    scene::completeGeometry(loaded->model, loaded->notes);
+    return std::move(loaded->model);
+  };
+  const scene::Model crowd = built("crowd");
+  const frame::DrawList one = frame::buildDrawList(crowd, 0, {});
+  REQUIRE(one.opaque.size() == 1);
+  CHECK(one.opaque[0].instanceCount == 100'000);
+  const scene::Model palette = built("palette");
+  const frame::DrawList many = frame::buildDrawList(palette, 0, {});
+  REQUIRE(many.opaque.size() == 1000);
+  CHECK(std::ranges::is_sorted(many.opaque, {}, &frame::Draw::material));
 }
