@@ -17,6 +17,7 @@ struct Surface {
   float alpha;                // perceptualRoughness^2
   vec3 dfg;                   // A, B and tilt of (NoV, perceptualRoughness): dfg_table.glsl
   float occlusion;            // share of distant light that reaches the point
+  float diffuseShare;         // of the light below the dielectric's interface: what does not pass through the surface
 };
 
 Surface makeSurface(vec3 N, vec3 V, vec3 baseColor, float metallic, float perceptualRoughness, float occlusion) {
@@ -31,6 +32,7 @@ Surface makeSurface(vec3 N, vec3 V, vec3 baseColor, float metallic, float percep
   s.alpha = perceptualRoughness * perceptualRoughness;
   s.dfg = vec3(1.0, 0.0, 0.0);
   s.occlusion = occlusion;
+  s.diffuseShare = 1.0;
   return s;
 }
 
@@ -60,7 +62,7 @@ vec3 evaluateBsdf(Surface s, vec3 L) {
                      s.metallic);
   vec3 specular = D_GGX(s.N, H, alpha) * V_SmithGGXCorrelated(s.NoV, NoL, alpha) * fresnel;
   vec3 left = max(1.0 - singleScatterAlbedo(s.dielectricF0, s.dfg.xy) * dielectricGain, 0.0);
-  vec3 diffuse = s.baseColor * (1.0 - s.metallic) * left * Fd_Lambert();
+  vec3 diffuse = s.baseColor * (1.0 - s.metallic) * s.diffuseShare * left * Fd_Lambert();
   return (specular + diffuse) * NoL;
 }
 
@@ -70,5 +72,11 @@ vec3 irradianceAlbedo(Surface s) {
   vec3 dielectricSingle = singleScatterAlbedo(s.dielectricF0, s.dfg.xy);
   vec3 dielectricMultiple = multipleScatterAlbedo(s.dielectricF0, s.dfg.xy);
   vec3 multiple = mix(dielectricMultiple, multipleScatterAlbedo(s.baseColor, s.dfg.xy), s.metallic);
-  return multiple + s.baseColor * (1.0 - s.metallic) * (1.0 - dielectricSingle - dielectricMultiple);
+  return multiple + s.baseColor * (1.0 - s.metallic) * s.diffuseShare * (1.0 - dielectricSingle - dielectricMultiple);
+}
+
+// What enters the dielectric, before its colour: the rest is reflected at the interface or by the metal.
+vec3 enteringShare(Surface s) {
+  return (1.0 - s.metallic) *
+         (1.0 - singleScatterAlbedo(s.dielectricF0, s.dfg.xy) - multipleScatterAlbedo(s.dielectricF0, s.dfg.xy));
 }

@@ -69,6 +69,7 @@ LAYOUT_CONST sourceUnit = 24;  // input of a full-screen or compute pass
 LAYOUT_CONST environmentCubeUnit = 25;
 LAYOUT_CONST sheenAlbedoUnit = 26;
 LAYOUT_CONST opaqueFrameUnit = 27;  // what is behind transmitting surfaces, with mips
+LAYOUT_CONST opaqueDepthUnit = 28;  // its depth, with mips
 
 // The LD chain: layer i holds perceptual roughness ldKnot(i) (environment_layers.glsl); how many cubes of which size.
 LAYOUT_CONST ldLayerCount = 13;
@@ -82,6 +83,9 @@ struct FrameUniforms {
   vec4 environmentRotation;   // x cos, y sin of the rotation about +Y
   vec4 environmentScale;      // x: radiance of a stored 1; y: of the background
   vec4 options;               // x: factor on occlusion strength; y: index of the draw among those gathered, z: their number
+  vec4 picture;               // x, y size of the whole in pixels; z first row of the target; w pixels per metre, 1 m away
+  vec4 distanceFromDepth;     // a, b, c, d: distance along the view's axis = (b - d depth) / (a - c depth)
+  vec4 backdrop;              // rgb radiance of a colour put behind the picture later; w 0: there is none
 };
 
 struct MaterialUniforms {
@@ -128,7 +132,7 @@ struct LightUniforms {
 #ifdef __cplusplus
 #undef LAYOUT_CONST
 static_assert(sizeof(MaterialUniforms) == 56 * 16);
-static_assert(sizeof(FrameUniforms) == 13 * 16);
+static_assert(sizeof(FrameUniforms) == 16 * 16);
 static_assert(sizeof(Instance) == 8 * 16);
 static_assert(sizeof(Joint) == 3 * 16);
 static_assert(sizeof(MorphWeight) == 8);

@@ -22,12 +22,26 @@ layout(binding = occlusionUnit) uniform sampler2D occlusionTexture;
 layout(binding = emissiveUnit) uniform sampler2D emissiveTexture;
 #endif
 
+#ifdef HAS_TRANSMISSION_TEXTURE
+layout(binding = transmissionUnit) uniform sampler2D transmissionTexture;
+#endif
+#ifdef HAS_THICKNESS_TEXTURE
+layout(binding = thicknessUnit) uniform sampler2D thicknessTexture;
+#endif
+#ifdef HAS_DIFFUSE_TRANSMISSION_TEXTURE
+layout(binding = diffuseTransmissionUnit) uniform sampler2D diffuseTransmissionTexture;
+#endif
+#ifdef HAS_DIFFUSE_TRANSMISSION_COLOR_TEXTURE
+layout(binding = diffuseTransmissionColorUnit) uniform sampler2D diffuseTransmissionColorTexture;
+#endif
+
 // What the vertex stage hands over.
 struct Varyings {
   vec3 position;
   vec3 normal;
   vec4 tangent;
   vec4 color;
+  float scale;  // metres of the world per metre of the mesh
 #define MEMBER(n) vec2 texCoord##n;
   EACH_TEXCOORD(MEMBER)
 };
@@ -93,6 +107,41 @@ vec3 materialEmission(Varyings v) {
   emission *= texture(emissiveTexture, slotTexCoord(v, emissiveUnit)).rgb;
 #endif
   return emission;
+}
+
+// KHR_materials_transmission, _diffuse_transmission: of the light that enters the dielectric, x passes through and y is
+// scattered out beyond; the rest is scattered back.
+vec2 materialTransmission(Varyings v) {
+  vec2 factors = material.transmission.xz;
+#ifdef HAS_TRANSMISSION_TEXTURE
+  factors.x *= texture(transmissionTexture, slotTexCoord(v, transmissionUnit)).r;
+#endif
+#ifdef HAS_DIFFUSE_TRANSMISSION_TEXTURE
+  factors.y *= texture(diffuseTransmissionTexture, slotTexCoord(v, diffuseTransmissionUnit)).a;
+#endif
+  factors = clamp(factors, 0.0, 1.0);
+  return vec2(factors.x, (1.0 - factors.x) * factors.y);
+}
+
+vec3 materialDiffuseTransmissionColor(Varyings v) {
+  vec3 color = material.diffuseTransmission.rgb;
+#ifdef HAS_DIFFUSE_TRANSMISSION_COLOR_TEXTURE
+  color *= texture(diffuseTransmissionColorTexture, slotTexCoord(v, diffuseTransmissionColorUnit)).rgb;
+#endif
+  return color;
+}
+
+// Metres of the world; 0: thin walls.
+float materialThickness(Varyings v) {
+#ifdef HAS_VOLUME
+  float thickness = material.transmission.y * v.scale;
+#ifdef HAS_THICKNESS_TEXTURE
+  thickness *= texture(thicknessTexture, slotTexCoord(v, thicknessUnit)).g;
+#endif
+  return thickness;
+#else
+  return 0.0;
+#endif
 }
 
 // Unit or as near as a degenerate input allows: a zero normal looks at the viewer.

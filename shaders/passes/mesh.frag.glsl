@@ -12,8 +12,15 @@
 #else
 #include "image_light_none.glsl"
 #endif
-#if defined(HAS_PUNCTUAL_LIGHTS) || defined(HAS_ENVIRONMENT)
+#if defined(HAS_PUNCTUAL_LIGHTS) || defined(HAS_ENVIRONMENT) || defined(HAS_TRANSMISSION)
+#define HAS_DFG
 #include "dfg_table.glsl"
+#endif
+#ifdef HAS_TRANSMISSION
+#include "transmitted_light.glsl"
+#endif
+#ifdef HAS_DIFFUSE_TRANSMISSION
+#include "diffuse_transmitted_light.glsl"
 #endif
 #endif
 #include "constants.glsl"
@@ -28,6 +35,9 @@ layout(location = 2) in vec4 inTangent;
 #ifdef HAS_VERTEX_COLOR
 layout(location = 3) in vec4 inColor;
 #endif
+#ifdef HAS_VOLUME
+layout(location = 12) in float inScale;
+#endif
 #define DECLARE(n) layout(location = 4 + n) in vec2 inTexCoord##n;
 EACH_TEXCOORD(DECLARE)
 
@@ -39,6 +49,10 @@ Varyings readVaryings() {
   v.normal = vec3(0.0);
   v.tangent = vec4(0.0);
   v.color = vec4(1.0);
+  v.scale = 1.0;
+#ifdef HAS_VOLUME
+  v.scale = inScale;
+#endif
 #ifdef HAS_NORMAL
   v.normal = inNormal;
 #endif
@@ -68,17 +82,31 @@ vec3 towardsViewer(vec3 position) {
 }
 
 #ifndef UNLIT
-vec3 litRadiance(Varyings v, vec3 V, vec3 baseColor) {
+// rgb radiance, a coverage: 1 but where nothing is behind what transmits.
+vec4 litRadiance(Varyings v, vec3 V, vec3 baseColor) {
 #ifdef SPECULAR_GLOSSINESS
   Surface s = makeSpecularGlossinessSurface(materialNormal(v, V), V, baseColor, materialSpecularGlossiness(v), materialOcclusion(v));
 #else
   vec2 metallicRoughness = materialMetallicRoughness(v);
   Surface s = makeSurface(materialNormal(v, V), V, baseColor, metallicRoughness.x, metallicRoughness.y, materialOcclusion(v));
 #endif
-#if defined(HAS_PUNCTUAL_LIGHTS) || defined(HAS_ENVIRONMENT)
+#ifdef HAS_DFG
   s.dfg = lookUpDfg(s.NoV, s.perceptualRoughness);
 #endif
-  return materialEmission(v) + punctualLight(s, v.position) + imageLight(s);
+#if defined(HAS_TRANSMISSION) || defined(HAS_DIFFUSE_TRANSMISSION)
+  vec2 transmission = materialTransmission(v);
+  s.diffuseShare = 1.0 - transmission.x - transmission.y;
+#endif
+  vec3 radiance = materialEmission(v) + punctualLight(s, v.position) + imageLight(s);
+  float coverage = 1.0;
+#ifdef HAS_DIFFUSE_TRANSMISSION
+  radiance += diffuseTransmittedLight(s, v.position, transmission.y * materialDiffuseTransmissionColor(v), materialThickness(v));
+#endif
+#ifdef HAS_TRANSMISSION
+  vec3 share = transmission.x * s.baseColor * enteringShare(s);
+  coverage = addTransmittedLight(s, v.position, share, material.clearcoat.w, materialThickness(v), radiance);
+#endif
+  return vec4(radiance, coverage);
 }
 #endif
 
@@ -102,7 +130,10 @@ void main() {
 #elif defined(UNLIT)
   outColor = vec4(min(baseColor.rgb, maxHalf) * coverage, coverage);
 #else
-  vec3 radiance = litRadiance(v, towardsViewer(v.position), baseColor.rgb);
-  outColor = vec4(clamp(radiance, 0.0, maxHalf) * coverage, coverage);
+  vec4 lit = litRadiance(v, towardsViewer(v.position), baseColor.rgb);
+  outColor = vec4(clamp(lit.rgb, 0.0, maxHalf), lit.a) * coverage;
+#if defined(HAS_TRANSMISSION) && defined(ALPHA_BLEND)
+  outColor += behindSharp(gl_FragCoord.xy) * (1.0 - coverage);
+#endif
 #endif
 }

@@ -26,6 +26,10 @@ layout(location = 3) out vec4 outColor;
   layout(location = 4 + n) out vec2 outTexCoord##n;
 EACH_TEXCOORD(DECLARE)
 
+#ifdef HAS_VOLUME
+layout(location = 12) out float outScale;
+#endif
+
 // Unit where there is a length at all; far from 1 in meshes of extreme scale otherwise.
 vec3 direction(vec3 v) {
   float m = max(abs(v.x), max(abs(v.y), abs(v.z)));
@@ -73,6 +77,12 @@ void main() {
 #ifdef MORPH_COLORS
   outColor = clamp(outColor + offsets.color, 0.0, 1.0);  // glTF 2.0, 3.7.2.2
 #endif
+#endif
+#ifdef HAS_VOLUME
+  // The geometric mean along the mesh's axes.
+  vec3 lengths2 = vec3(dot(worldFromLocal[0], worldFromLocal[0]), dot(worldFromLocal[1], worldFromLocal[1]),
+                       dot(worldFromLocal[2], worldFromLocal[2]));
+  outScale = exp2(dot(log2(lengths2), vec3(1.0 / 6.0)));
 #endif
 #define HAND_OVER(n) outTexCoord##n = inTexCoord##n;
   EACH_TEXCOORD(HAND_OVER)

@@ -69,6 +69,7 @@ json describeLeftOut(const scene::Model& model, const frame::DrawList& list) {
   if (!needs.dfg) out.push_back("no DFG table is computed: nothing is lit");
   if (!needs.irradiance) out.push_back("no environment is filtered: nothing reflects one");
   if (list.lights.empty()) out.push_back("no code for punctual lights is compiled: the scene has none");
+  if (list.transmitting.empty()) out.push_back("nothing is copied for what is behind glass: nothing transmits light");
   if (list.blended.empty()) out.push_back("no blend pass is drawn: no drawn material asks for it");
   return out;
 }
@@ -89,7 +90,7 @@ json describeModel(const scene::Model& model, const Notes& notes, const frame::D
   if (!list.bounds.empty()) out["bounds"] = {{"min", corner(list.bounds.min)}, {"max", corner(list.bounds.max)}};
   out["extensionsUsed"] = model.extensionsUsed;
   out["extensionsRequired"] = model.extensionsRequired;
-  out["drawCalls"] = list.opaque.size() + list.blended.size();
+  out["drawCalls"] = list.opaque.size() + list.transmitting.size() + list.blended.size();
   out["materials"] = describeMaterials(model, list);
   describeParts(model, out);
   out["leftOut"] = describeLeftOut(model, list);

@@ -137,6 +137,10 @@ void addInstances(DrawList& list, const scene::Mesh& mesh, const std::vector<Pla
     draw.firstBounds = static_cast<uint32_t>(list.instanceBounds.size());
     draw.instanceCount = static_cast<uint32_t>(placed.size());
     for (const Placed& p : placed) list.instanceBounds.push_back(p.bounds[i]);
+    if (shading::usesFeature(draw.key, "HAS_TRANSMISSION")) {
+      list.transmitting.push_back(draw);
+      continue;
+    }
     if (material.alphaMode != AlphaMode::blend || list.features.channel != 0) {
       list.opaque.push_back(draw);
       continue;
@@ -174,12 +178,13 @@ void addMaterials(DrawList& list, const scene::Model& model, const DrawOptions& 
 ibl::Needs DrawList::needs(bool environmentVisible) const {
   ibl::Needs needs;
   needs.background = environmentVisible;
-  for (const std::vector<Draw>* draws : {&opaque, &blended})
+  for (const std::vector<Draw>* draws : classes())
     for (const Draw& draw : *draws) {
       const bool imageLight = shading::usesFeature(draw.key, "HAS_ENVIRONMENT");
       needs.irradiance |= imageLight;
       (draw.key.imageLightSamples == 0 ? needs.layers : needs.cube) |= imageLight;
-      needs.dfg |= imageLight || shading::usesFeature(draw.key, "HAS_PUNCTUAL_LIGHTS");
+      needs.dfg |= imageLight || shading::usesFeature(draw.key, "HAS_PUNCTUAL_LIGHTS") ||
+                   shading::usesFeature(draw.key, "HAS_TRANSMISSION");
     }
   return needs;
 }
@@ -209,7 +214,8 @@ DrawList buildDrawList(const scene::Model& model, int scene, const DrawOptions& 
   const std::vector<int> firstJoints = addJoints(list, flat);
   for (const auto& [key, placed] : groups)
     addInstances(list, model.meshes[static_cast<size_t>(std::get<0>(key))], placed, firstJoints, options);
-  std::ranges::stable_sort(list.opaque, {}, [](const Draw& d) { return std::tuple(d.key, d.material); });
+  for (std::vector<Draw>* draws : {&list.opaque, &list.transmitting})
+    std::ranges::stable_sort(*draws, {}, [](const Draw& d) { return std::tuple(d.key, d.material); });
   return list;
 }
 

@@ -3,6 +3,7 @@
 // Scene -> what is drawn: pure, no OpenGL. World coordinates are relative to the scene's origin (the centre of its
 // bounds), so that single precision suffices on the GPU however far away a scene lies.
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -52,11 +53,15 @@ struct DrawList {
   std::vector<layout::Joint> joints;
   std::vector<layout::MorphWeight> morphWeights;  // those that are not 0
   std::vector<layout::LightUniforms> lights;
-  std::vector<Draw> opaque;   // opaque and mask, sorted by program and material
-  std::vector<Draw> blended;  // one instance each; sorted by distance when drawn
+  std::vector<Draw> opaque;        // opaque and mask, sorted by program and material
+  std::vector<Draw> transmitting;  // show what is behind them, of any alpha mode; sorted likewise
+  std::vector<Draw> blended;       // one instance each; sorted by distance when drawn
   shading::FrameFeatures features;
   std::vector<FileCamera> cameras;
   int overflowed = 0;  // nodes left out because their transform is not finite
+
+  // All classes of draws, in the order in which they are drawn.
+  std::array<const std::vector<Draw>*, 3> classes() const { return {&opaque, &transmitting, &blended}; }
 
   // What the draws read from src/ibl/.
   ibl::Needs needs(bool environmentVisible) const;

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <span>
 
+#include "frame/behind.hpp"
 #include "frame/visibility.hpp"
 #include "scene/geometry.hpp"
 
@@ -63,6 +65,12 @@ layout::FrameUniforms frameUniforms(const FrameInput& in, int draw, int draws, c
   const float scale = in.tables.radianceScale * in.settings.environmentStrength;
   u.environmentScale = glm::vec4(scale, scale, 0, 0);
   u.options = glm::vec4(in.settings.occlusion, static_cast<float>(draw), static_cast<float>(draws), 0);
+  u.picture = glm::vec4(in.settings.width, in.settings.height, in.firstRow,
+                        static_cast<float>(view.clipFromView[1][1] * in.settings.height / 2));
+  const glm::dmat4& p = view.clipFromView;
+  u.distanceFromDepth = glm::vec4(p[2][2], p[3][2], p[2][3], p[3][3]);
+  if (in.settings.background == Background::color)
+    u.backdrop = glm::vec4(in.settings.backgroundColor * std::exp2(-in.settings.exposureStops), 1);
   return u;
 }
 
@@ -126,7 +134,7 @@ void setCulling(bool doubleSided) {
 }
 
 // Draws a run of the list, changing program and material only where they change.
-Result<void> drawSorted(const FrameInput& in, const std::vector<Draw>& draws, bool blended, ProgramStore& programs,
+Result<void> drawSorted(const FrameInput& in, std::span<const Draw> draws, bool blended, ProgramStore& programs,
                         FrameStatistics& statistics) {
   const gl::Program* current = nullptr;
   const Draw* previous = nullptr;
@@ -178,19 +186,34 @@ Result<void> drawSky(const FrameInput& in, ProgramStore& programs, FrameStatisti
   return {};
 }
 
-Result<void> drawBlended(const FrameInput& in, const VisibleDraws& visible, ProgramStore& programs,
+Result<void> drawBlended(const FrameInput& in, std::span<const Draw> draws, const char* pass, ProgramStore& programs,
                          FrameStatistics& statistics) {
-  if (visible.blended.empty()) return {};
-  statistics.passes.emplace_back("blend");
+  if (draws.empty()) return {};
+  statistics.passes.emplace_back(pass);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_GEQUAL);
   glDepthMask(GL_FALSE);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  Result<void> result = drawSorted(in, visible.blended, true, programs, statistics);
+  Result<void> result = drawSorted(in, draws, true, programs, statistics);
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
   return result;
+}
+
+// What shines through, then the surfaces that show it. They hide each other: none is seen through another.
+Result<void> drawTransmitting(const FrameInput& in, const VisibleDraws& visible, const Targets& targets,
+                              ProgramStore& programs, FrameStatistics& statistics) {
+  if (visible.transmitting.empty()) return {};
+  const std::span<const Draw> behind = std::span(visible.blended).first(visible.blendedBehind);
+  if (Result<void> drawn = drawBlended(in, behind, "blend behind", programs, statistics); !drawn) return drawn;
+  statistics.passes.emplace_back("copy behind");
+  if (Result<void> copied = copyBehind(targets, programs); !copied) return copied;
+  statistics.passes.emplace_back("transmit");
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_GREATER);
+  glDepthMask(GL_TRUE);
+  return drawSorted(in, visible.transmitting, false, programs, statistics);
 }
 
 // What lies in the rows that the targets hold.
@@ -231,7 +254,9 @@ Result<FrameStatistics> drawScene(const FrameInput& in, const VisibleDraws& visi
   glBindVertexArray(targets.noAttributes.id());
   Result<void> drawn = drawOpaque(in, visible, programs, statistics);
   if (drawn) drawn = drawSky(in, programs, statistics);
-  if (drawn) drawn = drawBlended(in, visible, programs, statistics);
+  if (drawn) drawn = drawTransmitting(in, visible, targets, programs, statistics);
+  const std::span<const Draw> before = std::span(visible.blended).subspan(visible.blendedBehind);
+  if (drawn) drawn = drawBlended(in, before, "blend", programs, statistics);
   if (!drawn) return tl::unexpected(drawn.error());
   for (GLuint unit = 0; unit < layout::materialSlotCount; ++unit) glBindSampler(unit, 0);
   if (targets.samples > 1) {
@@ -286,9 +311,11 @@ int gatheredDraws(const PictureSettings& settings, const Targets& targets) {
 }
 
 Result<void> preparePrograms(const FrameInput& in, ProgramStore& programs) {
-  for (const std::vector<Draw>* draws : {&in.list.opaque, &in.list.blended})
+  for (const std::vector<Draw>* draws : in.list.classes())
     for (const Draw& draw : *draws)
       if (const auto program = meshProgram(draw.key, programs); !program) return tl::unexpected(program.error());
+  if (!in.list.transmitting.empty())
+    if (Result<void> prepared = prepareBehindPrograms(programs); !prepared) return prepared;
   if (skyVisible(in))
     if (const auto program = skyProgram(programs); !program) return tl::unexpected(program.error());
   const auto program = displayProgram(programs);

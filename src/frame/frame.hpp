@@ -17,6 +17,13 @@
 
 namespace facet::frame {
 
+// A copy of what is drawn before the transmitting surfaces. Level k + 1 is level k filtered by [1 3 3 1] / 8 along each
+// axis and halved: its texel i covers pixels [i, i + 1) 2^k.
+struct Behind {
+  gl::Texture color;  // RGBA16F, associated alpha
+  gl::Texture depth;  // R32F as in the depth buffer: its mean is the mean of 1 / distance (perspective)
+};
+
 // Where a frame is drawn. Either one draw with several coverage samples a pixel, each pixel shaded once, or many draws
 // with one sample each, jittered within the pixel and gathered.
 struct Targets {
@@ -27,10 +34,14 @@ struct Targets {
   gl::Texture color;        // RGBA16F, scene-linear, associated alpha
   gl::Texture sum;          // RGBA32F, only while several draws are gathered
   gl::Texture display;      // RGBA8, sRGB-encoded, straight alpha
+  Behind behind;            // only for scenes with transmitting surfaces
   gl::Framebuffer drawn, resolved, gathered, shown;
   gl::VertexArray noAttributes;  // core profile draws nothing without a vertex array, full-screen passes too
 };
 Targets createTargets(int width, int height, int samples, bool gather);
+// Adds the copy of what is behind where the list has transmitting surfaces and the targets have none yet; frees it where
+// the list has none.
+void prepareBehind(Targets& targets, const DrawList& list);
 
 struct FrameStatistics {
   std::vector<std::string> passes;

@@ -120,8 +120,8 @@ GpuPrimitive uploadPrimitive(const Primitive& primitive, const shading::VariantK
 }
 
 void forEachDraw(const DrawList& list, const std::function<void(const Draw&)>& visit) {
-  for (const Draw& draw : list.opaque) visit(draw);
-  for (const Draw& draw : list.blended) visit(draw);
+  for (const std::vector<Draw>* draws : list.classes())
+    for (const Draw& draw : *draws) visit(draw);
 }
 
 TextureUse useOf(const scene::Model& model, const scene::Material& material, TextureSlot slot) {

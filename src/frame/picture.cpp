@@ -42,13 +42,15 @@ const scene::BuiltinScene* builtinOf(const std::string& source) {
 
 // Rows of a band. Bands save memory and cost the geometry once more each: a few for scenes of little geometry, for
 // others only where the targets of a large picture could not be had otherwise. A sample takes 12 bytes (RGBA16F and
-// depth).
+// depth). What shines through a surface may come from any row: a scene with such surfaces gets one band up to 4 GiB;
+// beyond, what shines through ends at the band.
 int bandRows(const PictureSettings& settings, const DrawList& list, const gl::ContextInfo& context) {
   size_t corners = 0;
-  for (const std::vector<Draw>* draws : {&list.opaque, &list.blended})
+  for (const std::vector<Draw>* draws : list.classes())
     for (const Draw& draw : *draws)
       corners += std::max(draw.primitive->indices.size(), draw.primitive->positions.size()) * draw.instanceCount;
-  const size_t budget = corners < 300'000 ? size_t{4} << 20 : size_t{1} << 30;
+  size_t budget = corners < 300'000 ? size_t{4} << 20 : size_t{1} << 30;
+  if (!list.transmitting.empty()) budget = size_t{4} << 30;
   const int samples = std::min(settings.samples, context.maxSamples);
   const size_t rows = budget / (static_cast<size_t>(settings.width) * static_cast<size_t>(samples) * 12) / 16 * 16;
   return static_cast<int>(std::clamp<size_t>(rows, 16, static_cast<size_t>(std::max(16, settings.height))));
@@ -94,13 +96,14 @@ void countExtremes(const io::RadianceImage& image, PictureStatistics& statistics
 }
 
 void noteUnlit(const PictureSettings& settings, const DrawList& list, const ibl::Needs& needs, Notes& notes) {
-  if (list.opaque.empty() && list.blended.empty()) {
+  if (std::ranges::all_of(list.classes(), [](const auto* draws) { return draws->empty(); })) {
     notes.push_back({Note::Severity::warning, "", "the scene draws nothing"});
     return;
   }
   const auto lit = [](const Draw& draw) { return !shading::usesFeature(draw.key, "UNLIT"); };
-  const bool anyLit = std::ranges::any_of(list.opaque, lit) || std::ranges::any_of(list.blended, lit);
-  if (anyLit && !needs.dfg && settings.channel.empty())
+  const bool anyLit =
+      std::ranges::any_of(list.classes(), [&](const auto* draws) { return std::ranges::any_of(*draws, lit); });
+  if (anyLit && !needs.irradiance && list.lights.empty() && settings.channel.empty())
     notes.push_back({Note::Severity::warning, "",
                      "nothing lights the scene: it has no lights and --env is none; give --env or --lights demo"});
 }
@@ -285,7 +288,8 @@ Result<Picture> drawPicture(const PictureSettings& settings, const PictureReques
   const DrawList& list = prepared.list;
   FrameInput input{*scene.model, list, scene.gpu, environment.tables, prepared.view, settings};
   const int rows = bandRows(settings, list, context);
-  const Targets targets = createTargets(settings, context, std::min(rows, settings.height));
+  Targets targets = createTargets(settings, context, std::min(rows, settings.height));
+  prepareBehind(targets, list);
   statistics.bands = (settings.height + targets.height - 1) / targets.height;
   setTextureDetail(scene.gpu, gatheredDraws(settings, targets), context);
   for (int i = 0; i <= request.repeat; ++i) {

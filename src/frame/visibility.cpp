@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <tuple>
 
 namespace facet::frame {
@@ -36,6 +37,14 @@ double depth(const scene::Bounds& box, const scene::View& view) {
   return view.orthographic ? glm::dot(toCenter, view.forward) : glm::length(toCenter);
 }
 
+// Of the box's nearest point, in the measure of depth().
+double nearestDepth(const scene::Bounds& box, const scene::View& view) {
+  if (box.empty()) return 0;
+  if (!view.orthographic) return glm::length(glm::clamp(view.eye, box.min, box.max) - view.eye);
+  const glm::dvec3 half = box.max * 0.5 - box.min * 0.5;
+  return glm::dot(box.center() - view.eye, view.forward) - glm::dot(half, glm::abs(view.forward));
+}
+
 struct Seen {
   double depth;
   uint32_t instance;
@@ -58,6 +67,7 @@ std::vector<Seen> seenInstances(const DrawList& list, const Draw& draw, const sc
 struct Sorted {
   Draw draw;
   double depth;
+  double nearest;  // point of the boxes, in the measure of depth()
 };
 
 std::vector<Sorted> see(const DrawList& list, const std::vector<Draw>& draws, const scene::View& view,
@@ -67,7 +77,11 @@ std::vector<Sorted> see(const DrawList& list, const std::vector<Draw>& draws, co
     const std::vector<Seen> seen = seenInstances(list, draw, view, planes);
     visible.culled += draw.instanceCount - seen.size();
     if (seen.empty()) continue;
-    sorted.push_back({draw, seen.front().depth});
+    sorted.push_back({draw, seen.front().depth, std::numeric_limits<double>::infinity()});
+    double& nearest = sorted.back().nearest;
+    for (const Seen& s : seen)
+      nearest = std::min(nearest,
+                         nearestDepth(list.instanceBounds[draw.firstBounds + (s.instance - draw.firstInstance)], view));
     sorted.back().draw.firstInstance = static_cast<uint32_t>(visible.instances.size());
     sorted.back().draw.instanceCount = static_cast<uint32_t>(seen.size());
     for (const Seen& s : seen) visible.instances.push_back(s.instance);
@@ -75,18 +89,35 @@ std::vector<Sorted> see(const DrawList& list, const std::vector<Draw>& draws, co
   return sorted;
 }
 
+// By program and material, nearest first. nearestOfAll: lowered to the nearest point of all boxes, where asked for.
+std::vector<Draw> seeOpaque(const DrawList& list, const std::vector<Draw>& draws, const scene::View& view,
+                            const std::array<glm::dvec4, 6>& planes, VisibleDraws& visible,
+                            double* nearestOfAll = nullptr) {
+  std::vector<Sorted> sorted = see(list, draws, view, planes, visible);
+  std::ranges::stable_sort(sorted, {},
+                           [](const Sorted& s) { return std::tuple(s.draw.key, s.draw.material, s.depth); });
+  std::vector<Draw> out;
+  for (const Sorted& s : sorted) {
+    out.push_back(s.draw);
+    if (nearestOfAll) *nearestOfAll = std::min(*nearestOfAll, s.nearest);
+  }
+  return out;
+}
+
 }  // namespace
 
 VisibleDraws visibleDraws(const DrawList& list, const scene::View& view, const ClipRows& rows, double margin) {
   VisibleDraws visible;
   const std::array<glm::dvec4, 6> planes = frustumPlanes(view.clipFromWorld, rows, margin);
-  std::vector<Sorted> opaque = see(list, list.opaque, view, planes, visible);
-  std::ranges::stable_sort(opaque, {},
-                           [](const Sorted& s) { return std::tuple(s.draw.key, s.draw.material, s.depth); });
+  visible.opaque = seeOpaque(list, list.opaque, view, planes, visible);
+  double nearest = std::numeric_limits<double>::infinity();  // of what transmits
+  visible.transmitting = seeOpaque(list, list.transmitting, view, planes, visible, &nearest);
   std::vector<Sorted> blended = see(list, list.blended, view, planes, visible);
   std::ranges::stable_sort(blended, std::greater<>(), &Sorted::depth);
-  for (const Sorted& s : opaque) visible.opaque.push_back(s.draw);
-  for (const Sorted& s : blended) visible.blended.push_back(s.draw);
+  for (const Sorted& s : blended) {
+    visible.blendedBehind += s.depth >= nearest ? 1 : 0;  // farthest first: they are the first ones
+    visible.blended.push_back(s.draw);
+  }
   return visible;
 }
 

@@ -14,7 +14,11 @@ namespace facet::frame {
 struct VisibleDraws {
   std::vector<uint32_t> instances;  // indices in DrawList::instances
   std::vector<Draw> opaque;         // by program, material, nearest first; so are the instances of one draw
+  std::vector<Draw> transmitting;   // likewise
   std::vector<Draw> blended;        // farthest first
+  // The first of `blended` that are drawn before the transmitting ones, because they may shine through: those that are
+  // not nearer than all boxes of transmitting draws.
+  size_t blendedBehind = 0;
   size_t culled = 0;                // instances of draws that lie outside the picture
 };
 

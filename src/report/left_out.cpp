@@ -38,7 +38,7 @@ std::vector<MaterialUsage> materialUsage(const scene::Model& model, const frame:
     out[i].name = !list.materials[i].name.empty() ? list.materials[i].name
                   : i < model.materials.size()    ? "material " + std::to_string(i)
                                                   : "default material";
-  for (const std::vector<frame::Draw>* draws : {&list.opaque, &list.blended})
+  for (const std::vector<frame::Draw>* draws : list.classes())
     for (const frame::Draw& draw : *draws) {
       const auto index = static_cast<size_t>(draw.material);
       const scene::Material& material = list.materials[index];

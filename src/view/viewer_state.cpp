@@ -119,7 +119,7 @@ std::string nextEnvironment(const std::string& current) {
 
 int variantCount(const frame::DrawList& list) {
   std::set<shading::VariantKey> keys;
-  for (const std::vector<frame::Draw>* draws : {&list.opaque, &list.blended})
+  for (const std::vector<frame::Draw>* draws : list.classes())
     for (const frame::Draw& draw : *draws) keys.insert(draw.key);
   return static_cast<int>(keys.size());
 }

@@ -338,6 +338,7 @@ bool drawViewport(Viewport& viewport, ViewerState& state) {
     targets = {};  // the old ones go first
     targets = frame::createTargets(s, viewport.context);
   }
+  frame::prepareBehind(targets, viewport.list);
   frame::setTextureDetail(viewport.scene->onGpu.gpu, frame::gatheredDraws(s, targets), viewport.context);
   const scene::Model& model = viewport.scene->loaded->model;
   const frame::FrameInput input{

@@ -122,12 +122,27 @@ TEST_CASE("Pointers to weights", "[io][animations]") {
 }
 
 TEST_CASE("Pointers that name nothing known", "[io][animations]") {
-  for (const char* pointer :
-       {"", "/", "nodes/0/translation", "/nodes/3/translation", "/nodes/-1/scale", "/nodes/0", "/nodes/0/",
-        "/nodes/0/translation/", "/nodes/0/weights/2", "/nodes/0/weights/", "/nodes/x/scale",
-        "/nodes/99999999999/scale", "/meshes/0/primitives", "/meshes/1/weights", "/materials/0/normalTexture/offset",
-        "/materials/0/extensions/KHR_materials_ior/ior", "/cameras/0/orthographic/xmag", "/cameras/1/perspective/yfov",
-        "/extensions/KHR_lights_punctual/lights/2/color"}) {
+  for (const char* pointer : {"",
+                              "/",
+                              "nodes/0/translation",
+                              "/nodes/3/translation",
+                              "/nodes/-1/scale",
+                              "/nodes/0",
+                              "/nodes/0/",
+                              "/nodes/0/translation/",
+                              "/nodes/0/weights/2",
+                              "/nodes/0/weights/",
+                              "/nodes/x/scale",
+                              "/nodes/99999999999/scale",
+                              "/meshes/0/primitives",
+                              "/meshes/1/weights",
+                              "/materials/0/normalTexture/offset",
+                              "/materials/0/extensions/KHR_materials_ior/iors",
+                              "/materials/0/normalTexture",
+                              "/materials/0/normalTexturescale",
+                              "/cameras/0/orthographic/xmag",
+                              "/cameras/1/perspective/yfov",
+                              "/extensions/KHR_lights_punctual/lights/2/color"}) {
     const auto model = aimed(pointer, 1, 1);
     const bool extended = std::string(pointer).find("/extensions/") != std::string::npos;  // no more than a hint
     CHECK(notes(model) == (extended ? "" : "! ") + ("/animations/0/channels/0/target: \"" + std::string(pointer)) +
