@@ -2,6 +2,9 @@
 #include "bsdf.glsl"
 #include "lights.glsl"
 #include "frame.glsl"
+#ifdef HAS_SHEEN
+#include "sheen_table.glsl"
+#endif
 
 layout(std430, binding = lightBinding) readonly buffer LightBlock { LightUniforms lights[]; };
 
@@ -20,6 +23,9 @@ vec3 punctualLight(Surface s, vec3 position) {
       if (light.position.w > 1.5)
         attenuation *= coneAttenuation(dot(light.direction.xyz, -L), light.cone.x, light.cone.y);
     }
+#ifdef HAS_SHEEN
+    s.sheen.albedoL = lookUpSheenAlbedo(dot(s.N, L), s.sheen.perceptualRoughness);
+#endif
     if (attenuation > 0.0) radiance += evaluateBsdf(s, L) * light.color.rgb * attenuation;
   }
   return radiance;

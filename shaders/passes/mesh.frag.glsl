@@ -14,6 +14,11 @@
 #endif
 #if defined(HAS_PUNCTUAL_LIGHTS) || defined(HAS_ENVIRONMENT)
 #include "dfg_table.glsl"
+#if defined(HAS_DIELECTRIC_SPECULAR) || defined(HAS_CLEARCOAT) || defined(HAS_SHEEN) || defined(HAS_ANISOTROPY) || \
+    defined(HAS_IRIDESCENCE)
+#include "material_layers.glsl"
+#define HAS_LAYERS
+#endif
 #endif
 #endif
 #include "constants.glsl"
@@ -75,10 +80,17 @@ vec3 litRadiance(Varyings v, vec3 V, vec3 baseColor) {
   vec2 metallicRoughness = materialMetallicRoughness(v);
   Surface s = makeSurface(materialNormal(v, V), V, baseColor, metallicRoughness.x, metallicRoughness.y, materialOcclusion(v));
 #endif
+#ifdef HAS_LAYERS
+  readLayers(s, v);
+#endif
 #if defined(HAS_PUNCTUAL_LIGHTS) || defined(HAS_ENVIRONMENT)
   s.dfg = lookUpDfg(s.NoV, s.perceptualRoughness);
 #endif
-  return materialEmission(v) + punctualLight(s, v.position) + imageLight(s);
+  vec3 emission = materialEmission(v);
+#ifdef HAS_LAYERS
+  emission *= coatLeft(s);  // it lies below the coat (KHR_materials_clearcoat)
+#endif
+  return emission + punctualLight(s, v.position) + imageLight(s);
 }
 #endif
 

@@ -1,0 +1,1 @@
+vec3 sheenRadiance(Surface s, vec3 irradiance) { return irradiance; }
