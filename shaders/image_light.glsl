@@ -2,6 +2,9 @@
 #include "bsdf.glsl"
 #include "environment_layers.glsl"
 #include "frame.glsl"
+#ifdef HAS_SHEEN
+#include "mapping.glsl"
+#endif
 
 layout(binding = irradianceUnit) uniform samplerCube irradianceOverPi;
 layout(binding = mirrorLayersUnit) uniform samplerCubeArray mirrorLayers;

@@ -73,6 +73,8 @@ void readGrain(inout Surface s, Varyings v) {
   s.grain.T = dot(T, T) > 1e-12 ? normalize(T) : frameAround(s.N)[0];
   s.grain.B = cross(s.N, s.grain.T);
   s.grain.alpha = alphaFromAnisotropy(s.alpha, clamp(strength, 0.0, 1.0));
+  vec3 V = s.V * mat3(s.grain.T, s.grain.B, s.N);
+  s.dfg.xy = dfgAnisotropic(V, max(s.grain.alpha, minAnalyticAlpha));
 }
 #endif
 
@@ -134,7 +136,7 @@ void readCoat(inout Surface s, Varyings v) {
 }
 #endif
 
-// Into a surface that has everything else but its dfg.
+// Into a surface that has everything else.
 void readLayers(inout Surface s, Varyings v) {
 #ifdef HAS_DIELECTRIC_SPECULAR
   readDielectricSpecular(s, v);

@@ -80,11 +80,11 @@ vec3 litRadiance(Varyings v, vec3 V, vec3 baseColor) {
   vec2 metallicRoughness = materialMetallicRoughness(v);
   Surface s = makeSurface(materialNormal(v, V), V, baseColor, metallicRoughness.x, metallicRoughness.y, materialOcclusion(v));
 #endif
-#ifdef HAS_LAYERS
-  readLayers(s, v);
-#endif
 #if defined(HAS_PUNCTUAL_LIGHTS) || defined(HAS_ENVIRONMENT)
   s.dfg = lookUpDfg(s.NoV, s.perceptualRoughness);
+#endif
+#ifdef HAS_LAYERS
+  readLayers(s, v);
 #endif
   vec3 emission = materialEmission(v);
 #ifdef HAS_LAYERS

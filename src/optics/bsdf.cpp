@@ -15,6 +15,10 @@ namespace {
 
 double largestOf(const glm::dvec3& v) { return std::max({v.r, v.g, v.b}); }
 
+glm::dvec3 inGrain(const Grain& grain, const glm::dvec3& N, const glm::dvec3& d) {
+  return {glm::dot(grain.tangent, d), glm::dot(glm::cross(N, grain.tangent), d), glm::dot(N, d)};
+}
+
 glm::dvec3 filmed(const Film& film, double cosine, const glm::dvec3& f0) {
   return glm::min(F_ThinFilm(cosine, 1, film.ior, film.thicknessNm, f0), glm::dvec3(1));
 }
@@ -82,8 +86,7 @@ Reflected reflect(const Surface& surface, const Dfg& dfg, const glm::dvec3& N, c
   if (surface.grain.strength == 0) return reflect(surface, dfg, angles);
   if (angles.NoV < 0 || angles.NoL <= 0) return {};
   const AnisotropicAlpha alpha = alphaFromAnisotropy(alphaOf(surface), surface.grain.strength);
-  const glm::dvec3 T = surface.grain.tangent, B = glm::cross(N, T);
-  const auto local = [&](const glm::dvec3& d) { return glm::dvec3(glm::dot(T, d), glm::dot(B, d), glm::dot(N, d)); };
+  const auto local = [&](const glm::dvec3& d) { return inGrain(surface.grain, N, d); };
   const double facets = D_GGXAnisotropic(local(angles.H), alpha) * V_GGXAnisotropic(local(V), local(L), alpha);
   return reflectFacets(surface, dfg, angles, facets);
 }
@@ -97,7 +100,12 @@ Reflected reflect(const Surface& surface, const Dfg& dfg, const Angles& angles) 
 
 Albedos albedosOf(const Surface& surface, const glm::dvec3& N, const glm::dvec3& V, const glm::dvec3& L) {
   Albedos albedos;
-  albedos.base = dfgOf(surface, glm::dot(N, V));
+  if (surface.grain.strength == 0) {
+    albedos.base = dfgOf(surface, glm::dot(N, V));
+  } else {
+    const AnisotropicAlpha alpha = alphaFromAnisotropy(alphaOf(surface), surface.grain.strength);
+    albedos.base = integrateDfgAnisotropic(inGrain(surface.grain, N, V), alpha);
+  }
   const Coat& coat = surface.coat;
   if (coat.weight > 0)
     albedos.coat = integrateDfg(glm::dot(coat.normal, V), coat.perceptualRoughness * coat.perceptualRoughness);
