@@ -64,9 +64,9 @@ bool effectTexture(const FeatureInput& in) {
   return extended(in) && sampled(in, slot);
 }
 
+bool anisotropic(const FeatureInput& in) { return effect<scene::hasAnisotropy>(in) && !in.primitive.tangents.empty(); }
 bool readsTangent(const FeatureInput& in) {
-  const bool coatNormal = effectTexture<TextureSlot::clearcoatNormal>(in);
-  return normalTexture(in) || coatNormal || effect<scene::hasAnisotropy>(in) ||
+  return normalTexture(in) || effectTexture<TextureSlot::clearcoatNormal>(in) || anisotropic(in) ||
          (channelIs(in, "tangent") && !in.primitive.tangents.empty());
 }
 
@@ -151,8 +151,7 @@ constexpr FeatureRow rows[] = {
     {"dielectric specular", "HAS_DIELECTRIC_SPECULAR", effect<scene::hasDielectricSpecular>},
     {"clearcoat", "HAS_CLEARCOAT", effect<scene::hasClearcoat>},
     {"sheen", "HAS_SHEEN", effect<scene::hasSheen>},
-    {"anisotropy", "HAS_ANISOTROPY",
-     [](const FeatureInput& in) { return effect<scene::hasAnisotropy>(in) && !in.primitive.tangents.empty(); }},
+    {"anisotropy", "HAS_ANISOTROPY", anisotropic},
     {"iridescence", "HAS_IRIDESCENCE", effect<scene::hasIridescence>},
     {"transmission", "HAS_TRANSMISSION", effect<scene::hasTransmission>},
     {"volume", "HAS_VOLUME", effect<scene::hasVolume>},
