@@ -4,6 +4,8 @@
 
 #include "io/gltf_deformation.hpp"
 #include "io/uri.hpp"
+#include "scene/material_properties.hpp"
+#include "scene/usage.hpp"
 
 namespace facet::io {
 
@@ -28,28 +30,7 @@ constexpr Rule nodeRules[] = {
     {"extensions/KHR_node_visibility/visible", AnimatedProperty::visible, 1},
 };
 
-constexpr Rule materialRules[] = {
-    {"pbrMetallicRoughness/baseColorFactor", AnimatedProperty::baseColorFactor, 4},
-    {"pbrMetallicRoughness/metallicFactor", AnimatedProperty::metallicFactor, 1},
-    {"pbrMetallicRoughness/roughnessFactor", AnimatedProperty::roughnessFactor, 1},
-    {"emissiveFactor", AnimatedProperty::emissiveFactor, 3},
-    {"extensions/KHR_materials_emissive_strength/emissiveStrength", AnimatedProperty::emissiveStrength, 1},
-    {"normalTexture/scale", AnimatedProperty::normalScale, 1},
-    {"occlusionTexture/strength", AnimatedProperty::occlusionStrength, 1},
-    {"alphaCutoff", AnimatedProperty::alphaCutoff, 1},
-};
-
 // Below each of the textures.
-constexpr struct {
-  std::string_view path;
-  TextureSlot slot;
-} textures[] = {
-    {"pbrMetallicRoughness/baseColorTexture/", TextureSlot::baseColor},
-    {"pbrMetallicRoughness/metallicRoughnessTexture/", TextureSlot::metallicRoughness},
-    {"normalTexture/", TextureSlot::normal},
-    {"occlusionTexture/", TextureSlot::occlusion},
-    {"emissiveTexture/", TextureSlot::emissive},
-};
 constexpr Rule textureRules[] = {
     {"extensions/KHR_texture_transform/offset", AnimatedProperty::textureOffset, 2},
     {"extensions/KHR_texture_transform/rotation", AnimatedProperty::textureRotation, 1},
@@ -76,27 +57,31 @@ constexpr Rule orthographicRules[] = {
     {"orthographic/zfar", AnimatedProperty::cameraZFar, 1},
 };
 
+AnimationTarget targetOf(AnimatedProperty property, int components, int object) {
+  AnimationTarget target;
+  target.channel.property = property;
+  target.channel.object = object;
+  target.components = target.width = components;
+  return target;
+}
+
 std::optional<AnimationTarget> find(std::span<const Rule> rules, std::string_view path, int object) {
-  for (const Rule& rule : rules) {
-    if (rule.path != path) continue;
-    AnimationTarget target;
-    target.channel.property = rule.property;
-    target.channel.object = object;
-    target.components = target.width = rule.components;
-    return target;
-  }
+  for (const Rule& rule : rules)
+    if (rule.path == path) return targetOf(rule.property, rule.components, object);
   return std::nullopt;
 }
 
 std::optional<AnimationTarget> findInMaterial(std::string_view path, int material) {
-  for (const auto& texture : textures) {
-    if (!path.starts_with(texture.path)) continue;
-    auto target = find(textureRules, path.substr(texture.path.size()), material);
-    if (!target) continue;
-    target->channel.slot = texture.slot;
+  for (const scene::MaterialProperty& property : scene::materialProperties())
+    if (property.path == path) return targetOf(property.property, componentCount(property), material);
+  for (const TextureSlot slot : scene::textureSlots) {
+    const std::string_view texture = scene::path(slot);
+    if (!path.starts_with(texture) || path.substr(texture.size(), 1) != "/") continue;
+    auto target = find(textureRules, path.substr(texture.size() + 1), material);
+    if (target) target->channel.slot = slot;
     return target;
   }
-  return find(materialRules, path, material);
+  return std::nullopt;
 }
 
 // The number before the next slash, which is taken off the path; -1 where it is not below count.

@@ -80,8 +80,9 @@ Result<void> readInstances(Document& doc, const tinygltf::Node& from, const std:
 // gltf_lights.cpp
 Result<void> readLights(Document& doc);
 Result<void> readCameras(Document& doc);
-// gltf_materials.cpp
+// gltf_textures.cpp
 Result<void> readTextures(Document& doc);  // and samplers
+// gltf_materials.cpp
 Result<void> readMaterials(Document& doc);
 // gltf_variants.cpp: KHR_materials_variants
 Result<void> readVariants(Document& doc);
@@ -98,7 +99,8 @@ Result<void> readXmp(Document& doc);
 
 // -- Extensions (gltf_extensions.cpp) --
 
-// Errors: a required extension that is not supported. Notes those that are used and not supported.
+// Errors: a required extension that is not supported and that more than looks depend on; one that only concerns looks
+// is a warning. Notes those that are used and not supported.
 Result<void> checkExtensions(Document& doc);
 
 }  // namespace facet::io

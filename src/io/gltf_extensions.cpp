@@ -9,21 +9,31 @@ namespace {
 
 // Everything that is read; each name is listed here once.
 constexpr std::string_view supportedExtensions[] = {
-    "KHR_lights_punctual",                  // gltf_lights.cpp
-    "KHR_texture_transform",                // gltf_materials.cpp
-    "KHR_materials_unlit",                  // gltf_materials.cpp
-    "KHR_materials_pbrSpecularGlossiness",  // gltf_materials.cpp
-    "KHR_materials_emissive_strength",      // gltf_materials.cpp
-    "KHR_materials_variants",               // gltf_variants.cpp
-    "KHR_mesh_quantization",                // accessors.cpp: all component types are read anyway
-    "KHR_draco_mesh_compression",           // gltf_draco.cpp
-    "EXT_mesh_gpu_instancing",              // gltf_instancing.cpp
-    "KHR_node_visibility",                  // gltf_nodes.cpp
-    "KHR_animation_pointer",                // gltf_animation_targets.cpp
-    "EXT_meshopt_compression",              // gltf_meshopt.cpp
-    "KHR_meshopt_compression",              // gltf_meshopt.cpp
-    "KHR_xmp_json_ld",                      // gltf_xmp.cpp
-    "EXT_texture_webp",                     // gltf_materials.cpp, image.cpp
+    "KHR_lights_punctual",    // gltf_lights.cpp
+    "KHR_texture_transform",  // gltf_textures.cpp
+    "KHR_materials_unlit",    // gltf_materials.cpp, as all to _volume
+    "KHR_materials_anisotropy",
+    "KHR_materials_clearcoat",
+    "KHR_materials_diffuse_transmission",
+    "KHR_materials_dispersion",
+    "KHR_materials_emissive_strength",
+    "KHR_materials_ior",
+    "KHR_materials_iridescence",
+    "KHR_materials_pbrSpecularGlossiness",
+    "KHR_materials_sheen",
+    "KHR_materials_specular",
+    "KHR_materials_transmission",
+    "KHR_materials_volume",
+    "KHR_materials_variants",      // gltf_variants.cpp
+    "KHR_mesh_quantization",       // accessors.cpp: all component types are read anyway
+    "KHR_draco_mesh_compression",  // gltf_draco.cpp
+    "EXT_mesh_gpu_instancing",     // gltf_instancing.cpp
+    "KHR_node_visibility",         // gltf_nodes.cpp
+    "KHR_animation_pointer",       // gltf_animation_targets.cpp
+    "EXT_meshopt_compression",     // gltf_meshopt.cpp
+    "KHR_meshopt_compression",     // gltf_meshopt.cpp
+    "KHR_xmp_json_ld",             // gltf_xmp.cpp
+    "EXT_texture_webp",            // gltf_textures.cpp, image.cpp
 };
 
 // Where a required extension can be had without.
@@ -34,6 +44,17 @@ constexpr Remedy remedies[] = {
     {"KHR_texture_basisu",
      "export the model with PNG, JPEG or WebP textures: KTX2 needs a Basis Universal transcoder, which facet lacks"},
 };
+
+// What is lost without these are looks, sounds and motion: the rest can still be shown.
+constexpr std::string_view onlyLooks[] = {
+    "KHR_materials_", "EXT_materials_",    "KHR_texture_", "EXT_texture_",  "MSFT_texture_",
+    "KHR_lights_",    "EXT_lights_",       "KHR_xmp",      "KHR_animation", "KHR_audio",
+    "KHR_physics",    "KHR_interactivity", "KHR_node_",
+};
+
+bool concernsOnlyLooks(std::string_view name) {
+  return std::ranges::any_of(onlyLooks, [&](std::string_view prefix) { return name.starts_with(prefix); });
+}
 
 bool supported(std::string_view name) {
   return std::find(std::begin(supportedExtensions), std::end(supportedExtensions), name) !=
@@ -53,13 +74,16 @@ Result<void> checkExtensions(Document& doc) {
   for (size_t i = 0; i < doc.model.extensionsRequired.size(); ++i) {
     const std::string& name = doc.model.extensionsRequired[i];
     if (supported(name)) continue;
-    return doc.error(pointer("/extensionsRequired", i),
-                     "the model requires the extension " + inQuotes(name) + ", which is not supported",
-                     remedyFor(name));
+    const std::string place = pointer("/extensionsRequired", i);
+    const std::string problem = "the model requires the extension " + inQuotes(name) + ", which is not supported";
+    if (!concernsOnlyLooks(name)) return doc.error(place, problem, remedyFor(name));
+    doc.warning(place, problem + ": shown without; " + remedyFor(name));
   }
+  const auto& required = doc.model.extensionsRequired;
   for (size_t i = 0; i < doc.model.extensionsUsed.size(); ++i) {
     const std::string& name = doc.model.extensionsUsed[i];
-    if (!supported(name)) doc.info(pointer("/extensionsUsed", i), name + " is not supported yet: shown without");
+    const bool told = supported(name) || std::ranges::find(required, name) != required.end();
+    if (!told) doc.info(pointer("/extensionsUsed", i), name + " is not supported yet: shown without");
   }
   return {};
 }

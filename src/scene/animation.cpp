@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "scene/material_properties.hpp"
 #include "scene/nodes.hpp"
 #include "scene/usage.hpp"
 
@@ -124,40 +125,15 @@ void setNode(Node& node, const AnimationChannel& channel, const std::vector<doub
 }
 
 void setMaterial(Material& m, const AnimationChannel& channel, const std::vector<double>& v) {
-  TextureTransform& transform = textureRef(m, channel.slot).transform;
-  switch (channel.property) {
-    case AnimatedProperty::baseColorFactor:
-      return take(m.baseColorFactor, v, 0, 1);
-    case AnimatedProperty::metallicFactor:
-      m.metallicFactor = limited(v[0], 0, 1);
-      return;
-    case AnimatedProperty::roughnessFactor:
-      m.perceptualRoughnessFactor = limited(v[0], 0, 1);
-      return;
-    case AnimatedProperty::emissiveFactor:
-      return take(m.emissiveFactor, v, 0, 1);
-    case AnimatedProperty::emissiveStrength:
-      m.emissiveStrength = limited(v[0], 0, unbounded);
-      return;
-    case AnimatedProperty::normalScale:
-      m.normalScale = limited(v[0], -unbounded, unbounded);
-      return;
-    case AnimatedProperty::occlusionStrength:
-      m.occlusionStrength = limited(v[0], 0, 1);
-      return;
-    case AnimatedProperty::alphaCutoff:
-      m.alphaCutoff = limited(v[0], 0, unbounded);
-      return;
-    case AnimatedProperty::textureOffset:
-      return take(transform.offset, v);
-    case AnimatedProperty::textureRotation:
-      transform.rotation = limited(v[0], -unbounded, unbounded);
-      return;
-    case AnimatedProperty::textureScale:
-      return take(transform.scale, v);
-    default:
-      return;
+  if (const MaterialProperty* property = materialProperty(channel.property)) {
+    const std::span<float> to = components(m, *property);
+    for (size_t i = 0; i < to.size(); ++i) to[i] = inRange(*property, v[i]);
+    return;
   }
+  TextureTransform& transform = textureRef(m, channel.slot).transform;
+  if (channel.property == AnimatedProperty::textureOffset) take(transform.offset, v);
+  if (channel.property == AnimatedProperty::textureRotation) transform.rotation = limited(v[0], -unbounded, unbounded);
+  if (channel.property == AnimatedProperty::textureScale) take(transform.scale, v);
 }
 
 void setLight(Light& light, AnimatedProperty property, const std::vector<double>& v) {

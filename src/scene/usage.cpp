@@ -1,7 +1,10 @@
 #include "scene/usage.hpp"
 
+#include <algorithm>
+#include <string_view>
 #include <utility>
 
+#include "scene/material_properties.hpp"
 #include "scene/nodes.hpp"
 
 namespace facet::scene {
@@ -11,7 +14,7 @@ namespace {
 bool nonZero(const glm::vec3& v) { return v != glm::vec3(0); }
 
 struct SlotRow {
-  const char* name;
+  std::string_view path;
   TextureRef Material::*ref;
   TexelUse texels;
   bool (*matters)(const Material&);  // of lit materials; can the texture change the picture?
@@ -21,8 +24,8 @@ constexpr uint8_t r = 1, g = 2, b = 4, a = 8, rgb = 7;
 
 // In the order of TextureSlot.
 constexpr SlotRow slotRows[] = {
-    {"baseColorTexture", &Material::baseColor, {true, rgb}, [](const Material&) { return true; }},
-    {"metallicRoughnessTexture",
+    {"pbrMetallicRoughness/baseColorTexture", &Material::baseColor, {true, rgb}, [](const Material&) { return true; }},
+    {"pbrMetallicRoughness/metallicRoughnessTexture",
      &Material::metallicRoughness,
      {false, g | b},
      [](const Material& m) { return m.metallicFactor != 0 || m.perceptualRoughnessFactor != 0; }},
@@ -32,37 +35,43 @@ constexpr SlotRow slotRows[] = {
      &Material::emissive,
      {true, rgb},
      [](const Material& m) { return nonZero(m.emissiveFactor) && m.emissiveStrength != 0; }},
-    {"clearcoatTexture", &Material::clearcoat, {false, r}, hasClearcoat},
-    {"clearcoatRoughnessTexture",
+    {"extensions/KHR_materials_clearcoat/clearcoatTexture", &Material::clearcoat, {false, r}, hasClearcoat},
+    {"extensions/KHR_materials_clearcoat/clearcoatRoughnessTexture",
      &Material::clearcoatRoughness,
      {false, g},
      [](const Material& m) { return hasClearcoat(m) && m.clearcoatRoughnessFactor != 0; }},
-    {"clearcoatNormalTexture",
+    {"extensions/KHR_materials_clearcoat/clearcoatNormalTexture",
      &Material::clearcoatNormal,
      {false, rgb},
      [](const Material& m) { return hasClearcoat(m) && m.clearcoatNormalScale != 0; }},
-    {"sheenColorTexture", &Material::sheenColor, {true, rgb}, hasSheen},
-    {"sheenRoughnessTexture",
+    {"extensions/KHR_materials_sheen/sheenColorTexture", &Material::sheenColor, {true, rgb}, hasSheen},
+    {"extensions/KHR_materials_sheen/sheenRoughnessTexture",
      &Material::sheenRoughness,
      {false, a},
      [](const Material& m) { return hasSheen(m) && m.sheenRoughnessFactor != 0; }},
-    {"anisotropyTexture", &Material::anisotropy, {false, rgb}, hasAnisotropy},
-    {"specularTexture", &Material::specular, {false, a}, [](const Material& m) { return m.specularWeight != 0; }},
-    {"specularColorTexture",
+    {"extensions/KHR_materials_anisotropy/anisotropyTexture", &Material::anisotropy, {false, rgb}, hasAnisotropy},
+    {"extensions/KHR_materials_specular/specularTexture",
+     &Material::specular,
+     {false, a},
+     [](const Material& m) { return m.specularWeight != 0; }},
+    {"extensions/KHR_materials_specular/specularColorTexture",
      &Material::specularColor,
      {true, rgb},
      [](const Material& m) { return m.specularWeight != 0 && nonZero(m.specularColorFactor); }},
-    {"iridescenceTexture", &Material::iridescence, {false, r}, hasIridescence},
-    {"iridescenceThicknessTexture",
+    {"extensions/KHR_materials_iridescence/iridescenceTexture", &Material::iridescence, {false, r}, hasIridescence},
+    {"extensions/KHR_materials_iridescence/iridescenceThicknessTexture",
      &Material::iridescenceThickness,
      {false, g},
      [](const Material& m) {
        return hasIridescence(m) && m.iridescenceThicknessMinimum != m.iridescenceThicknessMaximum;
      }},
-    {"transmissionTexture", &Material::transmission, {false, r}, hasTransmission},
-    {"thicknessTexture", &Material::thickness, {false, g}, hasVolume},
-    {"diffuseTransmissionTexture", &Material::diffuseTransmission, {false, a}, hasDiffuseTransmission},
-    {"diffuseTransmissionColorTexture",
+    {"extensions/KHR_materials_transmission/transmissionTexture", &Material::transmission, {false, r}, hasTransmission},
+    {"extensions/KHR_materials_volume/thicknessTexture", &Material::thickness, {false, g}, hasVolume},
+    {"extensions/KHR_materials_diffuse_transmission/diffuseTransmissionTexture",
+     &Material::diffuseTransmission,
+     {false, a},
+     hasDiffuseTransmission},
+    {"extensions/KHR_materials_diffuse_transmission/diffuseTransmissionColorTexture",
      &Material::diffuseTransmissionColor,
      {true, rgb},
      [](const Material& m) { return hasDiffuseTransmission(m) && nonZero(m.diffuseTransmissionColorFactor); }},
@@ -88,7 +97,12 @@ bool hasDielectricSpecular(const Material& m) {
          m.specularColor;
 }
 
-const char* name(TextureSlot slot) { return row(slot).name; }
+std::string_view path(TextureSlot slot) { return row(slot).path; }
+
+const char* name(TextureSlot slot) {
+  const std::string_view path = row(slot).path;
+  return path.data() + path.rfind('/') + 1;
+}
 
 TexelUse texelUse(const Material& m, TextureSlot slot) {
   TexelUse use = row(slot).texels;
@@ -140,16 +154,14 @@ std::vector<Material> materialsOverTime(const Model& model) {
   std::vector<Material> materials = model.materials;
   for (const Animation& animation : model.animations)
     for (const AnimationChannel& channel : animation.channels) {
-      if (channel.property < AnimatedProperty::baseColorFactor || channel.property > AnimatedProperty::textureScale)
-        continue;
+      const MaterialProperty* property = materialProperty(channel.property);
+      if (property == nullptr) continue;
       Material& m = materials[size_t(channel.object)];
-      if (channel.property == AnimatedProperty::baseColorFactor) m.baseColorFactor = glm::vec4(1);
-      if (channel.property == AnimatedProperty::metallicFactor) m.metallicFactor = 1;
-      if (channel.property == AnimatedProperty::roughnessFactor) m.perceptualRoughnessFactor = 1;
-      if (channel.property == AnimatedProperty::emissiveFactor) m.emissiveFactor = glm::vec3(1);
-      if (channel.property == AnimatedProperty::emissiveStrength) m.emissiveStrength = 1;
-      if (channel.property == AnimatedProperty::normalScale) m.normalScale = 1;
-      if (channel.property == AnimatedProperty::occlusionStrength) m.occlusionStrength = 1;
+      std::ranges::fill(components(m, *property), 1.0f);
+      // It is their difference that the texture's effect takes.
+      if (channel.property == AnimatedProperty::iridescenceThicknessMinimum ||
+          channel.property == AnimatedProperty::iridescenceThicknessMaximum)
+        m.iridescenceThicknessMinimum = 0, m.iridescenceThicknessMaximum = 1;
     }
   return materials;
 }

@@ -4,6 +4,7 @@
 // decodes, uploads or samples it.
 
 #include <array>
+#include <string_view>
 #include <vector>
 
 #include "scene/model.hpp"
@@ -16,7 +17,8 @@ inline constexpr std::array<TextureSlot, textureSlotCount> textureSlots = [] {
   return slots;
 }();
 
-const char* name(TextureSlot slot);  // as in glTF: "baseColorTexture"
+const char* name(TextureSlot slot);       // as in glTF: "baseColorTexture"
+std::string_view path(TextureSlot slot);  // in glTF, below the material: "pbrMetallicRoughness/baseColorTexture"
 
 // Which effects of extensions a lit metallic-roughness material has; those of factor 0 cost nothing.
 bool hasDielectricSpecular(const Material& material);  // an interface other than ior 1.5 without tint

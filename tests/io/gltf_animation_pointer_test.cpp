@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "scene/material_properties.hpp"
+#include "scene/usage.hpp"
 #include "support/gltf_load.hpp"
 
 namespace {
@@ -99,6 +101,37 @@ TEST_CASE("Every pointer that is known", "[io][animations]") {
   }
 }
 
+TEST_CASE("Every factor and texture transform of a material can be pointed to", "[io][animations]") {
+  const auto channel = [](const std::string& path, int width) {
+    INFO(path);
+    const auto model = aimed("/materials/1/" + path, width, width);
+    CHECK(notes(model) == "");
+    REQUIRE(model.model.animations[0].channels.size() == 1);
+    CHECK(model.model.animations[0].channels[0].object == 1);
+    CHECK(model.model.animations[0].samplers[0].width == width);
+    return model.model.animations[0].channels[0];
+  };
+  CHECK(channel("extensions/KHR_materials_volume/attenuationColor", 3).property == AnimatedProperty::attenuationColor);
+  CHECK(channel("extensions/KHR_materials_clearcoat/clearcoatNormalTexture/scale", 1).property ==
+        AnimatedProperty::clearcoatNormalScale);
+  for (const scene::MaterialProperty& property : scene::materialProperties())
+    CHECK(channel(property.path, componentCount(property)).property == property.property);
+  const struct {
+    const char* key;
+    AnimatedProperty property;
+    int width;
+  } transforms[] = {{"offset", AnimatedProperty::textureOffset, 2},
+                    {"rotation", AnimatedProperty::textureRotation, 1},
+                    {"scale", AnimatedProperty::textureScale, 2}};
+  for (const TextureSlot slot : scene::textureSlots)
+    for (const auto& transform : transforms) {
+      const auto found = channel(std::string(scene::path(slot)) + "/extensions/KHR_texture_transform/" + transform.key,
+                                 transform.width);
+      CHECK(found.property == transform.property);
+      CHECK(found.slot == slot);
+    }
+}
+
 TEST_CASE("Pointers to weights", "[io][animations]") {
   auto model = aimed("/nodes/1/weights", 2, 1);
   CHECK(notes(model) == "");
@@ -122,12 +155,27 @@ TEST_CASE("Pointers to weights", "[io][animations]") {
 }
 
 TEST_CASE("Pointers that name nothing known", "[io][animations]") {
-  for (const char* pointer :
-       {"", "/", "nodes/0/translation", "/nodes/3/translation", "/nodes/-1/scale", "/nodes/0", "/nodes/0/",
-        "/nodes/0/translation/", "/nodes/0/weights/2", "/nodes/0/weights/", "/nodes/x/scale",
-        "/nodes/99999999999/scale", "/meshes/0/primitives", "/meshes/1/weights", "/materials/0/normalTexture/offset",
-        "/materials/0/extensions/KHR_materials_ior/ior", "/cameras/0/orthographic/xmag", "/cameras/1/perspective/yfov",
-        "/extensions/KHR_lights_punctual/lights/2/color"}) {
+  for (const char* pointer : {"",
+                              "/",
+                              "nodes/0/translation",
+                              "/nodes/3/translation",
+                              "/nodes/-1/scale",
+                              "/nodes/0",
+                              "/nodes/0/",
+                              "/nodes/0/translation/",
+                              "/nodes/0/weights/2",
+                              "/nodes/0/weights/",
+                              "/nodes/x/scale",
+                              "/nodes/99999999999/scale",
+                              "/meshes/0/primitives",
+                              "/meshes/1/weights",
+                              "/materials/0/normalTexture/offset",
+                              "/materials/0/extensions/KHR_materials_ior/iors",
+                              "/materials/0/normalTexture",
+                              "/materials/0/normalTexturescale",
+                              "/cameras/0/orthographic/xmag",
+                              "/cameras/1/perspective/yfov",
+                              "/extensions/KHR_lights_punctual/lights/2/color"}) {
     const auto model = aimed(pointer, 1, 1);
     const bool extended = std::string(pointer).find("/extensions/") != std::string::npos;  // no more than a hint
     CHECK(notes(model) == (extended ? "" : "! ") + ("/animations/0/channels/0/target: \"" + std::string(pointer)) +

@@ -41,10 +41,9 @@ const Row rows[] = {
      },
      "m: /extensionsRequired/1: the model requires the extension \"ACME_x\", which is not supported; export the model "
      "without it."},
-    {"required KTX2", [](GltfBuilder& b) { b.json["extensionsRequired"] = {"KHR_texture_basisu"}; },
-     "m: /extensionsRequired/0: the model requires the extension \"KHR_texture_basisu\", which is not supported; "
-     "export "
-     "the model with PNG, JPEG or WebP textures: KTX2 needs a Basis Universal transcoder, which facet lacks."},
+    {"required geometry", [](GltfBuilder& b) { b.json["extensionsRequired"] = {"KHR_gaussian_splatting"}; },
+     "m: /extensionsRequired/0: the model requires the extension \"KHR_gaussian_splatting\", which is not supported; "
+     "export the model without it."},
     // Buffers
     {"buffer shorter than declared",
      [](GltfBuilder& b) {
