@@ -38,8 +38,8 @@ vec3 sampleVisibleNormalAnisotropic(vec3 V, vec2 alpha, vec2 u) {
 }
 
 // A and B of the lobe (energy.glsl) at V by quadrature over the visible normals: 8 radii, squeezed towards the rim as in
-// passes/dfg.comp.glsl, times 12 azimuths. A table would need four dimensions. Off by 0.007 below and 0.009 above at
-// most; A is raised by 0.008, so that a compensated lobe never gains, and loses 0.017 at most.
+// passes/dfg.comp.glsl, times 12 azimuths. A table would need four dimensions. Off by 0.007 below and 0.015 above at
+// most; A is raised by 0.008, so that a compensated lobe never gains, and loses 0.023 at most.
 vec2 dfgAnisotropic(vec3 V, vec2 alpha) {
   const float nodes[8] = float[](0.019855072, 0.101666761, 0.237233795, 0.408282679, 0.591717321, 0.762766205, 0.898333239, 0.980144928);
   const float weights[8] = float[](0.050614268, 0.111190517, 0.156853323, 0.181341892, 0.181341892, 0.156853323, 0.111190517, 0.050614268);
