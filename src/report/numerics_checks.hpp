@@ -13,6 +13,7 @@ std::vector<Check> surfaceChecks();  // microfacet, fresnel, diffuse, energy, bs
 std::vector<Check> modelChecks();    // fresnel (exact), diffuse models, ndf
 std::vector<Check> lobeChecks();     // anisotropy, sheen, iridescence
 std::vector<Check> layerChecks();    // transmission, layers
+std::vector<Check> transmittedChecks();  // what is seen through glass
 std::vector<Check> lightChecks();    // lights
 std::vector<Check> displayChecks();  // color
 std::vector<Check> mappingChecks();  // mapping, environment_layers
