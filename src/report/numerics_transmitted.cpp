@@ -9,8 +9,9 @@ namespace {
 using optics::pi;
 
 Check checkAlpha() {
-  Check check = absoluteCheck("transmittedAlpha", "transmitted.glsl", "out0.x = transmittedAlpha(in0.x, in0.y, in0.z > 0.5);",
-                              {"perceptualRoughness", "ior", "volume"});
+  Check check =
+      absoluteCheck("transmittedAlpha", "transmitted.glsl", "out0.x = transmittedAlpha(in0.x, in0.y, in0.z > 0.5);",
+                    {"perceptualRoughness", "ior", "volume"});
   check.inputs = grid({0, 1e-3, 0.3, 1}, {0, 1, 1.001, 1.33, 1.5, 3, 100}, {0, 1});
   check.twin = [](CheckVectors in) { return CheckValues{optics::transmittedAlpha(in[0].x, in[0].y, in[0].z > 0.5)}; };
   allow(check, 8, "8 roundings of numbers up to 2");

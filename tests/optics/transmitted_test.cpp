@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "optics/energy.hpp"
+#include "optics/microfacet.hpp"
 #include "optics/quadrature.hpp"
 #include "optics/transmission.hpp"
 
@@ -88,8 +89,7 @@ TEST_CASE("The levels of what is behind have the variance that is said, and mixe
   // Filter and spline applied to an impulse, along one axis.
   for (int levels = 0; levels <= 5; ++levels) {
     double variance = 0, texel = 1;  // of the sum of independent filters
-    for (int i = 0; i < levels; ++i, texel *= 2)
-      variance += (2 * 3.0 / 8 * 0.25 + 2 * 1.0 / 8 * 2.25) * texel * texel;
+    for (int i = 0; i < levels; ++i, texel *= 2) variance += (2 * 3.0 / 8 * 0.25 + 2 * 1.0 / 8 * 2.25) * texel * texel;
     CHECK(behindVariance(levels) == Approx(variance + texel * texel / 3));
   }
   for (const double variance : {0.0, 0.1, 0.5, 2.0, 77.0, 1000.0}) {
