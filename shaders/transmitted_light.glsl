@@ -37,13 +37,17 @@ vec4 behindSpline(vec2 pixel, int level) {
          right.y * (left.x * textureLod(behindColor, vec2(low.x, high.y), lod) + right.x * textureLod(behindColor, high, lod));
 }
 
+// Even and odd levels by one lookup each: some drivers take one level for each quad of pixels, and where the pair of
+// levels changes, the one that both pairs share has all the weight.
 vec4 behindBlurred(vec2 pixel, float variance) {
   if (variance <= 1e-4) return behindSharp(pixel);
   int level;
   float weight;
   findBehindLevel(variance, textureQueryLevels(behindColor), level, weight);
-  vec4 low = level < 0 ? behindSharp(pixel) : behindSpline(pixel, level);
-  return weight > 0.0 ? mix(low, behindSpline(pixel, level + 1), weight) : low;
+  bool lowIsEven = (level & 1) == 0;
+  int even = lowIsEven ? level : level + 1, odd = lowIsEven ? level + 1 : level;
+  vec4 atOdd = odd < 0 ? behindSharp(pixel) : behindSpline(pixel, odd);
+  return mix(behindSpline(pixel, even), atOdd, lowIsEven ? weight : 1.0 - weight);
 }
 
 // Along the view's axis.

@@ -39,8 +39,8 @@ struct Targets {
   gl::VertexArray noAttributes;  // core profile draws nothing without a vertex array, full-screen passes too
 };
 Targets createTargets(int width, int height, int samples, bool gather);
-// Adds the copy of what is behind where the list has transmitting surfaces and the targets have none yet; frees it where
-// the list has none.
+// Adds the copy of what is behind where the list has transmitting surfaces and the targets have none yet; frees it
+// where the list has none.
 void prepareBehind(Targets& targets, const DrawList& list);
 
 struct FrameStatistics {

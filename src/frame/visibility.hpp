@@ -19,7 +19,7 @@ struct VisibleDraws {
   // The first of `blended` that are drawn before the transmitting ones, because they may shine through: those that are
   // not nearer than all boxes of transmitting draws.
   size_t blendedBehind = 0;
-  size_t culled = 0;                // instances of draws that lie outside the picture
+  size_t culled = 0;  // instances of draws that lie outside the picture
 };
 
 // The part of the picture that is drawn: clip coordinates of its lowest and highest row.

@@ -171,7 +171,8 @@ TEST_CASE("Rough glass blurs an edge behind it as its lobe does, in proportion t
         for (int x = 20; x < 236; ++x) {
           const double p = (x + 0.5) / 128 - 1;
           const double expected = 0.5 * (1 - p / std::hypot(p, a));
-          worst = std::max(worst, std::abs(double(test::pixel(picture.radiance, x, 64).x) / entering(roughness) - expected));
+          worst = std::max(worst,
+                           std::abs(double(test::pixel(picture.radiance, x, 64).x) / entering(roughness) - expected));
         }
         std::cout << "blur, " << samples << " samples, roughness " << roughness << ", " << distance
                   << " m behind: edge off by at most " << worst << "\n";
@@ -250,8 +251,8 @@ TEST_CASE("Glass that is blended too covers by its alpha; a back face shows only
       m.doubleSided = both;
     });
     const float expected = both ? 0.75f + 0.25f * 0.5f * T : 1;
-    checkPixel(test::pixel(studio.render(model, frontSettings(8, 8)).radiance, 2, 6),
-               {expected, expected, expected, 1}, 2e-3f);
+    checkPixel(test::pixel(studio.render(model, frontSettings(8, 8)).radiance, 2, 6), {expected, expected, expected, 1},
+               2e-3f);
   }
 }
 
@@ -310,8 +311,8 @@ TEST_CASE("A light behind glass shines through as the mirrored lobe does, one be
         const glm::dvec3 towards = light - glm::dvec3((x + 0.5) / 8 - 1, 1 - (y + 0.5) / 8, 0);
         const double distance2 = glm::dot(towards, towards);
         const glm::dvec3 L = towards / std::sqrt(distance2);
-        const double f = paper ? 0.75 * -L.z / optics::pi
-                               : optics::transmittedLobe(N, L, roughness * roughness) / (dfg.A + dfg.B);
+        const double f =
+            paper ? 0.75 * -L.z / optics::pi : optics::transmittedLobe(N, L, roughness * roughness) / (dfg.A + dfg.B);
         const glm::dvec3 expected = color * (f * entering(roughness) * intensity / distance2);
         const glm::vec4& got = test::pixel(picture.radiance, x, y);
         for (int i = 0; i < 3; ++i) worst = std::max(worst, std::abs(double(got[i]) - expected[i]) / expected[i]);

@@ -116,3 +116,19 @@ TEST_CASE("Visibility: opaque draws go by program, material and depth, blended o
   CHECK(seen.blended[1].firstInstance == 3);
   CHECK(seen.blended[2].firstInstance == 4);
 }
+
+TEST_CASE("Visibility: blended draws are behind what transmits unless nearer than the nearest box of that") {
+  frame::DrawList list = boxes({{0, 0, 0}, {0, 0, 0.4}, {0, 0, 0.6}, {0, 0, -5}});
+  list.opaque.clear();
+  for (uint32_t i = 0; i < 4; ++i) {
+    Draw draw;
+    draw.firstInstance = draw.firstBounds = i;
+    (i == 0 ? list.transmitting : list.blended).push_back(draw);
+  }
+  frame::VisibleDraws seen = frame::visibleDraws(list, lookingDown(), {}, 0);
+  REQUIRE(seen.transmitting.size() == 1);
+  REQUIRE(seen.blended.size() == 3);
+  CHECK(seen.blendedBehind == 2);  // the one within the box too
+  list.transmitting.clear();
+  CHECK(frame::visibleDraws(list, lookingDown(), {}, 0).blendedBehind == 0);
+}
