@@ -9,9 +9,12 @@ struct Offsets {
   vec4 color;
 };
 
-// Target after target, vertex after vertex: the numbers of one vertex in the order of Offsets, those that are there.
+// Target after target, vertex after vertex: `stride` numbers each, positions first. A draw may read fewer attributes than
+// the buffer has, so the places of the others are said here.
 layout(std430, binding = morphTargetBinding) readonly buffer MorphTargetBlock {
   uint morphVertexCount;
+  uint morphStride;
+  uint morphNormalAt, morphTangentAt, morphColorAt;
   float morphDifferences[];
 };
 layout(std430, binding = morphWeightBinding) readonly buffer MorphWeightBlock { MorphWeight morphWeights[]; };
@@ -21,31 +24,19 @@ vec3 difference(uint at) { return vec3(morphDifferences[at], morphDifferences[at
 // glTF 2.0, 3.7.2.2: base + sum of weight * target.
 Offsets morphOffsets(Instance instance, uint vertex) {
   Offsets sum = Offsets(vec3(0.0), vec3(0.0), vec3(0.0), vec4(0.0));
-  uint stride = 3u;
-#ifdef MORPH_NORMALS
-  stride += 3u;
-#endif
-#ifdef MORPH_TANGENTS
-  stride += 3u;
-#endif
-#ifdef MORPH_COLORS
-  stride += 4u;
-#endif
   for (uint i = 0u; i < instance.deformation.z; ++i) {
     MorphWeight target = morphWeights[instance.deformation.y + i];
-    uint at = (target.target * morphVertexCount + vertex) * stride;
+    uint at = (target.target * morphVertexCount + vertex) * morphStride;
     sum.position += target.weight * difference(at);
-    at += 3u;
 #ifdef MORPH_NORMALS
-    sum.normal += target.weight * difference(at);
-    at += 3u;
+    sum.normal += target.weight * difference(at + morphNormalAt);
 #endif
 #ifdef MORPH_TANGENTS
-    sum.tangent += target.weight * difference(at);
-    at += 3u;
+    sum.tangent += target.weight * difference(at + morphTangentAt);
 #endif
 #ifdef MORPH_COLORS
-    sum.color += target.weight * vec4(difference(at), morphDifferences[at + 3u]);
+    uint color = at + morphColorAt;
+    sum.color += target.weight * vec4(difference(color), morphDifferences[color + 3u]);
 #endif
   }
   return sum;

@@ -70,7 +70,10 @@ Varyings readVaryings() {
 #define TAKE(n) v.texCoord##n = inTexCoord##n;
   EACH_TEXCOORD(TAKE)
 #ifdef FLAT_NORMALS
-  vec3 facing = cross(dFdx(inPosition), dFdy(inPosition));  // towards the viewer, whichever way the triangle winds
+  // Towards the viewer, whichever way the triangle winds; of lengths whose product does not underflow.
+  vec3 dx = dFdx(inPosition), dy = dFdy(inPosition);
+  vec3 facing = cross(dx / max(max(abs(dx.x), max(abs(dx.y), abs(dx.z))), 1e-37),
+                      dy / max(max(abs(dy.x), max(abs(dy.y), abs(dy.z))), 1e-37));
   v.normal = safeNormalize(gl_FrontFacing ? facing : -facing, inNormal);
 #endif
 #ifdef DOUBLE_SIDED

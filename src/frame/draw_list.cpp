@@ -48,9 +48,8 @@ void addDemoLights(DrawList& list) {
 
 layout::Instance instanceUniforms(const scene::Instance& instance, const glm::dvec3& origin) {
   layout::Instance out{};
-  const bool skinned = instance.skin >= 0;  // the joints hold the origin then
   glm::dmat4 world = instance.worldFromNode;
-  if (!skinned) world[3] -= glm::dvec4(origin, 0);
+  world[3] -= glm::dvec4(origin, 0);
   const glm::dmat3 normals = scene::normalTransform(instance.worldFromNode);
   out.worldFromLocal = glm::mat4(world);
   for (int column = 0; column < 3; ++column) out.normalFromLocal[column] = glm::vec4(glm::vec3(normals[column]), 0);
@@ -152,14 +151,14 @@ void addInstances(DrawList& list, const scene::Mesh& mesh, const std::vector<Pla
 }
 
 Placed place(const scene::Model& model, const scene::FlatScene& flat, const scene::Instance& instance,
-             const scene::Pose& pose) {
+             const scene::Pose& pose, scene::MorphedBounds& morphed) {
   Placed placed{&instance, {}, {}};
   const scene::Mesh& mesh = model.meshes[static_cast<size_t>(instance.mesh)];
   placed.weights = scene::morphWeights(mesh, pose.nodes.of(model.nodes, instance.node));
   std::span<const glm::dmat4> joints;
   if (instance.skin >= 0) joints = flat.joints[static_cast<size_t>(instance.skin)];
   for (const scene::Primitive& primitive : mesh.primitives)
-    placed.bounds.push_back(scene::deformedBounds(primitive, placed.weights, joints, instance.worldFromNode));
+    placed.bounds.push_back(scene::deformedBounds(primitive, placed.weights, joints, instance.worldFromNode, morphed));
   return placed;
 }
 
@@ -196,8 +195,9 @@ DrawList buildDrawList(const scene::Model& model, int scene, const DrawOptions& 
   const scene::FlatScene flat = scene::flatten(model, scene, pose);
   // Instances of one call: mesh, handedness, with or without a skin.
   std::map<std::tuple<int, bool, bool>, std::vector<Placed>> groups;
+  scene::MorphedBounds morphed;
   for (const scene::Instance& instance : flat.instances) {
-    Placed placed = place(model, flat, instance, pose);
+    Placed placed = place(model, flat, instance, pose, morphed);
     for (const scene::Bounds& bounds : placed.bounds)
       if (!bounds.empty()) list.bounds.add(bounds.min), list.bounds.add(bounds.max);
     groups[{instance.mesh, instance.mirrored, instance.skin >= 0}].push_back(std::move(placed));

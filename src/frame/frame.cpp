@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <set>
 #include <span>
 
 #include "frame/behind.hpp"
@@ -137,15 +138,16 @@ void setCulling(bool doubleSided) {
 // Draws a run of the list, changing program and material only where they change.
 Result<void> drawSorted(const FrameInput& in, std::span<const Draw> draws, bool blended, ProgramStore& programs,
                         FrameStatistics& statistics) {
-  const gl::Program* current = nullptr;
   const Draw* previous = nullptr;
   for (const Draw& draw : draws) {
-    const auto program = meshProgram(draw.key, programs);
-    if (!program) return tl::unexpected(program.error());
-    if (*program != current) glUseProgram((*program)->id());
+    const bool sameProgram = previous && previous->key == draw.key;
+    if (!sameProgram) {
+      const auto program = meshProgram(draw.key, programs);
+      if (!program) return tl::unexpected(program.error());
+      glUseProgram((*program)->id());
+    }
     // The slots that are read depend on the primitive's attributes too, which the key holds.
-    if (*program != current || draw.material != previous->material) bindMaterial(in, draw);
-    current = *program;
+    if (!sameProgram || draw.material != previous->material) bindMaterial(in, draw);
     previous = &draw;
     if (blended && draw.doubleSided && scene::hasTriangles(draw.primitive->topology)) {
       // The far side of a closed shape first.
@@ -312,9 +314,11 @@ int gatheredDraws(const PictureSettings& settings, const Targets& targets) {
 }
 
 Result<void> preparePrograms(const FrameInput& in, ProgramStore& programs) {
+  std::set<shading::VariantKey> keys;
   for (const std::vector<Draw>* draws : in.list.classes())
-    for (const Draw& draw : *draws)
-      if (const auto program = meshProgram(draw.key, programs); !program) return tl::unexpected(program.error());
+    for (const Draw& draw : *draws) keys.insert(draw.key);
+  for (const shading::VariantKey& key : keys)
+    if (const auto program = meshProgram(key, programs); !program) return tl::unexpected(program.error());
   if (!in.list.transmitting.empty())
     if (Result<void> prepared = prepareBehindPrograms(programs); !prepared) return prepared;
   if (skyVisible(in))

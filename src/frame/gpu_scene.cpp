@@ -77,14 +77,17 @@ gl::Buffer uploadInfluences(const Primitive& primitive) {
   return gl::Buffer::of(words, "influences");
 }
 
-// The number of vertices, then target after target; what a target leaves out is zero.
+// As shaders/deformation.glsl reads it; what a target leaves out is zero.
 gl::Buffer uploadMorphTargets(const Primitive& primitive, const shading::VariantKey& key) {
   const bool normals = shading::usesFeature(key, "MORPH_NORMALS"),
              tangents = shading::usesFeature(key, "MORPH_TANGENTS"), colors = shading::usesFeature(key, "MORPH_COLORS");
-  const size_t vertices = primitive.positions.size();
-  const size_t stride = 3 + (normals ? 3u : 0u) + (tangents ? 3u : 0u) + (colors ? 4u : 0u);
-  std::vector<float> numbers = {std::bit_cast<float>(static_cast<uint32_t>(vertices))};
-  numbers.reserve(1 + primitive.targets.size() * vertices * stride);
+  const auto vertices = static_cast<uint32_t>(primitive.positions.size());
+  const uint32_t normalAt = 3, tangentAt = normalAt + (normals ? 3 : 0), colorAt = tangentAt + (tangents ? 3 : 0);
+  const uint32_t stride = colorAt + (colors ? 4 : 0);
+  std::vector<float> numbers;
+  numbers.reserve(5 + primitive.targets.size() * vertices * stride);
+  for (const uint32_t word : {vertices, stride, normalAt, tangentAt, colorAt})
+    numbers.push_back(std::bit_cast<float>(word));
   const auto add = [&](const auto& values, size_t vertex, int components) {
     for (int c = 0; c < components; ++c) numbers.push_back(values.empty() ? 0.0f : values[vertex][c]);
   };
@@ -131,9 +134,11 @@ TextureUse useOf(const scene::Model& model, const scene::Material& material, Tex
 }
 
 const gl::Texture* findTexture(const GpuScene& gpu, const TextureUse& use) {
-  for (const auto& [key, texture] : gpu.textures)
-    if (key.image == use.image && key.srgb == use.srgb && (key.channels & use.channels) == use.channels)
-      return &texture;
+  for (auto it = gpu.textures.lower_bound({use.image, use.srgb, 0}); it != gpu.textures.end(); ++it) {
+    const TextureUse& key = it->first;
+    if (key.image != use.image || key.srgb != use.srgb) break;
+    if ((key.channels & use.channels) == use.channels) return &it->second;
+  }
   return nullptr;
 }
 
@@ -241,21 +246,19 @@ size_t GpuScene::geometryBytes() const {
 }
 
 std::vector<TextureUse> textureUses(const scene::Model& model, const DrawList& list) {
-  std::vector<TextureUse> uses;
+  std::map<std::pair<int, bool>, uint8_t> channels;  // by image and curve
   forEachDraw(list, [&](const Draw& draw) {
     const scene::Material& material = list.materials[static_cast<size_t>(draw.material)];
     for (const TextureSlot slot : scene::textureSlots) {
       if (!shading::samplesSlot({material, *draw.primitive, list.features}, slot)) continue;
       const TextureUse use = useOf(model, material, slot);
       if (use.image < 0) continue;
-      const auto same = std::ranges::find_if(
-          uses, [&](const TextureUse& other) { return other.image == use.image && other.srgb == use.srgb; });
-      if (same == uses.end())
-        uses.push_back(use);
-      else
-        same->channels = static_cast<uint8_t>(same->channels | use.channels);
+      uint8_t& all = channels[{use.image, use.srgb}];
+      all = static_cast<uint8_t>(all | use.channels);
     }
   });
+  std::vector<TextureUse> uses;
+  for (const auto& [key, mask] : channels) uses.push_back({key.first, key.second, mask});
   return uses;
 }
 
@@ -266,7 +269,7 @@ std::vector<bool> missingImages(const scene::Model& model, const DrawList& list,
   return missing;
 }
 
-void upload(GpuScene& gpu, const scene::Model& model, const DrawList& list, std::vector<io::Pixels> pixels) {
+void uploadScene(GpuScene& gpu, const scene::Model& model, const DrawList& list) {
   forEachDraw(list, [&](const Draw& draw) {
     const auto found = gpu.primitives.find(draw.primitive);
     if (found == gpu.primitives.end())
@@ -276,15 +279,6 @@ void upload(GpuScene& gpu, const scene::Model& model, const DrawList& list, std:
   });
   if (!gpu.placeholder)
     gpu.placeholder = uploadTexture(io::placeholderImage(), {.image = -1, .srgb = true, .channels = 0b0111}, true);
-  const std::vector<TextureUse> uses = textureUses(model, list);
-  for (size_t image = 0; image < pixels.size(); ++image) {
-    if (pixels[image].width == 0) continue;
-    ++gpu.imagesDecoded;
-    for (const TextureUse& use : uses)
-      if (use.image == static_cast<int>(image) && !findTexture(gpu, use))
-        gpu.textures.emplace(use, uploadTexture(pixels[image], use, needsMips(model, use.image)));
-    pixels[image] = {};
-  }
   for (const scene::Texture& texture : model.textures)
     if (samplerFor(gpu, texture.sampler) == 0)
       gpu.samplers.emplace_back(texture.sampler, createSampler(texture.sampler));
@@ -293,6 +287,19 @@ void upload(GpuScene& gpu, const scene::Model& model, const DrawList& list, std:
   if (!list.joints.empty()) gpu.joints = gl::Buffer::of(list.joints, "joints");
   if (!list.morphWeights.empty()) gpu.morphWeights = gl::Buffer::of(list.morphWeights, "morph weights");
   gpu.lights = gl::Buffer::of(list.lights, "lights");
+}
+
+void uploadImages(GpuScene& gpu, const scene::Model& model, const std::vector<TextureUse>& uses,
+                  std::vector<io::Pixels> pixels) {
+  const auto byImage = [](const TextureUse& use) { return use.image; };
+  for (size_t image = 0; image < pixels.size(); ++image) {
+    if (pixels[image].width == 0) continue;
+    ++gpu.imagesDecoded;
+    for (const TextureUse& use : std::ranges::equal_range(uses, static_cast<int>(image), {}, byImage))
+      if (!findTexture(gpu, use))
+        gpu.textures.emplace(use, uploadTexture(pixels[image], use, needsMips(model, use.image)));
+    pixels[image] = {};
+  }
 }
 
 void setTextureDetail(const GpuScene& gpu, int draws, const gl::ContextInfo& context) {

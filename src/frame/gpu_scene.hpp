@@ -47,15 +47,20 @@ struct GpuScene {
   size_t geometryBytes() const;
 };
 
-// The texture uses of the draw list's variants; where several slots read one image they share one texture.
+// The texture uses of the draw list's variants; where several slots read one image they share one texture. In
+// the order of images.
 std::vector<TextureUse> textureUses(const scene::Model& model, const DrawList& list);
 
 // Images of the list that the GPU does not hold yet: one entry per image of the model.
 std::vector<bool> missingImages(const scene::Model& model, const DrawList& list, const GpuScene& gpu);
 
-// Uploads what is missing; pixels as io::decodeImages returned them for missingImages (moved from, so that each image's
-// memory is freed as soon as it is on the GPU).
-void upload(GpuScene& gpu, const scene::Model& model, const DrawList& list, std::vector<io::Pixels> pixels);
+// Geometry that is missing, samplers, and all of the list's materials, instances, joints and lights.
+void uploadScene(GpuScene& gpu, const scene::Model& model, const DrawList& list);
+
+// Pixels as io::decodeImages returned them for missingImages, or for some of those (moved from, so that each image's
+// memory is freed as soon as it is on the GPU). uses: textureUses of the list.
+void uploadImages(GpuScene& gpu, const scene::Model& model, const std::vector<TextureUse>& uses,
+                  std::vector<io::Pixels> pixels);
 
 // Where a pixel gathers several draws, textures are read at the size of one draw's share of it; the gathering then
 // filters along the footprint, so that anisotropic filtering is left out.

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <set>
 #include <thread>
 
 #include "scene/animation.hpp"
@@ -151,19 +152,32 @@ Result<scene::Pose> choosePose(const PictureSettings& settings, const scene::Mod
   return scene::poseAt(model, *animations, settings.timeSeconds);
 }
 
+// Evenly spread over the course, and as many of the keys: what moves far for a moment has one there.
+std::vector<double> framedMoments(const scene::Model& model, const std::vector<int>& animations, size_t count) {
+  std::set<double> keys;
+  for (const int animation : animations)
+    for (const scene::AnimationSampler& sampler : model.animations[static_cast<size_t>(animation)].samplers)
+      keys.insert(sampler.times.begin(), sampler.times.end());
+  if (keys.empty()) return {0};
+  std::vector<double> moments;
+  for (size_t i = 0; i < count; ++i)
+    moments.push_back(*keys.rbegin() * static_cast<double>(i) / static_cast<double>(count - 1));
+  const size_t step = (keys.size() + count - 1) / count;
+  size_t index = 0;
+  for (const double key : keys)
+    if (index++ % step == 0) moments.push_back(key);
+  return moments;
+}
+
 scene::Bounds framingBounds(const PictureSettings& settings, const scene::Model& model, int scene,
                             const scene::Bounds& poseBounds) {
   const Result<std::vector<int>> animations = scene::chooseAnimations(model, settings.animation);
-  const bool given = !settings.camera.empty() || (settings.target && settings.orbit && settings.orbit->radius);
-  if (!animations || animations->empty() || given) return poseBounds;
-  double end = 0;
-  for (const int animation : *animations)
-    end = std::max(end, scene::duration(model.animations[static_cast<size_t>(animation)]));
-  // Large scenes take few moments, because each is a walk through all nodes.
-  const size_t moments = std::clamp<size_t>(2'000'000 / (model.nodes.size() + 1), 8, 64);
+  if (!animations || animations->empty()) return poseBounds;
+  // Large scenes take few moments, because each is a walk through all that they draw.
+  size_t work = 1 + model.nodes.size();
+  for (const scene::Node& node : model.nodes) work += node.instances.size();
   scene::Bounds all;
-  for (size_t i = 0; i < moments; ++i) {
-    const double time = end * static_cast<double>(i) / static_cast<double>(moments - 1);
+  for (const double time : framedMoments(model, *animations, std::clamp<size_t>(1'000'000 / work, 4, 48))) {
     const scene::Bounds bounds = scene::sceneBounds(model, scene, scene::poseAt(model, *animations, time));
     if (!bounds.empty()) all.add(bounds.min), all.add(bounds.max);
   }
@@ -202,11 +216,8 @@ std::string chooseEnvironment(const PictureSettings& settings, const std::string
                               int scene) {
   if (!settings.environment.empty()) return settings.environment;
   if (const scene::BuiltinScene* builtin = builtinOf(source)) return std::string(builtin->environment);
-  // Lit at all? Asked of the draw list, which knows.
-  DrawOptions options = drawOptions(settings, true);
-  options.variant = chooseVariant(settings, model).value_or(-1);
-  const DrawList list = buildDrawList(model, scene, options);
-  return list.needs(false).irradiance ? "builtin:studio" : "none";
+  const bool shaded = drawOptions(settings, true).features.channel == 0 && settings.environmentStrength > 0;
+  return shaded && scene::anythingLit(model, scene) ? "builtin:studio" : "none";
 }
 
 Targets createTargets(const PictureSettings& settings, const gl::ContextInfo& context, int rows) {
@@ -220,17 +231,35 @@ namespace {
 // A few images at a time, so that never more of them than the machine decodes at once are in memory twice.
 void decodeAndUpload(GpuScene& gpu, const scene::Model& model, const DrawList& list, Notes& notes, Stages& stages) {
   const size_t atOnce = std::max(2u, std::thread::hardware_concurrency());
+  uploadScene(gpu, model, list);
+  const std::vector<TextureUse> uses = textureUses(model, list);
   const std::vector<bool> missing = missingImages(model, list, gpu);
+  stages.mark("upload");
   size_t image = 0;
-  do {
+  while (image < missing.size()) {
     std::vector<bool> some(missing.size(), false);
     for (size_t count = 0; image < missing.size() && count < atOnce; ++image)
       if (missing[image]) some[image] = true, ++count;
     std::vector<io::Pixels> pixels = io::decodeImages(model, some, notes);
     stages.mark("decode");
-    upload(gpu, model, list, std::move(pixels));
+    uploadImages(gpu, model, uses, std::move(pixels));
     stages.mark("upload");
-  } while (image < missing.size());
+  }
+}
+
+}  // namespace
+
+namespace {
+
+// Once for all frames of an animation.
+scene::Bounds framingOf(SceneOnGpu& scene, const PictureSettings& settings, int index,
+                        const scene::Bounds& poseBounds) {
+  const bool viewGiven = !settings.camera.empty() || (settings.target && settings.orbit && settings.orbit->radius);
+  if (settings.animation.empty() || viewGiven) return poseBounds;
+  std::optional<Framing>& known = scene.framing;
+  if (!known || known->scene != index || known->animation != settings.animation)
+    known = Framing{index, settings.animation, framingBounds(settings, *scene.model, index, poseBounds)};
+  return known->bounds;
 }
 
 }  // namespace
@@ -252,7 +281,7 @@ Result<PreparedPicture> preparePicture(const PictureSettings& settings, SceneOnG
   prepared.list = buildDrawList(model, *sceneIndex, options, *pose);
   const DrawList& list = prepared.list;
   const Result<scene::View> view =
-      chooseView(settings, scene.source, model, list, framingBounds(settings, model, *sceneIndex, list.bounds));
+      chooseView(settings, scene.source, model, list, framingOf(scene, settings, *sceneIndex, list.bounds));
   if (!view) return tl::unexpected(view.error());
   prepared.view = *view;
   const bool skyVisible = settings.background == Background::environment && lit && list.features.channel == 0;
@@ -309,9 +338,9 @@ Result<Picture> drawPicture(const PictureSettings& settings, const PictureReques
   }
   statistics.textureBytes = scene.gpu.textureBytes();
   statistics.geometryBytes = scene.gpu.geometryBytes();
-  for (const gl::Texture* t :
-       {&environment.tables.dfg, &environment.tables.sheen, &environment.tables.irradiance, &environment.tables.mirrorLayers,
-        &environment.tables.roughLayers, &environment.tables.background, &environment.tables.cube})
+  for (const gl::Texture* t : {&environment.tables.dfg, &environment.tables.sheen, &environment.tables.irradiance,
+                               &environment.tables.mirrorLayers, &environment.tables.roughLayers,
+                               &environment.tables.background, &environment.tables.cube})
     if (*t) statistics.tableBytes += t->bytes();
 
   if (request.radiance) countExtremes(picture.radiance, statistics);

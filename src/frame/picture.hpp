@@ -10,10 +10,18 @@
 
 namespace facet::frame {
 
+// framingBounds of an animation.
+struct Framing {
+  int scene = 0;
+  std::string animation;
+  scene::Bounds bounds;
+};
+
 struct SceneOnGpu {
   std::string source;  // the file, or builtin:NAME
   const scene::Model* model = nullptr;
   GpuScene gpu;
+  std::optional<Framing> framing = {};  // the last one
 };
 
 // environment is null for pictures without distant light; the DFG table may still be needed.
@@ -40,7 +48,7 @@ Result<int> chooseVariant(const PictureSettings& settings, const scene::Model& m
 Result<scene::Pose> choosePose(const PictureSettings& settings, const scene::Model& model);
 
 // What a view of everything takes in, world: the scene's bounds; where an animation is chosen, those of its whole
-// course (of up to 64 moments), so that each of its frames gets the same view. pose: the chosen one.
+// course (of up to 48 moments, and as many keys), so that each of its frames gets the same view. pose: the chosen one.
 scene::Bounds framingBounds(const PictureSettings& settings, const scene::Model& model, int scene,
                             const scene::Bounds& poseBounds);
 

@@ -78,6 +78,15 @@ Bounds deformedBounds(const Primitive& primitive, std::span<const float> weights
   return {all.min - reach, all.max + reach};
 }
 
+Bounds deformedBounds(const Primitive& primitive, std::span<const float> weights, std::span<const glm::dmat4> joints,
+                      const glm::dmat4& worldFromNode, MorphedBounds& morphed) {
+  if (primitive.targets.empty() || isSkinned(primitive, joints))
+    return deformedBounds(primitive, weights, joints, worldFromNode);
+  const auto [found, isNew] = morphed.try_emplace({&primitive, {weights.begin(), weights.end()}});
+  if (isNew) found->second = deformedBounds(primitive, weights, {}, glm::dmat4(1));
+  return transformed(found->second, worldFromNode);
+}
+
 glm::dvec3 deformedPosition(const Primitive& primitive, size_t vertex, std::span<const float> weights,
                             std::span<const glm::dmat4> joints, const glm::dmat4& worldFromNode) {
   glm::dvec3 p = primitive.positions[vertex];

@@ -3,7 +3,10 @@
 // Skins and morph targets: matrices, bounds, and single vertices in double precision (the twin of
 // shaders/deformation.glsl).
 
+#include <map>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "scene/nodes.hpp"
 
@@ -19,6 +22,11 @@ std::vector<float> morphWeights(const Mesh& mesh, const Node& node);
 //   skins: each vertex is a mean of where its joints would put it; joints: world from mesh, by joint.
 Bounds deformedBounds(const Primitive& primitive, std::span<const float> weights, std::span<const glm::dmat4> joints,
                       const glm::dmat4& worldFromNode);
+
+// The same for many instances: a primitive is morphed once for all that have the same weights.
+using MorphedBounds = std::map<std::pair<const Primitive*, std::vector<float>>, Bounds>;
+Bounds deformedBounds(const Primitive& primitive, std::span<const float> weights, std::span<const glm::dmat4> joints,
+                      const glm::dmat4& worldFromNode, MorphedBounds& morphed);
 
 // A vertex in the world. joints is empty for primitives that are not skinned. Weights beyond the targets are ignored.
 glm::dvec3 deformedPosition(const Primitive& primitive, size_t vertex, std::span<const float> weights,

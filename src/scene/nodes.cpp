@@ -231,13 +231,14 @@ Bounds transformed(const Bounds& bounds, const glm::dmat4& matrix) {
 Bounds sceneBounds(const Model& model, const FlatScene& flat, const Pose& pose) {
   Bounds all;
   std::vector<float> weights;
+  MorphedBounds morphed;
   for (const Instance& instance : flat.instances) {
     const Mesh& mesh = model.meshes[size_t(instance.mesh)];
     std::span<const glm::dmat4> joints;
     if (instance.skin >= 0) joints = flat.joints[size_t(instance.skin)];
     weights = morphWeights(mesh, pose.nodes.of(model.nodes, instance.node));
     for (const Primitive& primitive : mesh.primitives) {
-      const Bounds placed = deformedBounds(primitive, weights, joints, instance.worldFromNode);
+      const Bounds placed = deformedBounds(primitive, weights, joints, instance.worldFromNode, morphed);
       if (placed.empty()) continue;
       all.add(placed.min);
       all.add(placed.max);

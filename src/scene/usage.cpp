@@ -183,4 +183,20 @@ std::vector<bool> drawnMeshes(const Model& model, int scene) {
   return drawn;
 }
 
+bool anythingLit(const Model& model, int scene) {
+  const auto lit = [&](const Mesh& mesh) {
+    return std::ranges::any_of(mesh.primitives, [&](const Primitive& p) {
+      return !p.normals.empty() &&
+             std::ranges::any_of(materialsOf(model.materials, p), [](const Material* m) { return !m->unlit; });
+    });
+  };
+  // A walk through the scene only where its meshes may be others than the file's.
+  if (std::ranges::none_of(model.meshes, lit)) return false;
+  if (model.scenes.size() == 1) return true;
+  const std::vector<bool> drawn = drawnMeshes(model, scene);
+  for (size_t m = 0; m < drawn.size(); ++m)
+    if (drawn[m] && lit(model.meshes[m])) return true;
+  return false;
+}
+
 }  // namespace facet::scene

@@ -63,6 +63,9 @@ std::vector<const Material*> materialsOf(const std::vector<Material>& all, const
 // it stays invisible at all times.
 std::vector<Material> materialsOverTime(const Model& model);
 
+// Can light show on anything that the scene may draw, in any variant, at any time?
+bool anythingLit(const Model& model, int scene);
+
 // Meshes that the scene may draw: one entry per mesh of the model. Those of hidden nodes count, because an animation
 // may show them.
 std::vector<bool> drawnMeshes(const Model& model, int scene);

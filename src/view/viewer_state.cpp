@@ -109,6 +109,13 @@ std::vector<AnimationName> animationNames(const scene::Model& model) {
   return names;
 }
 
+std::string animationOption(const scene::Model& model, const std::string& wanted) {
+  const Result<std::vector<int>> chosen = scene::chooseAnimations(model, wanted);
+  if (!chosen) return wanted;
+  if (chosen->empty()) return {};
+  return chosen->size() == 1 ? animationNames(model)[static_cast<size_t>(chosen->front())].option : "all";
+}
+
 std::string nextEnvironment(const std::string& current) {
   const auto builtin = scene::builtinEnvironments();
   const auto same = [&](const scene::BuiltinEnvironment& e) { return "builtin:" + std::string(e.name) == current; };

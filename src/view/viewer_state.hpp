@@ -120,6 +120,10 @@ void offerEnvironment(ViewerState& state, const std::string& source);
 // What the timeline offers: by name, by index where a name is missing or not unique; "all" where there are several.
 std::vector<AnimationName> animationNames(const scene::Model& model);
 
+// What the timeline calls what --animation names: "0" and "all" may be the same single animation. Unchanged where there
+// is no such animation.
+std::string animationOption(const scene::Model& model, const std::string& wanted);
+
 // The built-in environments and "none".
 std::vector<std::string> builtinEnvironmentSources();
 

@@ -96,8 +96,8 @@ void measureMemory(const Viewport& viewport, ViewerStatistics& statistics) {
   statistics.imagesDecoded = gpu.imagesDecoded;
   statistics.textureBytes = gpu.textureBytes();
   statistics.geometryBytes = gpu.geometryBytes();
-  statistics.tableBytes = bytesOf(
-      {&tables.dfg, &tables.sheen, &tables.irradiance, &tables.mirrorLayers, &tables.roughLayers, &tables.background, &tables.cube});
+  statistics.tableBytes = bytesOf({&tables.dfg, &tables.sheen, &tables.irradiance, &tables.mirrorLayers,
+                                   &tables.roughLayers, &tables.background, &tables.cube});
   statistics.targetBytes = bytesOf({&t.multisample, &t.depth, &t.color, &t.sum, &t.display});
   statistics.programsCompiled = viewport.programs.statistics().compiled;
   statistics.programsFromDisk = viewport.programs.statistics().fromDisk;
@@ -115,7 +115,8 @@ void showEnvironment(Viewport& viewport, EnvironmentSlot* slot) {
 Result<void> putOnGpu(Viewport& viewport, SceneSlot& scene, EnvironmentSlot& environment, const frame::DrawList& list,
                       const ListRequest& request, const ViewerState& state) {
   const scene::Model& model = scene.loaded->model;
-  frame::upload(scene.onGpu.gpu, model, list, std::exchange(scene.pixels, {}));
+  frame::uploadScene(scene.onGpu.gpu, model, list);
+  frame::uploadImages(scene.onGpu.gpu, model, frame::textureUses(model, list), std::exchange(scene.pixels, {}));
   ibl::Tables& tables = environment.onGpu.tables;
   const ibl::Needs needs = list.needs(request.skyVisible);
   if (Result<void> r = ibl::computeTables(tables, environment.onGpu.environment, needs, viewport.programs); !r)
@@ -223,6 +224,7 @@ void takeModel(Viewport& viewport, ViewerState& state, ModelLoaded loaded) {
   slot->onGpu.source = loaded.source;
   slot->onGpu.model = &slot->loaded->model;
   slot->notes = slot->loaded->notes;
+  state.settings.animation = animationOption(slot->loaded->model, state.settings.animation);
   viewport.next = std::move(slot);
   viewport.failed.reset();
   viewport.asked.reset();
@@ -272,7 +274,9 @@ bool bringUp(Viewport& viewport, ViewerState& state, Loader& loader) {
   const ListRequest request = listRequest(state, *index, *variant, source != "none");
   const bool isShown = scene == viewport.scene.get() && environment == viewport.environment;
   if ((isShown && request == viewport.built) || request == viewport.failed) return false;
-  if (request == viewport.asked && (!environment || loader.images.running())) return false;
+  // While an animation plays, images that it has brought to light are waited for, not asked for anew each frame.
+  const bool asked = viewport.asked && differsInTimeOnly(request, *viewport.asked);
+  if (asked && (!environment || loader.images.running())) return false;
 
   const Result<scene::Pose> pose = frame::choosePose(state.settings, model);
   if (!pose) {

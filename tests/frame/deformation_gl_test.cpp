@@ -207,3 +207,42 @@ TEST_CASE("Deformation: weights move colours and normals, and flat triangles sta
   test::checkPixel(test::pixel(studio.render(loaded, s).radiance, size / 2, size / 2),
                    {-half * 0.5f + 0.5f, 0.5f, half * 0.5f + 0.5f, 1}, 2e-3f);
 }
+
+TEST_CASE("Deformation: a draw that reads less than the buffer holds finds its numbers all the same") {
+  scene::Primitive p = quads({{0, 0, 0}});
+  p.colors.assign(4, glm::vec4(1));
+  scene::MorphTarget target;
+  target.positions.assign(4, glm::vec3(1, 0, 0));
+  target.colors.assign(4, glm::vec4(-0.5f, 0, 0, 0));
+  p.targets = {target, target};
+  io::LoadedModel loaded = modelOf(p);
+  loaded.model.meshes[0].weights = {0.5f, 0.5f};
+  Notes notes;
+  scene::completeGeometry(loaded.model, notes);
+  frame::SceneOnGpu onGpu;
+  onGpu.model = &loaded.model;
+  test::Studio studio;
+  frame::PictureSettings s = settings();
+  // All attributes first, then a view that does not read the colours.
+  test::checkPixel(test::pixel(studio.render(loaded, s, onGpu).radiance, size * 3 / 4, size / 2), {0.5f, 1, 1, 1});
+  s.channel = "uv";
+  CHECK(test::pixel(studio.render(loaded, s, onGpu).radiance, size * 3 / 4, size / 2).w == 1);
+  CHECK(test::pixel(studio.render(loaded, s, onGpu).radiance, size / 2, size / 2).w == 0);
+}
+
+TEST_CASE("Deformation: what has no joints in a skinned mesh stays where its mesh is") {
+  io::LoadedModel loaded = modelOf(quads({{0.5, 0, 0}}));
+  scene::Primitive rigid = quads({{1.5, 0, 0}});
+  scene::Primitive& skinned = loaded.model.meshes[0].primitives[0];
+  skinned.influencesPerVertex = 1;
+  skinned.influences.assign(4, {0, 1.0f});
+  loaded.model.meshes[0].primitives.push_back(rigid);
+  addJoint(loaded, {0, 0, 0}, -1);
+  loaded.model.nodes[0].skin = 0;
+  loaded.model.skins = {{"one", {2}, {}}};
+  Notes notes;
+  scene::completeGeometry(loaded.model, notes);
+  const frame::Picture picture = test::Studio().render(loaded, settings());
+  CHECK(test::pixel(picture.radiance, size * 5 / 8, size / 2).w == 1);
+  CHECK(test::pixel(picture.radiance, size * 7 / 8, size / 2).w == 1);
+}

@@ -203,3 +203,15 @@ TEST_CASE("Draw list: 100,000 nodes of one mesh are one draw, 1,000 materials as
   REQUIRE(many.opaque.size() == 1000);
   CHECK(std::ranges::is_sorted(many.opaque, {}, &frame::Draw::material));
 }
+
+TEST_CASE("Framing takes in what moves far for a moment only") {
+  scene::Model model = load(test::triangle());
+  scene::AnimationSampler sampler;
+  sampler.times = {0, 500, 501, 502, 1000};
+  sampler.values = {0, 0, 0, 0, 0, 0, 20, 0, 0, 0, 0, 0, 0, 0, 0};
+  sampler.width = 3;
+  model.animations = {{"jump", {sampler}, {{0, scene::AnimatedProperty::translation, 0, {}}}}};
+  frame::PictureSettings settings;
+  settings.animation = "jump";
+  CHECK(frame::framingBounds(settings, model, 0, {}).max.x == Approx(21));
+}

@@ -55,8 +55,7 @@ const Extension extensions[] = {
     {"specular, iridescence", [](scene::Material& m, float r) { specular(m, r), film(m, r); }},
     {"specular, clearcoat, anisotropy", [](scene::Material& m, float r) { specular(m, r), coat(m, r), grain(m, r); }},
     {"sheen, iridescence, clearcoat", [](scene::Material& m, float r) { cloth(m, r), film(m, r), halfCoat(m, r); }},
-    {"all",
-     [](scene::Material& m, float r) { specular(m, r), coat(m, r), cloth(m, r), film(m, r), grain(m, r); }},
+    {"all", [](scene::Material& m, float r) { specular(m, r), coat(m, r), cloth(m, r), film(m, r), grain(m, r); }},
     {"half metal, all",
      [](scene::Material& m, float r) {
        specular(m, r), coat(m, r), cloth(m, r), film(m, r), grain(m, r), m.metallicFactor = 0.5f;
@@ -106,8 +105,7 @@ struct Range {
 Range rangeOf(const io::RadianceImage& image) {
   Range range;
   for (const glm::vec4& p : image.pixels)
-    if (p.w == 1)
-      range.low = std::min({range.low, p.x, p.y, p.z}), range.high = std::max({range.high, p.x, p.y, p.z});
+    if (p.w == 1) range.low = std::min({range.low, p.x, p.y, p.z}), range.high = std::max({range.high, p.x, p.y, p.z});
   return range;
 }
 

@@ -27,6 +27,14 @@ io::LoadedModel loadBuiltin(const std::string& name) {
 Studio::Studio() : programs_(makeProgramStore()) {}
 
 frame::Picture Studio::render(const io::LoadedModel& model, const frame::PictureSettings& settings) {
+  frame::SceneOnGpu onGpu;
+  onGpu.source = model.model.name;
+  onGpu.model = &model.model;
+  return render(model, settings, onGpu);
+}
+
+frame::Picture Studio::render(const io::LoadedModel& model, const frame::PictureSettings& settings,
+                              frame::SceneOnGpu& onGpu) {
   notes.clear();
   const auto scene = frame::chooseScene(settings, model.model);
   REQUIRE(scene);
@@ -39,9 +47,6 @@ frame::Picture Studio::render(const io::LoadedModel& model, const frame::Picture
     light.environment = std::move(*loaded);
     light.onGpu.environment = &light.environment;
   }
-  frame::SceneOnGpu onGpu;
-  onGpu.source = model.model.name;
-  onGpu.model = &model.model;
   Stages stages;
   Result<frame::PreparedPicture> prepared =
       frame::preparePicture(settings, onGpu, light.onGpu, programs_, notes, stages);

@@ -20,6 +20,8 @@ class Studio {
   Studio();
   // radiance and display are both filled.
   frame::Picture render(const io::LoadedModel& model, const frame::PictureSettings& settings);
+  // What the model has on the GPU stays for further pictures.
+  frame::Picture render(const io::LoadedModel& model, const frame::PictureSettings& settings, frame::SceneOnGpu& onGpu);
   Notes notes;  // of the last picture
 
  private:

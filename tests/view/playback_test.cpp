@@ -76,4 +76,10 @@ TEST_CASE("playback: names, indices where names don't tell, all at once") {
   CHECK(names[3].option == "3");
   CHECK(names[4].option == "all");
   CHECK(names[4].duration == 6);
+  CHECK(view::animationOption(model, "0") == "run");
+  CHECK(view::animationOption(model, "2") == "2");
+  CHECK(view::animationOption(model, "all") == "all");
+  CHECK(view::animationOption(model, "") == "");
+  model.animations.resize(1);
+  CHECK(view::animationOption(model, "all") == "run");
 }
