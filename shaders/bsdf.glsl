@@ -49,6 +49,7 @@ struct Film {
   float ior;
   float thicknessNm;
   vec3 dielectricF0, metalF0;  // Schlick's curve through the filmed reflectance at NoV, for the albedos
+  vec3 dielectricBound;        // the largest such f0 over the angles of a lobe: what is below gets no more than is left
 };
 #endif
 
@@ -125,6 +126,13 @@ vec3 dielectricAlbedoF0(Surface s) {
   return s.dielectricF0;
 #endif
 }
+vec3 dielectricBoundF0(Surface s) {
+#ifdef HAS_IRIDESCENCE
+  return s.film.dielectricBound;
+#else
+  return s.dielectricF0;
+#endif
+}
 vec3 metalAlbedoF0(Surface s) {
 #ifdef HAS_IRIDESCENCE
   return s.film.metalF0;
@@ -148,6 +156,12 @@ void setFilm(inout Surface s, float weight, float ior, float thicknessNm) {
   vec3 metal = f0FromSchlick(filmReflectance(s.film, s.NoV, s.baseColor), s.NoV);
   s.film.dielectricF0 = mix(s.dielectricF0, dielectric, weight);
   s.film.metalF0 = mix(s.baseColor, metal, weight);
+  vec3 largest = dielectric;
+  for (float cosine = 1.0; cosine > 0.4; cosine -= 0.125) {
+    vec3 F = filmReflectance(s.film, cosine, s.dielectricF0 / max(f90, 1e-6));
+    largest = max(largest, f0FromSchlick(F, cosine) * f90);
+  }
+  s.film.dielectricBound = mix(s.dielectricF0, largest, weight);
 }
 #endif
 
@@ -179,12 +193,12 @@ vec3 leftBelow(vec3 reflected) {
 }
 // For analytic lights ...
 vec3 dielectricLeft(Surface s) {
-  vec3 f0 = dielectricAlbedoF0(s);
+  vec3 f0 = dielectricBoundF0(s);
   return leftBelow(singleScatterAlbedo(f0, dielectricF90(s), s.dfg.xy) * energyCompensation(f0, s.dfg.xy));
 }
 // ... and for distant light, where multiple scattering is reckoned apart.
 vec3 dielectricLeftDistant(Surface s) {
-  vec3 f0 = dielectricAlbedoF0(s);
+  vec3 f0 = dielectricBoundF0(s);
   float f90 = dielectricF90(s);
   return leftBelow(singleScatterAlbedo(f0, f90, s.dfg.xy) + multipleScatterAlbedo(f0, f90, s.dfg.xy));
 }

@@ -53,7 +53,7 @@ Reflected reflectFacets(const Surface& surface, const Dfg& dfg, const Angles& an
                        (m * metal * compensationTurquin(dfg, f0.metal) +
                         (1 - m) * dielectric * compensationTurquin(dfg, f0.dielectric));
   reflected.diffuse = (1 - m) * surface.baseColor *
-                      leftBelow(surface, specularAlbedoTurquin(dfg, f0.dielectric, surface.f90)) *
+                      leftBelow(surface, specularAlbedoTurquin(dfg, f0.bound, surface.f90)) *
                       (Fd_Lambert() * angles.NoL);
   return reflected;
 }
@@ -75,7 +75,14 @@ void setDielectricSpecular(Surface& surface, double ior, double weight, const gl
 double alphaOf(const Surface& surface) { return surface.perceptualRoughness * surface.perceptualRoughness; }
 
 AlbedoF0 albedoF0(const Surface& surface, double NoV) {
-  return {filmedF0(surface.film, NoV, surface.f0, surface.f90), filmedF0(surface.film, NoV, surface.baseColor, 1)};
+  AlbedoF0 f0;
+  f0.dielectric = filmedF0(surface.film, NoV, surface.f0, surface.f90);
+  f0.metal = filmedF0(surface.film, NoV, surface.baseColor, 1);
+  f0.bound = f0.dielectric;
+  if (surface.film.weight > 0)
+    for (int i = 4; i <= 8; ++i)
+      f0.bound = glm::max(f0.bound, filmedF0(surface.film, i / 8.0, surface.f0, surface.f90));
+  return f0;
 }
 
 Dfg dfgOf(const Surface& surface, double NoV) { return integrateDfg(NoV, alphaOf(surface)); }
@@ -141,7 +148,8 @@ DistantWeights distantWeights(const Surface& surface, const Dfg& dfg, double NoV
   const AlbedoF0 f0 = albedoF0(surface, NoV);
   const SpecularEnergy metal = energyFdezAguera(dfg, f0.metal);
   const SpecularEnergy dielectric = energyFdezAguera(dfg, f0.dielectric, surface.f90);
-  const glm::dvec3 left = leftBelow(surface, dielectric.single + dielectric.multiple);
+  const SpecularEnergy bound = energyFdezAguera(dfg, f0.bound, surface.f90);
+  const glm::dvec3 left = leftBelow(surface, bound.single + bound.multiple);
   const double m = surface.metallic;
   DistantWeights weights;
   weights.prefiltered = m * metal.single + (1 - m) * dielectric.single;

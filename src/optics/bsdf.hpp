@@ -56,8 +56,10 @@ Surface specularGlossinessSurface(const glm::dvec3& diffuse, const glm::dvec3& s
 double alphaOf(const Surface& surface);  // perceptualRoughness^2
 // The f0 that the lobes' albedos are reckoned with: under a film that of Schlick's curve through the filmed reflectance
 // at NoV, else the lobe's own.
+// bound: the largest such f0 of the dielectric over the cosines 0.5 .. 1 and NoV, so that the film's lobe and what is
+// below it never return more than comes (up to 0.07 more without it).
 struct AlbedoF0 {
-  glm::dvec3 dielectric, metal;
+  glm::dvec3 dielectric, metal, bound;
 };
 AlbedoF0 albedoF0(const Surface& surface, double NoV);
 Dfg dfgOf(const Surface& surface, double NoV);
