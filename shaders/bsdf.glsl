@@ -1,9 +1,56 @@
-// The metallic-roughness BSDF as a pure function: no uniform, no texture, so that any pass may call it.
+// The metallic-roughness BSDF and the layers of the material extensions as pure functions: no uniform, no texture, so
+// that any pass may call them. From the top: coat, sheen, then the base: metal, or dielectric lobe over diffuse; a film
+// and a grain change the base's lobes. What the upper ones leave for the lower ones is said here and nowhere else.
 // The twin is src/optics/bsdf.cpp.
 #include "microfacet.glsl"
 #include "fresnel.glsl"
 #include "diffuse.glsl"
 #include "energy.glsl"
+#ifdef HAS_CLEARCOAT
+#include "layers.glsl"
+#endif
+#ifdef HAS_SHEEN
+#include "sheen.glsl"
+#endif
+#ifdef HAS_ANISOTROPY
+#include "anisotropy.glsl"
+#endif
+#ifdef HAS_IRIDESCENCE
+#include "iridescence.glsl"
+#endif
+
+#ifdef HAS_CLEARCOAT
+struct Coat {
+  vec3 N;
+  float NoV;                  // with its own normal, clamped to [minNoV, 1]
+  float weight;
+  float perceptualRoughness;
+  float alpha;
+  vec3 dfg;                   // of (NoV, perceptualRoughness)
+};
+#endif
+#ifdef HAS_SHEEN
+struct Sheen {
+  vec3 color;
+  float perceptualRoughness;
+  float alpha;
+  float albedoV, albedoL;     // E of the lobe at V and, where a light is evaluated, at L: sheen_table.glsl
+};
+#endif
+#ifdef HAS_ANISOTROPY
+struct Grain {
+  vec3 T, B;                  // with N orthonormal; the lobe is long along T
+  vec2 alpha;                 // along T and B
+};
+#endif
+#ifdef HAS_IRIDESCENCE
+struct Film {
+  float weight;
+  float ior;
+  float thicknessNm;
+  vec3 dielectricF0, metalF0;  // Schlick's curve through the filmed reflectance at NoV, for the albedos
+};
+#endif
 
 // What a lit point is made of. Directions are unit and leave the surface.
 struct Surface {
@@ -18,6 +65,21 @@ struct Surface {
   vec3 dfg;                   // A, B and tilt of (NoV, perceptualRoughness): dfg_table.glsl
   float occlusion;            // share of distant light that reaches the point
   float diffuseShare;         // of the light below the dielectric's interface: what does not pass through the surface
+#ifdef HAS_DIELECTRIC_SPECULAR
+  float dielectricF90;        // KHR_materials_specular's weight, which dielectricF0 holds too
+#endif
+#ifdef HAS_ANISOTROPY
+  Grain grain;
+#endif
+#ifdef HAS_IRIDESCENCE
+  Film film;
+#endif
+#ifdef HAS_SHEEN
+  Sheen sheen;
+#endif
+#ifdef HAS_CLEARCOAT
+  Coat coat;
+#endif
 };
 
 Surface makeSurface(vec3 N, vec3 V, vec3 baseColor, float metallic, float perceptualRoughness, float occlusion) {
@@ -45,9 +107,105 @@ Surface makeSpecularGlossinessSurface(vec3 N, vec3 V, vec3 diffuse, vec4 specula
   return s;
 }
 
-// f(V, L) NoL [1/sr]: a mix of a metal and of a dielectric whose diffuse part gets what its specular part leaves. The two
-// are not one lobe of mixed f0: a half metal would then darken its own diffuse part. Zero for lights below the horizon.
-vec3 evaluateBsdf(Surface s, vec3 L) {
+float largestOf(vec3 v) { return max(v.r, max(v.g, v.b)); }
+
+float dielectricF90(Surface s) {
+#ifdef HAS_DIELECTRIC_SPECULAR
+  return s.dielectricF90;
+#else
+  return 1.0;
+#endif
+}
+
+// The f0 that the albedos of the two lobes are reckoned with.
+vec3 dielectricAlbedoF0(Surface s) {
+#ifdef HAS_IRIDESCENCE
+  return s.film.dielectricF0;
+#else
+  return s.dielectricF0;
+#endif
+}
+vec3 metalAlbedoF0(Surface s) {
+#ifdef HAS_IRIDESCENCE
+  return s.film.metalF0;
+#else
+  return s.baseColor;
+#endif
+}
+
+#ifdef HAS_IRIDESCENCE
+// The film is colourless as a whole: what a channel gains above 1 is Gaussians' overshoot.
+vec3 filmReflectance(Film film, float cosine, vec3 f0) {
+  return min(F_ThinFilm(cosine, 1.0, film.ior, film.thicknessNm, f0), 1.0);
+}
+
+void setFilm(inout Surface s, float weight, float ior, float thicknessNm) {
+  float f90 = dielectricF90(s);
+  s.film.weight = weight;
+  s.film.ior = ior;
+  s.film.thicknessNm = thicknessNm;
+  vec3 dielectric = f0FromSchlick(filmReflectance(s.film, s.NoV, s.dielectricF0 / max(f90, 1e-6)), s.NoV) * f90;
+  vec3 metal = f0FromSchlick(filmReflectance(s.film, s.NoV, s.baseColor), s.NoV);
+  s.film.dielectricF0 = mix(s.dielectricF0, dielectric, weight);
+  s.film.metalF0 = mix(s.baseColor, metal, weight);
+}
+#endif
+
+vec3 dielectricFresnel(Surface s, float VoH) {
+  float f90 = dielectricF90(s);
+  vec3 F = F_Schlick(VoH, s.dielectricF0, f90);
+#ifdef HAS_IRIDESCENCE
+  if (s.metallic < 1.0)
+    F = mix(F, f90 * filmReflectance(s.film, VoH, s.dielectricF0 / max(f90, 1e-6)), s.film.weight);
+#endif
+  return F;
+}
+vec3 metalFresnel(Surface s, float VoH) {
+  vec3 F = F_Schlick(VoH, s.baseColor, 1.0);
+#ifdef HAS_IRIDESCENCE
+  if (s.metallic > 0.0) F = mix(F, filmReflectance(s.film, VoH, s.baseColor), s.film.weight);
+#endif
+  return F;
+}
+
+// What the dielectric's lobe leaves for what is below it; reflected: its albedo. Of a coloured one the strongest channel
+// counts (KHR_materials_specular, "Implementation"), or the base would turn to the complementary colour.
+vec3 leftBelow(vec3 reflected) {
+#if defined(HAS_DIELECTRIC_SPECULAR) || defined(HAS_IRIDESCENCE)
+  return vec3(max(1.0 - largestOf(reflected), 0.0));
+#else
+  return max(1.0 - reflected, 0.0);
+#endif
+}
+// For analytic lights ...
+vec3 dielectricLeft(Surface s) {
+  vec3 f0 = dielectricAlbedoF0(s);
+  return leftBelow(singleScatterAlbedo(f0, dielectricF90(s), s.dfg.xy) * energyCompensation(f0, s.dfg.xy));
+}
+// ... and for distant light, where multiple scattering is reckoned apart.
+vec3 dielectricLeftDistant(Surface s) {
+  vec3 f0 = dielectricAlbedoF0(s);
+  float f90 = dielectricF90(s);
+  return leftBelow(singleScatterAlbedo(f0, f90, s.dfg.xy) + multipleScatterAlbedo(f0, f90, s.dfg.xy));
+}
+
+// D V of the base's lobes, without Fresnel term and cosine [1/sr].
+float baseFacets(Surface s, vec3 L, vec3 H, float NoL) {
+#ifdef HAS_ANISOTROPY
+  vec2 alphas = max(s.grain.alpha, minAnalyticAlpha);
+  mat3 local = mat3(s.grain.T, s.grain.B, s.N);
+  vec3 V = vec3((s.V * local).xy, s.NoV);
+  return D_GGXAnisotropic(H * local, alphas) * V_GGXAnisotropic(V, L * local, alphas);
+#else
+  float alpha = max(s.alpha, minAnalyticAlpha);
+  return D_GGX(s.N, H, alpha) * V_SmithGGXCorrelated(s.NoV, NoL, alpha);
+#endif
+}
+
+// The base: f(V, L) NoL [1/sr], a mix of a metal and of a dielectric whose diffuse part gets what its specular part
+// leaves. The two are not one lobe of mixed f0: a half metal would then darken its own diffuse part. Zero for lights
+// below the horizon.
+vec3 evaluateBase(Surface s, vec3 L) {
   float NoL = dot(s.N, L);
   if (NoL <= 0.0) return vec3(0.0);
   NoL = min(NoL, 1.0);
@@ -55,28 +213,77 @@ vec3 evaluateBsdf(Surface s, vec3 L) {
   float length2 = dot(VL, VL);
   vec3 H = length2 > 1e-12 ? VL * inversesqrt(length2) : vec3(0.0);  // L = -V leaves H undefined: D = 0
   float VoH = dot(s.V, H);
-  float alpha = max(s.alpha, minAnalyticAlpha);
-  vec3 metalGain = energyCompensation(s.baseColor, s.dfg.xy);
-  vec3 dielectricGain = energyCompensation(s.dielectricF0, s.dfg.xy);
-  vec3 fresnel = mix(F_Schlick(VoH, s.dielectricF0, 1.0) * dielectricGain, F_Schlick(VoH, s.baseColor, 1.0) * metalGain,
-                     s.metallic);
-  vec3 specular = D_GGX(s.N, H, alpha) * V_SmithGGXCorrelated(s.NoV, NoL, alpha) * fresnel;
-  vec3 left = max(1.0 - singleScatterAlbedo(s.dielectricF0, s.dfg.xy) * dielectricGain, 0.0);
-  vec3 diffuse = s.baseColor * (1.0 - s.metallic) * s.diffuseShare * left * Fd_Lambert();
+  vec3 metalGain = energyCompensation(metalAlbedoF0(s), s.dfg.xy);
+  vec3 dielectricGain = energyCompensation(dielectricAlbedoF0(s), s.dfg.xy);
+  vec3 fresnel = mix(dielectricFresnel(s, VoH) * dielectricGain, metalFresnel(s, VoH) * metalGain, s.metallic);
+  vec3 specular = baseFacets(s, L, H, NoL) * fresnel;
+  vec3 diffuse = s.baseColor * (1.0 - s.metallic) * s.diffuseShare * dielectricLeft(s) * Fd_Lambert();
   return (specular + diffuse) * NoL;
 }
 
-// What of irradiance / pi leaves towards the viewer: light that left the microsurface after several bounces, which is
-// taken as diffuse, and the dielectric's diffuse part.
-vec3 irradianceAlbedo(Surface s) {
-  vec3 dielectricSingle = singleScatterAlbedo(s.dielectricF0, s.dfg.xy);
-  vec3 dielectricMultiple = multipleScatterAlbedo(s.dielectricF0, s.dfg.xy);
-  vec3 multiple = mix(dielectricMultiple, multipleScatterAlbedo(s.baseColor, s.dfg.xy), s.metallic);
-  return multiple + s.baseColor * (1.0 - s.metallic) * s.diffuseShare * (1.0 - dielectricSingle - dielectricMultiple);
+#ifdef HAS_SHEEN
+// Lobe times NoL without its colour.
+float sheenLobe(Surface s, vec3 L) {
+  float NoL = dot(s.N, L);
+  vec3 VL = s.V + L;
+  float length2 = dot(VL, VL);
+  if (NoL <= 0.0 || length2 < 1e-12) return 0.0;
+  float NoH = dot(s.N, VL) * inversesqrt(length2);
+  float guard = sheenGainGuard(s.sheen.albedoV, s.sheen.albedoL);
+  return D_Charlie(NoH, s.sheen.alpha) * V_Charlie(s.NoV, NoL, s.sheen.alpha) * guard * min(NoL, 1.0);
+}
+#endif
+
+// Share of what the base returns that passes the sheen and the coat, for distant light.
+float sheenLeft(Surface s) {
+#ifdef HAS_SHEEN
+  float albedo = min(s.sheen.albedoV, 1.0);
+  return sheenScaling(s.sheen.color, albedo, albedo);
+#else
+  return 1.0;
+#endif
+}
+float coatAlbedo(Surface s) {
+#ifdef HAS_CLEARCOAT
+  return coatF0 * s.coat.dfg.x + s.coat.dfg.y;
+#else
+  return 0.0;
+#endif
+}
+float coatLeft(Surface s) {
+#ifdef HAS_CLEARCOAT
+  return layerTransmittance(s.coat.weight, coatAlbedo(s));
+#else
+  return 1.0;
+#endif
+}
+// Both: of light that the base sends towards V from wherever.
+float layersLeft(Surface s) { return coatLeft(s) * sheenLeft(s); }
+
+// All layers: f(V, L) NoL [1/sr].
+vec3 evaluateBsdf(Surface s, vec3 L) {
+  vec3 value = evaluateBase(s, L);
+#ifdef HAS_SHEEN
+  value = value * sheenScaling(s.sheen.color, min(s.sheen.albedoV, 1.0), min(s.sheen.albedoL, 1.0)) +
+          s.sheen.color * sheenLobe(s, L);
+#endif
+#ifdef HAS_CLEARCOAT
+  value = value * coatLeft(s) + s.coat.weight * coatLobe(s.coat.N, s.V, L, s.coat.alpha);
+#endif
+  return value;
 }
 
-// What enters the dielectric, before its colour: the rest is reflected at the interface or by the metal.
-vec3 enteringShare(Surface s) {
-  return (1.0 - s.metallic) *
-         (1.0 - singleScatterAlbedo(s.dielectricF0, s.dfg.xy) - multipleScatterAlbedo(s.dielectricF0, s.dfg.xy));
+// What of irradiance / pi the base sends towards the viewer: light that left the microsurface after several bounces,
+// which is taken as diffuse, and the dielectric's diffuse part.
+vec3 irradianceAlbedo(Surface s) {
+  vec3 dielectric = multipleScatterAlbedo(dielectricAlbedoF0(s), dielectricF90(s), s.dfg.xy);
+  vec3 multiple = mix(dielectric, multipleScatterAlbedo(metalAlbedoF0(s), 1.0, s.dfg.xy), s.metallic);
+  return multiple + s.baseColor * (1.0 - s.metallic) * s.diffuseShare * dielectricLeftDistant(s);
+}
+// What enters the dielectric and comes back to the viewer through all layers, before its colour.
+vec3 enteringShare(Surface s) { return (1.0 - s.metallic) * layersLeft(s) * dielectricLeftDistant(s); }
+// The same of the prefiltered radiance: the lobes after one bounce.
+vec3 prefilteredAlbedo(Surface s) {
+  return mix(singleScatterAlbedo(dielectricAlbedoF0(s), dielectricF90(s), s.dfg.xy),
+             singleScatterAlbedo(metalAlbedoF0(s), 1.0, s.dfg.xy), s.metallic);
 }

@@ -2,6 +2,9 @@
 #include "bsdf.glsl"
 #include "environment_layers.glsl"
 #include "frame.glsl"
+#ifdef HAS_SHEEN
+#include "mapping.glsl"
+#endif
 
 layout(binding = irradianceUnit) uniform samplerCube irradianceOverPi;
 layout(binding = mirrorLayersUnit) uniform samplerCubeArray mirrorLayers;
@@ -23,17 +26,36 @@ vec3 fetchLd(vec3 d, float perceptualRoughness) {
   return weight > 0.0 ? mix(low, fetchLd(d, layer + 1), weight) : low;
 }
 
-// Where the lobe looks on average: the mirror direction's tangential part, shortened by the table. At alpha = 0 that is
-// the mirror direction, at alpha = 1 N. Continuous where V meets N.
-vec3 specularMeanDirection(Surface s) {
-  vec3 tangential = s.dfg.z * (dot(s.N, s.V) * s.N - s.V);
-  return tangential + sqrt(max(0.0, 1.0 - dot(tangential, tangential))) * s.N;
+// Where a lobe looks on average: the mirror direction's tangential part, shortened by the table's tilt. At alpha = 0 that
+// is the mirror direction, at alpha = 1 N. Continuous where V meets N.
+vec3 meanDirection(vec3 N, vec3 V, float tilt) {
+  vec3 tangential = tilt * (dot(N, V) * N - V);
+  return tangential + sqrt(max(0.0, 1.0 - dot(tangential, tangential))) * N;
 }
+vec3 specularMeanDirection(Surface s) { return meanDirection(s.N, s.V, s.dfg.z); }
 
-// The distant light's share: metal and dielectric as in evaluateBsdf.
+// Mean radiance under the base's lobe.
+#ifdef HAS_ANISOTROPY
+#include "image_light_grain.glsl"
+#else
+vec3 specularRadiance(Surface s) {
+  return fetchLd(environmentFromWorld(specularMeanDirection(s)), s.perceptualRoughness);
+}
+#endif
+#ifdef HAS_SHEEN
+#include "image_light_sheen.glsl"
+#endif
+
+// The distant light's share, layer by layer as in evaluateBsdf.
 vec3 imageLight(Surface s) {
-  vec3 ld = fetchLd(environmentFromWorld(specularMeanDirection(s)), s.perceptualRoughness);
   vec3 irradiance = textureLod(irradianceOverPi, environmentFromWorld(s.N), 0.0).rgb;
-  vec3 single = mix(singleScatterAlbedo(s.dielectricF0, s.dfg.xy), singleScatterAlbedo(s.baseColor, s.dfg.xy), s.metallic);
-  return (ld * single + irradiance * irradianceAlbedo(s)) * (frame.environmentScale.x * s.occlusion);
+  vec3 radiance = specularRadiance(s) * prefilteredAlbedo(s) + irradiance * irradianceAlbedo(s);
+#ifdef HAS_SHEEN
+  radiance = radiance * sheenLeft(s) + s.sheen.color * min(s.sheen.albedoV, 1.0) * sheenRadiance(s, irradiance);
+#endif
+#ifdef HAS_CLEARCOAT
+  vec3 d = environmentFromWorld(meanDirection(s.coat.N, s.V, s.coat.dfg.z));
+  radiance = radiance * coatLeft(s) + s.coat.weight * coatAlbedo(s) * fetchLd(d, s.coat.perceptualRoughness);
+#endif
+  return radiance * (frame.environmentScale.x * s.occlusion);
 }

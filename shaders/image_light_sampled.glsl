@@ -22,31 +22,106 @@ vec3 sampleVisibleNormal(vec3 V, float alpha, vec2 u) {
 // share nearly double the picture's error by noise; with sixteen times the share the blur begins to show.
 const float filterGain = 4.0;
 
-vec3 imageLight(Surface s) {
-  mat3 worldFromLocal = frameAround(s.N);
-  vec3 V = s.V * worldFromLocal;
-  V = normalize(vec3(V.xy, max(V.z, minNoV)));
+// Every draw of the pixel continues the same sequence (Roberts 2018, R2), in 32-bit fixed point, where no count loses
+// digits.
+vec2 samplePoint(int i) {
+  return vec2(uvec2(i) * uvec2(3242174889u, 2447445414u) + 0x80000000u) * (1.0 / 4294967296.0);
+}
+
+// Radiance from direction L as one of all the pixel's samples sees it.
+vec3 sampledRadiance(vec3 L, float pdf) {
   float faceSize = float(textureSize(environmentCube, 0).x);
   float texelSolidAngle = 4.0 * PI / (6.0 * faceSize * faceSize);
-  float alpha = max(s.alpha, 1e-5);
-  vec3 specular = vec3(0.0);
-  // Every draw of the pixel continues the same sequence (Roberts 2018, R2).
-  int first = int(frame.options.y) * IMAGE_LIGHT_SAMPLES;
   float total = float(IMAGE_LIGHT_SAMPLES) * frame.options.z;
+  float level = 0.5 * log2(max(filterGain / (total * pdf * texelSolidAngle), 1.0));
+  return textureLod(environmentCube, environmentFromWorld(L), level).rgb;
+}
+
+// Radiance off the base's lobes after one bounce.
+vec3 specularSampled(Surface s) {
+#ifdef HAS_ANISOTROPY
+  mat3 worldFromLocal = mat3(s.grain.T, s.grain.B, s.N);
+  vec2 alpha = max(s.grain.alpha, 1e-5);
+#else
+  mat3 worldFromLocal = frameAround(s.N);
+  float alpha = max(s.alpha, 1e-5);
+#endif
+  vec3 V = s.V * worldFromLocal;
+  V = normalize(vec3(V.xy, max(V.z, minNoV)));
+  vec3 specular = vec3(0.0);
+  int first = int(frame.options.y) * IMAGE_LIGHT_SAMPLES;
   for (int i = first; i < first + IMAGE_LIGHT_SAMPLES; ++i) {
-    // in 32-bit fixed point, where no count loses digits
-    vec2 u = vec2(uvec2(i) * uvec2(3242174889u, 2447445414u) + 0x80000000u) * (1.0 / 4294967296.0);
-    vec3 H = sampleVisibleNormal(V, alpha, u);
+#ifdef HAS_ANISOTROPY
+    vec3 H = sampleVisibleNormalAnisotropic(V, alpha, samplePoint(i));
+#else
+    vec3 H = sampleVisibleNormal(V, alpha, samplePoint(i));
+#endif
     float VoH = max(dot(V, H), 1e-6);
     vec3 L = 2.0 * VoH * H - V;
     if (L.z <= 0.0) continue;
-    float pdf = G1_GGX(V.z, alpha) * D_GGX(vec3(0.0, 0.0, 1.0), H, alpha) / (4.0 * V.z);
-    float level = 0.5 * log2(max(filterGain / (total * pdf * texelSolidAngle), 1.0));
-    float weight = V_SmithGGXCorrelated(V.z, L.z, alpha) * 4.0 * V.z * L.z / G1_GGX(V.z, alpha);
-    vec3 fresnel = mix(F_Schlick(VoH, s.dielectricF0, 1.0), F_Schlick(VoH, s.baseColor, 1.0), s.metallic);
-    specular += fresnel * weight * textureLod(environmentCube, environmentFromWorld(worldFromLocal * L), level).rgb;
+#ifdef HAS_ANISOTROPY
+    float G1 = G1_GGXAnisotropic(V, alpha);
+    float pdf = G1 * D_GGXAnisotropic(H, alpha) / (4.0 * V.z);
+    float weight = V_GGXAnisotropic(V, L, alpha) * 4.0 * V.z * L.z / G1;
+#else
+    float G1 = G1_GGX(V.z, alpha);
+    float pdf = G1 * D_GGX(vec3(0.0, 0.0, 1.0), H, alpha) / (4.0 * V.z);
+    float weight = V_SmithGGXCorrelated(V.z, L.z, alpha) * 4.0 * V.z * L.z / G1;
+#endif
+    vec3 fresnel = mix(dielectricFresnel(s, VoH), metalFresnel(s, VoH), s.metallic);
+    specular += fresnel * weight * sampledRadiance(worldFromLocal * L, pdf);
   }
-  specular /= float(IMAGE_LIGHT_SAMPLES);
+  return specular / float(IMAGE_LIGHT_SAMPLES);
+}
+
+#ifdef HAS_CLEARCOAT
+vec3 coatSampled(Surface s) {
+  mat3 worldFromLocal = frameAround(s.coat.N);
+  float alpha = max(s.coat.alpha, 1e-5);
+  vec3 V = s.V * worldFromLocal;
+  V = normalize(vec3(V.xy, max(V.z, minNoV)));
+  float G1 = G1_GGX(V.z, alpha);
+  vec3 sum = vec3(0.0);
+  int first = int(frame.options.y) * IMAGE_LIGHT_SAMPLES;
+  for (int i = first; i < first + IMAGE_LIGHT_SAMPLES; ++i) {
+    vec3 H = sampleVisibleNormal(V, alpha, samplePoint(i));
+    float VoH = max(dot(V, H), 1e-6);
+    vec3 L = 2.0 * VoH * H - V;
+    if (L.z <= 0.0) continue;
+    float pdf = G1 * D_GGX(vec3(0.0, 0.0, 1.0), H, alpha) / (4.0 * V.z);
+    float weight = V_SmithGGXCorrelated(V.z, L.z, alpha) * 4.0 * V.z * L.z / G1;
+    sum += F_Coat(VoH) * weight * sampledRadiance(worldFromLocal * L, pdf);
+  }
+  return sum / float(IMAGE_LIGHT_SAMPLES);
+}
+#endif
+
+// Uniform in the square root of NoL, as the lobe is dense at the horizon: NoL = u^2, dL = 2 u du dphi.
+#ifdef HAS_SHEEN
+vec3 sheenSampled(Surface s) {
+  mat3 worldFromLocal = frameAround(s.N);
+  vec3 sum = vec3(0.0);
+  int first = int(frame.options.y) * IMAGE_LIGHT_SAMPLES;
+  for (int i = first; i < first + IMAGE_LIGHT_SAMPLES; ++i) {
+    vec2 u = samplePoint(i);
+    float phi = 2.0 * PI * u.x, NoL = u.y * u.y;
+    float sine = sqrt((1.0 - NoL) * (1.0 + NoL));
+    vec3 L = worldFromLocal * vec3(sine * cos(phi), sine * sin(phi), NoL);
+    float inversePdf = 4.0 * PI * u.y;
+    sum += sheenLobe(s, L) * inversePdf * sampledRadiance(L, 1.0 / inversePdf);
+  }
+  return sum / float(IMAGE_LIGHT_SAMPLES);
+}
+#endif
+
+vec3 imageLight(Surface s) {
   vec3 irradiance = textureLod(irradianceOverPi, environmentFromWorld(s.N), 0.0).rgb;
-  return (specular + irradiance * irradianceAlbedo(s)) * (frame.environmentScale.x * s.occlusion);
+  vec3 radiance = specularSampled(s) + irradiance * irradianceAlbedo(s);
+#ifdef HAS_SHEEN
+  radiance = radiance * sheenLeft(s) + s.sheen.color * sheenSampled(s);
+#endif
+#ifdef HAS_CLEARCOAT
+  radiance = radiance * coatLeft(s) + s.coat.weight * coatSampled(s);
+#endif
+  return radiance * (frame.environmentScale.x * s.occlusion);
 }

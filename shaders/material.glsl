@@ -1,4 +1,4 @@
-// Textures and factors of one material at one point: the only chunk that knows glTF's slots.
+// Textures and factors of one material at one point: with material_layers.glsl the only chunk that knows glTF's slots.
 // Defines come from src/shading/features.cpp.
 #include "layout.h"
 #include "frame.glsl"
@@ -152,13 +152,18 @@ vec3 safeNormalize(vec3 v, vec3 otherwise) {
 
 vec3 geometryNormal(Varyings v, vec3 V) { return safeNormalize(v.normal, V); }
 
-// Shading normal. MikkTSpace: the interpolated, not normalised, tangent frame decodes the texel.
+// MikkTSpace: the interpolated, not normalised, tangent frame decodes the texel.
+vec3 normalFromTexel(Varyings v, vec3 texel, float scale, vec3 V) {
+  vec3 n = texel * 2.0 - 1.0;
+  n.xy *= scale;
+  vec3 bitangent = v.tangent.w * cross(v.normal, v.tangent.xyz);
+  return safeNormalize(n.x * v.tangent.xyz + n.y * bitangent + n.z * v.normal, geometryNormal(v, V));
+}
+
+// Shading normal.
 vec3 materialNormal(Varyings v, vec3 V) {
 #if defined(HAS_NORMAL_TEXTURE) && defined(HAS_TANGENT)
-  vec3 texel = texture(normalTexture, slotTexCoord(v, normalUnit)).xyz * 2.0 - 1.0;
-  texel.xy *= material.scales.x;
-  vec3 bitangent = v.tangent.w * cross(v.normal, v.tangent.xyz);
-  return safeNormalize(texel.x * v.tangent.xyz + texel.y * bitangent + texel.z * v.normal, geometryNormal(v, V));
+  return normalFromTexel(v, texture(normalTexture, slotTexCoord(v, normalUnit)).xyz, material.scales.x, V);
 #else
   return geometryNormal(v, V);
 #endif

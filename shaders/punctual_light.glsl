@@ -2,6 +2,9 @@
 #include "bsdf.glsl"
 #include "lights.glsl"
 #include "frame.glsl"
+#ifdef HAS_SHEEN
+#include "sheen_table.glsl"
+#endif
 
 layout(std430, binding = lightBinding) readonly buffer LightBlock { LightUniforms lights[]; };
 
@@ -25,6 +28,9 @@ vec3 punctualLight(Surface s, vec3 position) {
   for (int i = 0; i < lights.length(); ++i) {
     vec3 L;
     vec3 arriving = arrivingLight(lights[i], position, s.N, L);
+#ifdef HAS_SHEEN
+    s.sheen.albedoL = lookUpSheenAlbedo(dot(s.N, L), s.sheen.perceptualRoughness);
+#endif
     if (arriving != vec3(0.0)) radiance += evaluateBsdf(s, L) * arriving;
   }
   return radiance;

@@ -15,6 +15,11 @@
 #if defined(HAS_PUNCTUAL_LIGHTS) || defined(HAS_ENVIRONMENT) || defined(HAS_TRANSMISSION)
 #define HAS_DFG
 #include "dfg_table.glsl"
+#if defined(HAS_DIELECTRIC_SPECULAR) || defined(HAS_CLEARCOAT) || defined(HAS_SHEEN) || defined(HAS_ANISOTROPY) || \
+    defined(HAS_IRIDESCENCE)
+#include "material_layers.glsl"
+#define HAS_LAYERS
+#endif
 #endif
 #ifdef HAS_TRANSMISSION
 #include "transmitted_light.glsl"
@@ -93,11 +98,18 @@ vec4 litRadiance(Varyings v, vec3 V, vec3 baseColor) {
 #ifdef HAS_DFG
   s.dfg = lookUpDfg(s.NoV, s.perceptualRoughness);
 #endif
+#ifdef HAS_LAYERS
+  readLayers(s, v);
+#endif
+  vec3 emission = materialEmission(v);
+#ifdef HAS_LAYERS
+  emission *= coatLeft(s);  // it lies below the coat (KHR_materials_clearcoat)
+#endif
 #if defined(HAS_TRANSMISSION) || defined(HAS_DIFFUSE_TRANSMISSION)
   vec2 transmission = materialTransmission(v);
   s.diffuseShare = 1.0 - transmission.x - transmission.y;
 #endif
-  vec3 radiance = materialEmission(v) + punctualLight(s, v.position) + imageLight(s);
+  vec3 radiance = emission + punctualLight(s, v.position) + imageLight(s);
   float coverage = 1.0;
 #ifdef HAS_DIFFUSE_TRANSMISSION
   radiance += diffuseTransmittedLight(s, v.position, transmission.y * materialDiffuseTransmissionColor(v), materialThickness(v));

@@ -2,6 +2,7 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "base/log.hpp"
 #include "commands/commands.hpp"
@@ -48,7 +49,10 @@ Counts countGeometry(const scene::Model& model) {
 json describeMaterials(const scene::Model& model, const frame::DrawList& list) {
   json out = json::array();
   for (const report::MaterialUsage& usage : report::materialUsage(model, list)) {
+    const size_t index = out.size();  // the model's materials come first
     json material = {{"name", usage.name}, {"variants", usage.variants}, {"textures", usage.textures}};
+    const json effects = index < model.materials.size() ? describeEffects(model.materials[index]) : json();
+    if (!effects.is_null()) material["effects"] = effects;
     if (usage.variants.empty()) material["leftOut"] = "not drawn in this scene";
     if (!usage.variants.empty() && !usage.unusedTextures.empty()) material["unusedTextures"] = usage.unusedTextures;
     out.push_back(material);
@@ -104,6 +108,17 @@ std::string joined(const json& list) {
   return text.empty() ? "none" : text;
 }
 
+// "    clearcoat: clearcoatFactor 1.0, clearcoatTexture 3"
+void printEffects(const json& material) {
+  if (!material.contains("effects")) return;
+  for (const auto& [effect, values] : material["effects"].items()) {
+    const char* separator = ": ";
+    std::cout << "    " << effect;
+    for (const auto& [key, value] : values.items()) std::cout << std::exchange(separator, ", ") << key << " " << value;
+    std::cout << "\n";
+  }
+}
+
 void print(const json& out) {
   std::cout << out["file"].get<std::string>() << "\n";
   for (const char* key : {"generator", "copyright"})
@@ -118,6 +133,7 @@ void print(const json& out) {
   std::cout << "  draw calls: " << out["drawCalls"] << "\n\nMaterials and their shader variants\n";
   for (const json& material : out["materials"]) {
     std::cout << "  " << material["name"].get<std::string>() << "\n";
+    printEffects(material);
     for (const json& variant : material["variants"]) std::cout << "    variant: " << variant.get<std::string>() << "\n";
     if (material.contains("leftOut")) std::cout << "    left out: " << material["leftOut"].get<std::string>() << "\n";
     if (material.contains("unusedTextures"))

@@ -1,7 +1,11 @@
 #include "commands/inspect_parts.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <ostream>
+
+#include "scene/material_properties.hpp"
+#include "scene/usage.hpp"
 
 namespace facet::commands {
 
@@ -74,6 +78,41 @@ json describeXmp(const scene::Metadata& xmp) {
   return out;
 }
 
+// 0.1 for 0.1f.
+double shortest(float value) {
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
+  double result = 0;
+  std::from_chars(text, end, result);
+  return result;
+}
+
+json valuesOf(scene::Material& material, const scene::MaterialProperty& property) {
+  const auto values = components(material, property);
+  if (values.size() == 1) return shortest(values[0]);
+  json list = json::array();
+  for (const float value : values) list.push_back(shortest(value));
+  return list;
+}
+
+// As the extensions are named behind "KHR_materials_".
+constexpr struct {
+  const char* name;
+  bool (*seen)(const scene::Material&);
+} effects[] = {
+    {"emissive_strength", [](const scene::Material& m) { return m.emissiveFactor != glm::vec3(0); }},
+    {"ior", scene::hasDielectricSpecular},
+    {"specular", scene::hasDielectricSpecular},
+    {"clearcoat", scene::hasClearcoat},
+    {"sheen", scene::hasSheen},
+    {"anisotropy", scene::hasAnisotropy},
+    {"iridescence", scene::hasIridescence},
+    {"transmission", scene::hasTransmission},
+    {"volume", scene::hasVolume},
+    {"dispersion", scene::hasDispersion},
+    {"diffuse_transmission", scene::hasDiffuseTransmission},
+};
+
 // "eyes, mouth"
 std::string joined(const json& texts) {
   std::string all;
@@ -93,6 +132,28 @@ void printList(const json& list, const char* title, std::ostream& out, Line&& li
 }
 
 }  // namespace
+
+json describeEffects(const scene::Material& material) {
+  json out;
+  if (material.unlit) return out;
+  scene::Material given = material, usual;
+  for (const auto& effect : effects) {
+    if (!effect.seen(material)) continue;
+    const std::string head = "extensions/KHR_materials_" + std::string(effect.name) + "/";
+    json found;
+    for (const scene::MaterialProperty& property : scene::materialProperties()) {
+      const std::string_view path = property.path;
+      if (!path.starts_with(head) || std::ranges::equal(components(given, property), components(usual, property)))
+        continue;
+      found[std::string(path.substr(head.size()))] = valuesOf(given, property);
+    }
+    for (const scene::TextureSlot slot : scene::textureSlots)
+      if (scene::path(slot).starts_with(head) && textureRef(material, slot))
+        found[scene::name(slot)] = textureRef(material, slot).texture;
+    if (!found.is_null()) out[effect.name] = found;
+  }
+  return out;
+}
 
 void describeParts(const scene::Model& model, json& out) {
   out["animations"] = describeAnimations(model);

@@ -183,8 +183,10 @@ ibl::Needs DrawList::needs(bool environmentVisible) const {
       const bool imageLight = shading::usesFeature(draw.key, "HAS_ENVIRONMENT");
       needs.irradiance |= imageLight;
       (draw.key.imageLightSamples == 0 ? needs.layers : needs.cube) |= imageLight;
-      needs.dfg |= imageLight || shading::usesFeature(draw.key, "HAS_PUNCTUAL_LIGHTS") ||
-                   shading::usesFeature(draw.key, "HAS_TRANSMISSION");
+      const bool lit = imageLight || shading::usesFeature(draw.key, "HAS_PUNCTUAL_LIGHTS") ||
+                       shading::usesFeature(draw.key, "HAS_TRANSMISSION");
+      needs.dfg |= lit;
+      needs.sheen |= lit && shading::usesFeature(draw.key, "HAS_SHEEN");
     }
   return needs;
 }

@@ -76,6 +76,7 @@ layout::FrameUniforms frameUniforms(const FrameInput& in, int draw, int draws, c
 
 void bindTables(const ibl::Tables& tables) {
   if (tables.dfg) tables.dfg.bind(layout::dfgUnit);
+  if (tables.sheen) tables.sheen.bind(layout::sheenAlbedoUnit);
   if (tables.irradiance) tables.irradiance.bind(layout::irradianceUnit);
   if (tables.mirrorLayers) tables.mirrorLayers.bind(layout::mirrorLayersUnit);
   if (tables.roughLayers) tables.roughLayers.bind(layout::roughLayersUnit);

@@ -310,7 +310,7 @@ Result<Picture> drawPicture(const PictureSettings& settings, const PictureReques
   statistics.textureBytes = scene.gpu.textureBytes();
   statistics.geometryBytes = scene.gpu.geometryBytes();
   for (const gl::Texture* t :
-       {&environment.tables.dfg, &environment.tables.irradiance, &environment.tables.mirrorLayers,
+       {&environment.tables.dfg, &environment.tables.sheen, &environment.tables.irradiance, &environment.tables.mirrorLayers,
         &environment.tables.roughLayers, &environment.tables.background, &environment.tables.cube})
     if (*t) statistics.tableBytes += t->bytes();
 

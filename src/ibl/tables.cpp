@@ -96,23 +96,40 @@ Result<void> timed(std::vector<TableStatistics>& statistics, const char* name, s
   return {};
 }
 
-Result<void> computeDfg(gl::Texture& table, ProgramStore& programs, const Method& method) {
-  const auto program = programs.compute("passes/dfg.comp.glsl");
+// A square table by quadrature over two variables.
+struct AlbedoTable {
+  const char* name;
+  const char* pass;
+  GLenum format;
+  int size, firstNodes, secondNodes;
+};
+
+Result<void> computeAlbedo(gl::Texture& table, ProgramStore& programs, const AlbedoTable& made) {
+  const auto program = programs.compute(made.pass);
   if (!program) return tl::unexpected(program.error());
   std::vector<glm::vec2> nodes;
-  for (const int count : {method.dfgRadii, method.dfgAngles}) {
+  for (const int count : {made.firstNodes, made.secondNodes}) {
     const optics::Quadrature rule = optics::gaussLegendre(static_cast<size_t>(count));
     for (size_t i = 0; i < rule.nodes.size(); ++i) nodes.emplace_back(rule.nodes[i], rule.weights[i]);
   }
-  const gl::Buffer input = gl::Buffer::of(nodes, "DFG quadrature");
-  table = gl::Texture({.format = GL_RGBA16F, .width = method.dfgSize, .height = method.dfgSize}, "DFG table");
+  const gl::Buffer input = gl::Buffer::of(nodes, "quadrature");
+  table = gl::Texture({.format = made.format, .width = made.size, .height = made.size}, made.name);
   table.filterLinear();
   glUseProgram((*program)->id());
-  (*program)->set(0, method.dfgRadii);
+  (*program)->set(0, made.firstNodes);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeInputBinding, input.id());
-  glBindImageTexture(0, table.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16F);
-  dispatchFaces(method.dfgSize, 1);
+  glBindImageTexture(0, table.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, made.format);
+  dispatchFaces(made.size, 1);
   return {};
+}
+
+// Computes and books it.
+Result<void> addAlbedo(gl::Texture& table, std::vector<TableStatistics>& booked, size_t texelBytes,
+                       ProgramStore& programs, const AlbedoTable& made) {
+  const auto size = static_cast<uint64_t>(made.size);
+  const auto nodes = static_cast<uint64_t>(made.firstNodes * made.secondNodes);
+  return timed(booked, made.name, size * size * texelBytes, size * size * nodes,
+               [&] { return computeAlbedo(table, programs, made); });
 }
 
 // The environment as a cube map with solid-angle-weighted levels down to 1^2.
@@ -236,10 +253,14 @@ Result<void> computeTables(Tables& tables, const scene::Environment* environment
   std::vector<TableStatistics>& booked = tables.statistics;
   booked.clear();
   if (needs.dfg && !tables.dfg) {
-    const auto size = static_cast<uint64_t>(method.dfgSize);
-    const auto nodes = static_cast<uint64_t>(method.dfgRadii * method.dfgAngles);
-    const auto make = [&] { return computeDfg(tables.dfg, programs, method); };
-    if (auto r = timed(booked, "DFG", size * size * 8, size * size * nodes, make); !r) return r;
+    const AlbedoTable made{"DFG",          "passes/dfg.comp.glsl", GL_RGBA16F,
+                           method.dfgSize, method.dfgRadii,        method.dfgAngles};
+    if (auto r = addAlbedo(tables.dfg, booked, 8, programs, made); !r) return r;
+  }
+  if (needs.sheen && !tables.sheen) {
+    const AlbedoTable made{"sheen",          "passes/sheen_albedo.comp.glsl", GL_R32F,
+                           method.sheenSize, method.sheenHeights,             method.sheenAngles};
+    if (auto r = addAlbedo(tables.sheen, booked, 4, programs, made); !r) return r;
   }
   const bool background = needs.background && !tables.background;
   const bool irradiance = needs.irradiance && !tables.irradiance;

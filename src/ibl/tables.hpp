@@ -18,6 +18,7 @@ struct Needs {
   bool irradiance = false;  // lit by the environment
   bool layers = false;      // LD, for the split sum
   bool cube = false;        // the environment as a cube map with levels, for sampling it per pixel
+  bool sheen = false;       // a sheen that anything lights
   bool background = false;  // the environment itself is visible
 };
 
@@ -30,6 +31,8 @@ struct Method {
   int irradianceSize = 16;   // face of the irradiance map; summed over a 32^2 level
   int dfgSize = 64;
   int dfgRadii = 32, dfgAngles = 8;  // Gauss-Legendre nodes over the visible normals
+  int sheenSize = 64;
+  int sheenHeights = 32, sheenAngles = 16;  // Gauss-Legendre nodes over the light's height and azimuth
   int samplesNarrow = 32;            // LD samples where perceptual roughness is below 0.25
   int samplesWide = 96;              // and above
 };
@@ -43,6 +46,7 @@ struct TableStatistics {
 
 struct Tables {
   gl::Texture dfg;           // RGBA16F, dfg_table.glsl
+  gl::Texture sheen;         // R32F, sheen_table.glsl
   gl::Texture irradiance;    // RGBA16F cube, irradiance / pi
   gl::Texture mirrorLayers;  // RGBA16F cube array, LD layers 0 and 1
   gl::Texture roughLayers;   // RGBA16F cube array with levels, the rest
@@ -52,8 +56,9 @@ struct Tables {
   std::vector<TableStatistics> statistics;
 };
 
-// Computes what is needed and not in the tables yet; tables.statistics names what this call computed. The DFG table
-// does not depend on the environment, which may be null where nothing else is needed; it is the same at every call.
+// Computes what is needed and not in the tables yet; tables.statistics names what this call computed. The DFG and
+// sheen tables do not depend on the environment, which may be null where nothing else is needed; they are the same at
+// every call.
 Result<void> computeTables(Tables& tables, const scene::Environment* environment, const Needs& needs,
                            shading::ProgramStore& programs, const Method& method = {});
 

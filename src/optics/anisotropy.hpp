@@ -4,6 +4,7 @@
 // Unit vectors that leave the surface. alpha_t, alpha_b in (0, 1]; below smallestAlpha they count as that. Where both
 // are equal, everything equals microfacet.hpp's isotropic functions.
 
+#include "optics/energy.hpp"
 #include "optics/microfacet.hpp"
 
 namespace facet::optics {
@@ -27,5 +28,8 @@ double V_GGXAnisotropic(const glm::dvec3& V, const glm::dvec3& L, const Anisotro
 // density G1(V) max(VoH, 0) D(H) / NoV [1/sr].
 glm::dvec3 sampleVisibleGGXAnisotropic(const glm::dvec3& V, const AnisotropicAlpha& alpha, const glm::dvec2& u);
 double pdfVisibleGGXAnisotropic(const glm::dvec3& V, const glm::dvec3& H, const AnisotropicAlpha& alpha);
+
+// A and B (energy.hpp) of the lobe at V by quadrature over visible normals; about 1e-3. V.z counts from 1e-4 up.
+Dfg integrateDfgAnisotropic(const glm::dvec3& V, const AnisotropicAlpha& alpha);
 
 }  // namespace facet::optics

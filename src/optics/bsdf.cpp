@@ -2,10 +2,63 @@
 
 #include <algorithm>
 
+#include "optics/anisotropy.hpp"
 #include "optics/diffuse.hpp"
 #include "optics/fresnel.hpp"
+#include "optics/iridescence.hpp"
+#include "optics/layers.hpp"
+#include "optics/sheen.hpp"
 
 namespace facet::optics {
+
+namespace {
+
+double largestOf(const glm::dvec3& v) { return std::max({v.r, v.g, v.b}); }
+
+glm::dvec3 inGrain(const Grain& grain, const glm::dvec3& N, const glm::dvec3& d) {
+  return {glm::dot(grain.tangent, d), glm::dot(glm::cross(N, grain.tangent), d), glm::dot(N, d)};
+}
+
+glm::dvec3 filmed(const Film& film, double cosine, const glm::dvec3& f0) {
+  return glm::min(F_ThinFilm(cosine, 1, film.ior, film.thicknessNm, f0), glm::dvec3(1));
+}
+
+// Of a lobe: Schlick's curve to f90, covered by the film where it covers. f0 counts up to f90.
+glm::dvec3 reflectance(const Film& film, double VoH, const glm::dvec3& f0, double f90) {
+  const glm::dvec3 bare = F_Schlick(VoH, f0, f90);
+  if (film.weight == 0) return bare;
+  return glm::mix(bare, f90 * filmed(film, VoH, f0 / std::max(f90, 1e-6)), film.weight);
+}
+
+glm::dvec3 filmedF0(const Film& film, double NoV, const glm::dvec3& f0, double f90) {
+  if (film.weight == 0) return f0;
+  return glm::mix(f0, f90 * f0FromSchlick(filmed(film, NoV, f0 / std::max(f90, 1e-6)), NoV), film.weight);
+}
+
+// What a dielectric lobe of this albedo leaves. Where every channel is alike so are the two; a plain dielectric's, and
+// that of specular-glossiness, whose base colour is already less its own largest f0, count by channel.
+glm::dvec3 leftBelow(const Surface& surface, const glm::dvec3& albedo) {
+  const bool layered = surface.film.weight > 0 || surface.f90 != 1 || surface.coloredInterface;
+  return glm::max(layered ? glm::dvec3(1 - largestOf(albedo)) : glm::dvec3(1) - albedo, glm::dvec3(0));
+}
+
+// F of the mix with each part's compensation; times D V.
+Reflected reflectFacets(const Surface& surface, const Dfg& dfg, const Angles& angles, double facets) {
+  const AlbedoF0 f0 = albedoF0(surface, angles.NoV);
+  const glm::dvec3 metal = reflectance(surface.film, angles.VoH, surface.baseColor, 1);
+  const glm::dvec3 dielectric = reflectance(surface.film, angles.VoH, surface.f0, surface.f90);
+  const double m = surface.metallic;
+  Reflected reflected;
+  reflected.specular = facets * angles.NoL *
+                       (m * metal * compensationTurquin(dfg, f0.metal) +
+                        (1 - m) * dielectric * compensationTurquin(dfg, f0.dielectric));
+  reflected.diffuse = (1 - m) * surface.baseColor *
+                      leftBelow(surface, specularAlbedoTurquin(dfg, f0.dielectric, surface.f90)) *
+                      (Fd_Lambert() * angles.NoL);
+  return reflected;
+}
+
+}  // namespace
 
 Surface specularGlossinessSurface(const glm::dvec3& diffuse, const glm::dvec3& specular, double glossiness) {
   const double largest = std::max({specular.r, specular.g, specular.b});
@@ -13,36 +66,99 @@ Surface specularGlossinessSurface(const glm::dvec3& diffuse, const glm::dvec3& s
       .baseColor = diffuse - largest * diffuse, .metallic = 0, .perceptualRoughness = 1 - glossiness, .f0 = specular};
 }
 
+void setDielectricSpecular(Surface& surface, double ior, double weight, const glm::dvec3& color) {
+  surface.f0 = weight * glm::min(f0FromIor(ior) * color, glm::dvec3(1));
+  surface.f90 = weight;
+  surface.coloredInterface = true;
+}
+
 double alphaOf(const Surface& surface) { return surface.perceptualRoughness * surface.perceptualRoughness; }
+
+AlbedoF0 albedoF0(const Surface& surface, double NoV) {
+  return {filmedF0(surface.film, NoV, surface.f0, surface.f90), filmedF0(surface.film, NoV, surface.baseColor, 1)};
+}
 
 Dfg dfgOf(const Surface& surface, double NoV) { return integrateDfg(NoV, alphaOf(surface)); }
 
 Reflected reflect(const Surface& surface, const Dfg& dfg, const glm::dvec3& N, const glm::dvec3& V,
                   const glm::dvec3& L) {
-  return reflect(surface, dfg, anglesBetween(N, V, L));
+  const Angles angles = anglesBetween(N, V, L);
+  if (surface.grain.strength == 0) return reflect(surface, dfg, angles);
+  if (angles.NoV < 0 || angles.NoL <= 0) return {};
+  const AnisotropicAlpha alpha = alphaFromAnisotropy(alphaOf(surface), surface.grain.strength);
+  const auto local = [&](const glm::dvec3& d) { return inGrain(surface.grain, N, d); };
+  const double facets = D_GGXAnisotropic(local(angles.H), alpha) * V_GGXAnisotropic(local(V), local(L), alpha);
+  return reflectFacets(surface, dfg, angles, facets);
 }
 
 Reflected reflect(const Surface& surface, const Dfg& dfg, const Angles& angles) {
   if (angles.NoV < 0 || angles.NoL <= 0) return {};
   const double alpha = alphaOf(surface);
-  const double facets = D_GGX(angles, alpha) * V_SmithGGXCorrelated(angles.NoV, angles.NoL, alpha) * angles.NoL;
-  const auto lobe = [&](const glm::dvec3& f0) {
-    return facets * F_Schlick(angles.VoH, f0, 1) * compensationTurquin(dfg, f0);
-  };
-  const glm::dvec3 transmitted = glm::dvec3(1) - specularAlbedoTurquin(dfg, surface.f0);
-  const double metal = surface.metallic, dielectric = 1 - metal;
-  Reflected reflected;
-  reflected.specular = metal * lobe(surface.baseColor) + dielectric * lobe(surface.f0);
-  reflected.diffuse = dielectric * surface.baseColor * transmitted * (Fd_Lambert() * angles.NoL);
-  return reflected;
+  const double facets = D_GGX(angles, alpha) * V_SmithGGXCorrelated(angles.NoV, angles.NoL, alpha);
+  return reflectFacets(surface, dfg, angles, facets);
 }
 
-DistantWeights distantWeights(const Surface& surface, const Dfg& dfg) {
-  const SpecularEnergy metal = energyFdezAguera(dfg, surface.baseColor);
-  const SpecularEnergy dielectric = energyFdezAguera(dfg, surface.f0);
+Albedos albedosOf(const Surface& surface, const glm::dvec3& N, const glm::dvec3& V, const glm::dvec3& L) {
+  Albedos albedos;
+  if (surface.grain.strength == 0) {
+    albedos.base = dfgOf(surface, glm::dot(N, V));
+  } else {
+    const AnisotropicAlpha alpha = alphaFromAnisotropy(alphaOf(surface), surface.grain.strength);
+    albedos.base = integrateDfgAnisotropic(inGrain(surface.grain, N, V), alpha);
+  }
+  const Coat& coat = surface.coat;
+  if (coat.weight > 0)
+    albedos.coat = integrateDfg(glm::dot(coat.normal, V), coat.perceptualRoughness * coat.perceptualRoughness);
+  if (surface.sheen.color == glm::dvec3(0)) return albedos;
+  const double alpha = surface.sheen.perceptualRoughness * surface.sheen.perceptualRoughness;
+  albedos.sheenV = sheenAlbedo(glm::dot(N, V), alpha);
+  albedos.sheenL = sheenAlbedo(glm::dot(N, L), alpha);
+  return albedos;
+}
+
+glm::dvec3 evaluate(const Surface& surface, const Albedos& albedos, const glm::dvec3& N, const glm::dvec3& V,
+                    const glm::dvec3& L) {
+  const Reflected base = reflect(surface, albedos.base, N, V, L);
+  glm::dvec3 sum = base.specular + base.diffuse;
+  const Angles angles = anglesBetween(N, V, L);
+  const Sheen& sheen = surface.sheen;
+  if (sheen.color != glm::dvec3(0)) {
+    const double alpha = sheen.perceptualRoughness * sheen.perceptualRoughness;
+    sum *= sheenScaling(largestOf(sheen.color), std::min(albedos.sheenV, 1.0), std::min(albedos.sheenL, 1.0));
+    if (angles.NoV >= 0 && angles.NoL > 0)
+      sum += sheen.color * (D_Charlie(angles.NoH, alpha) * V_Charlie(angles.NoV, angles.NoL, alpha) * angles.NoL *
+                            sheenGainGuard(albedos.sheenV, albedos.sheenL));
+  }
+  const Coat& coat = surface.coat;
+  if (coat.weight > 0) {
+    sum *= layerTransmittance(coat.weight, coatF0 * albedos.coat.A + albedos.coat.B);
+    sum += coat.weight * coatLobe(coat.normal, V, L, coat.perceptualRoughness * coat.perceptualRoughness);
+  }
+  return sum;
+}
+
+DistantWeights distantWeights(const Surface& surface, const Dfg& dfg, double NoV) {
+  const AlbedoF0 f0 = albedoF0(surface, NoV);
+  const SpecularEnergy metal = energyFdezAguera(dfg, f0.metal);
+  const SpecularEnergy dielectric = energyFdezAguera(dfg, f0.dielectric, surface.f90);
+  const glm::dvec3 left = leftBelow(surface, dielectric.single + dielectric.multiple);
   const double m = surface.metallic;
-  return {m * metal.single + (1 - m) * dielectric.single,
-          m * metal.multiple + (1 - m) * (dielectric.multiple + surface.baseColor * dielectric.diffuse)};
+  DistantWeights weights;
+  weights.prefiltered = m * metal.single + (1 - m) * dielectric.single;
+  weights.irradiance = m * metal.multiple + (1 - m) * (dielectric.multiple + surface.baseColor * left);
+  return weights;
+}
+
+DistantWeights distantWeights(const Surface& surface, const Albedos& albedos, double NoV) {
+  DistantWeights weights = distantWeights(surface, albedos.base, NoV);
+  const double sheenAlbedoV = std::min(albedos.sheenV, 1.0), coatAlbedoV = coatF0 * albedos.coat.A + albedos.coat.B;
+  const double belowCoat = layerTransmittance(surface.coat.weight, coatAlbedoV);
+  const double below = belowCoat * sheenScaling(largestOf(surface.sheen.color), sheenAlbedoV, sheenAlbedoV);
+  weights.prefiltered *= below;
+  weights.irradiance *= below;
+  weights.sheen = belowCoat * sheenAlbedoV * surface.sheen.color;
+  weights.coat = glm::dvec3(surface.coat.weight * coatAlbedoV);
+  return weights;
 }
 
 }  // namespace facet::optics

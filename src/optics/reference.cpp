@@ -9,6 +9,7 @@
 #include "optics/mapping.hpp"
 #include "optics/microfacet.hpp"
 #include "optics/quadrature.hpp"
+#include "optics/sheen.hpp"
 
 namespace facet::optics {
 
@@ -196,6 +197,43 @@ struct SpecularLobe {
   }
 };
 
+struct AnisotropicLobe {
+  glm::dvec3 normal, tangent, bitangent, view;
+  AnisotropicAlpha alpha;
+
+  glm::dvec3 local(const glm::dvec3& d) const {
+    return {glm::dot(tangent, d), glm::dot(bitangent, d), glm::dot(normal, d)};
+  }
+  glm::dvec2 value(const glm::dvec3& l) const {
+    const Angles angles = anglesBetween(normal, view, l);
+    if (angles.NoL <= 0) return glm::dvec2(0);
+    return {D_GGXAnisotropic(local(angles.H), alpha) * V_GGXAnisotropic(local(view), local(l), alpha) * angles.NoL, 0};
+  }
+  double scale(const glm::dvec3& l, double radius) const {
+    const Angles angles = anglesBetween(normal, view, l);
+    const double VoH = std::max(angles.VoH - radius / 2, 0.01);
+    const double across = std::max(std::abs(glm::dot(bitangent, angles.H)) - radius / (2 * VoH), 0.0);
+    return std::min({VoH, 2 * VoH * std::sqrt(alpha.b * alpha.b + across * across),
+                     horizonScale(l, normal, radius, std::clamp(0.1 * alpha.b, 1e-4, 0.02))});
+  }
+};
+
+struct SheenLobe {
+  glm::dvec3 normal, view;
+  double alpha;
+
+  glm::dvec2 value(const glm::dvec3& l) const {
+    const Angles angles = anglesBetween(normal, view, l);
+    if (angles.NoL <= 0) return glm::dvec2(0);
+    return {D_Charlie(angles.NoH, alpha) * V_Charlie(angles.NoV, angles.NoL, alpha) * angles.NoL, 0};
+  }
+  // D varies over angles of sqrt(alpha), and where L nears -V within NoV.
+  double scale(const glm::dvec3& l, double radius) const {
+    const double sum = std::max(glm::length(view + l) - radius, 0.02);
+    return std::min({0.5 * std::sqrt(alpha), 0.5 * sum, horizonScale(l, normal, radius, 0.01)});
+  }
+};
+
 // int D w / 4 dl in closed form up to a smooth integral in one variable: u = tan^2 / (tan^2 + alpha^2) of the half
 // angle, NoL = (1 - tan^2) / (1 + tan^2).
 double prefilterWeight(double alpha, LobeWeight weight) {
@@ -241,6 +279,17 @@ SpecularReference specular(const scene::Environment& environment, const glm::dve
   }
   const Sum sum = overSphere(environment, SpecularLobe(N, V, alpha));
   return {sum.radiance[0], sum.radiance[1], {sum.weight.x, sum.weight.y}};
+}
+
+Reference anisotropic(const scene::Environment& environment, const glm::dvec3& N, const glm::dvec3& T,
+                      const glm::dvec3& V, const AnisotropicAlpha& alpha) {
+  const Sum sum = overSphere(environment, AnisotropicLobe{N, T, glm::cross(N, T), V, alpha});
+  return {sum.radiance[0] / sum.weight.x, sum.weight.x};
+}
+
+Reference sheen(const scene::Environment& environment, const glm::dvec3& N, const glm::dvec3& V, double alpha) {
+  const Sum sum = overSphere(environment, SheenLobe{N, V, alpha});
+  return {sum.radiance[0] / sum.weight.x, sum.weight.x};
 }
 
 }  // namespace facet::optics

@@ -10,6 +10,7 @@
 
 #include <glm/glm.hpp>
 
+#include "optics/anisotropy.hpp"
 #include "optics/energy.hpp"
 #include "scene/environment.hpp"
 
@@ -46,5 +47,12 @@ struct SpecularReference {
 };
 SpecularReference specular(const scene::Environment& environment, const glm::dvec3& N, const glm::dvec3& V,
                            double alpha);
+
+// Mean radiance under a lobe, int L f NoL dl / int f NoL dl, F = 1; weight is the lobe's own integral: its albedo.
+// Anisotropic GGX, long along the unit tangent T, which is at right angles to N. alpha.b >= 1e-4, NoV >= 0.01.
+Reference anisotropic(const scene::Environment& environment, const glm::dvec3& N, const glm::dvec3& T,
+                      const glm::dvec3& V, const AnisotropicAlpha& alpha);
+// Sheen (optics/sheen.hpp), alpha >= 1e-3.
+Reference sheen(const scene::Environment& environment, const glm::dvec3& N, const glm::dvec3& V, double alpha);
 
 }  // namespace facet::optics

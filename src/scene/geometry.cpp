@@ -69,24 +69,51 @@ glm::vec3 faceNormal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
 
 using Warnings = std::vector<std::string>;
 
-void addTangents(Primitive& p, const std::vector<const Material*>& materials, Warnings& warnings) {
-  std::vector<int> sets;  // of coordinates that normal textures ask for
-  for (const Material* m : materials)
-    if (usesTexture(*m, TextureSlot::normal) && std::ranges::find(sets, m->normal.texCoord) == sets.end())
-      sets.push_back(m->normal.texCoord);
-  int found = -1;
-  for (const int set : sets) {
-    const bool present = set >= 0 && set < maxTexCoordSets && !p.texCoords[size_t(set)].empty();
-    const std::string name = "TEXCOORD_" + std::to_string(set);
-    if (!present)
-      warnings.push_back("the normal texture needs " + name + ", which is missing; the texture is not used");
-    else if (found < 0)
-      found = set;
-    else
-      warnings.push_back("the normal texture of a variant uses " + name + "; its tangents are those of TEXCOORD_" +
-                         std::to_string(found));
+// The sets of coordinates that directions in tangent space follow, without those that the primitive lacks.
+std::vector<int> tangentSets(const Primitive& p, const std::vector<const Material*>& materials, Warnings& warnings) {
+  std::vector<int> sets;
+  bool missing = false;
+  for (const Material* m : materials) {
+    const auto add = [&](int set) {
+      const bool present = set >= 0 && set < maxTexCoordSets && !p.texCoords[size_t(set)].empty();
+      if (present && std::ranges::find(sets, set) == sets.end()) sets.push_back(set);
+      return present;
+    };
+    for (const TextureSlot slot : {TextureSlot::normal, TextureSlot::clearcoatNormal})
+      if (usesTexture(*m, slot)) add(textureRef(*m, slot).texCoord);
+    const bool anisotropic = !m->unlit && !m->specularGlossiness && hasAnisotropy(*m);
+    if (anisotropic && !add(m->anisotropy ? m->anisotropy.texCoord : 0)) missing = true;
   }
-  if (found >= 0) p = withTangents(std::move(p), found);
+  if (missing && sets.empty())
+    warnings.emplace_back("an anisotropic material needs tangents or texture coordinates; it is shown isotropic");
+  return sets;
+}
+
+void addTangents(Primitive& p, const std::vector<const Material*>& materials, Warnings& warnings) {
+  const std::vector<int> sets = tangentSets(p, materials, warnings);
+  if (sets.empty()) return;
+  for (size_t i = 1; i < sets.size(); ++i)
+    warnings.push_back("a normal or anisotropy texture uses TEXCOORD_" + std::to_string(sets[i]) +
+                       "; its tangents are those of TEXCOORD_" + std::to_string(sets[0]));
+  p = withTangents(std::move(p), sets[0]);
+}
+
+// What lines and points are not lit with for want of normals or tangents can't be missed (glTF 2.0, 3.7.2.1).
+bool canRead(const Primitive& p, TextureSlot slot) {
+  if (hasTriangles(p.topology)) return true;
+  const bool directions = slot == TextureSlot::normal || slot == TextureSlot::clearcoatNormal;
+  return slot == TextureSlot::baseColor || (!p.normals.empty() && (!directions || !p.tangents.empty()));
+}
+
+// Once for each slot, whichever material it is.
+void noteMissingCoordinates(const Primitive& p, const std::vector<const Material*>& materials, Warnings& warnings) {
+  for (const TextureSlot slot : textureSlots)
+    for (const Material* m : materials) {
+      if (!canRead(p, slot) || !usesTexture(*m, slot) || usesTexture(*m, p, slot)) continue;
+      warnings.push_back(std::string("the ") + name(slot) + " needs TEXCOORD_" +
+                         std::to_string(textureRef(*m, slot).texCoord) + ", which is missing; the texture is not used");
+      break;
+    }
 }
 
 template <class Use>
@@ -114,6 +141,7 @@ void addBounds(Primitive& p) {
 }
 
 void completePrimitive(Primitive& p, const std::vector<const Material*>& materials, Warnings& warnings) {
+  noteMissingCoordinates(p, materials, warnings);
   const bool lit = std::ranges::any_of(materials, [](const Material* m) { return !m->unlit; });
   if (hasTriangles(p.topology) && lit && !p.positions.empty()) {
     if (p.normals.empty()) p = withFlatNormals(std::move(p));

@@ -97,7 +97,7 @@ void measureMemory(const Viewport& viewport, ViewerStatistics& statistics) {
   statistics.textureBytes = gpu.textureBytes();
   statistics.geometryBytes = gpu.geometryBytes();
   statistics.tableBytes = bytesOf(
-      {&tables.dfg, &tables.irradiance, &tables.mirrorLayers, &tables.roughLayers, &tables.background, &tables.cube});
+      {&tables.dfg, &tables.sheen, &tables.irradiance, &tables.mirrorLayers, &tables.roughLayers, &tables.background, &tables.cube});
   statistics.targetBytes = bytesOf({&t.multisample, &t.depth, &t.color, &t.sum, &t.display});
   statistics.programsCompiled = viewport.programs.statistics().compiled;
   statistics.programsFromDisk = viewport.programs.statistics().fromDisk;

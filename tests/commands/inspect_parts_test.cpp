@@ -50,3 +50,21 @@ TEST_CASE("inspect tells of motion, variants, instances and metadata, and of not
   CHECK(described["xmp"][0]["packet"]["dc:title"] == "a");
   CHECK(described["xmp"][0]["about"] == ordered_json{"/asset", "/nodes/1"});
 }
+
+TEST_CASE("inspect lists the effects of a material that can be seen") {
+  scene::Material m;
+  CHECK(commands::describeEffects(m).is_null());
+  m.clearcoatRoughnessFactor = 0.3f;  // of no clearcoat
+  m.thicknessFactor = 2;              // that nothing shines through
+  m.ior = 1.1f;
+  m.specularColor.texture = 4;
+  m.sheenColorFactor = {0.1f, 0, 1};
+  CHECK(commands::describeEffects(m) == ordered_json{{"ior", {{"ior", 1.1}}},
+                                                     {"specular", {{"specularColorTexture", 4}}},
+                                                     {"sheen", {{"sheenColorFactor", {0.1, 0.0, 1.0}}}}});
+  m.clearcoatFactor = 1;
+  CHECK(commands::describeEffects(m)["clearcoat"] ==
+        ordered_json{{"clearcoatFactor", 1.0}, {"clearcoatRoughnessFactor", 0.3}});
+  m.unlit = true;
+  CHECK(commands::describeEffects(m).is_null());
+}

@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "scene/material_properties.hpp"
+#include "scene/usage.hpp"
 #include "support/gltf_load.hpp"
 
 namespace {
@@ -97,6 +99,37 @@ TEST_CASE("Every pointer that is known", "[io][animations]") {
     CHECK(animation.samplers[0].width == row.width);
     CHECK(animation.samplers[0].values.size() == static_cast<size_t>(row.width));
   }
+}
+
+TEST_CASE("Every factor and texture transform of a material can be pointed to", "[io][animations]") {
+  const auto channel = [](const std::string& path, int width) {
+    INFO(path);
+    const auto model = aimed("/materials/1/" + path, width, width);
+    CHECK(notes(model) == "");
+    REQUIRE(model.model.animations[0].channels.size() == 1);
+    CHECK(model.model.animations[0].channels[0].object == 1);
+    CHECK(model.model.animations[0].samplers[0].width == width);
+    return model.model.animations[0].channels[0];
+  };
+  CHECK(channel("extensions/KHR_materials_volume/attenuationColor", 3).property == AnimatedProperty::attenuationColor);
+  CHECK(channel("extensions/KHR_materials_clearcoat/clearcoatNormalTexture/scale", 1).property ==
+        AnimatedProperty::clearcoatNormalScale);
+  for (const scene::MaterialProperty& property : scene::materialProperties())
+    CHECK(channel(property.path, componentCount(property)).property == property.property);
+  const struct {
+    const char* key;
+    AnimatedProperty property;
+    int width;
+  } transforms[] = {{"offset", AnimatedProperty::textureOffset, 2},
+                    {"rotation", AnimatedProperty::textureRotation, 1},
+                    {"scale", AnimatedProperty::textureScale, 2}};
+  for (const TextureSlot slot : scene::textureSlots)
+    for (const auto& transform : transforms) {
+      const auto found = channel(std::string(scene::path(slot)) + "/extensions/KHR_texture_transform/" + transform.key,
+                                 transform.width);
+      CHECK(found.property == transform.property);
+      CHECK(found.slot == slot);
+    }
 }
 
 TEST_CASE("Pointers to weights", "[io][animations]") {

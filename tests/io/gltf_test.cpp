@@ -1,6 +1,5 @@
 #include "io/gltf.hpp"
 
-#include <algorithm>
 #include <catch2/catch.hpp>
 #include <fstream>
 
@@ -14,24 +13,16 @@ using Json = nlohmann::json;
 
 }  // namespace
 
-TEST_CASE("Every shared model loads, or is refused for an extension it requires", "[io][gltf][shared]") {
+TEST_CASE("Every shared model loads", "[io][gltf][shared]") {
   const std::string manifestPath = test::sharedFile("assets/manifest.json");
   if (manifestPath.empty()) return;
   std::ifstream stream(manifestPath);
   const Json manifest = Json::parse(stream);
-  const std::vector<std::string> unsupported = {"KHR_texture_basisu"};
   for (const Json& entry : manifest["models"]) {
     const auto path = std::filesystem::path(manifestPath).parent_path() / entry["entry"].get<std::string>();
     INFO(path.string());
-    std::string expected;  // the first of them that the file requires
-    for (const Json& name : entry["extensions_required"]) {
-      const auto& text = name.get_ref<const std::string&>();
-      if (expected.empty() && std::find(unsupported.begin(), unsupported.end(), text) != unsupported.end()) {
-        expected = "the model requires the extension \"" + text + "\", which is not supported";
-      }
-    }
     const auto model = io::loadGltf(path);
-    CHECK((model ? std::string() : model.error().problem) == expected);
+    CHECK((model ? std::string() : model.error().problem) == "");
     if (!model) continue;
     size_t triangles = 0, primitives = 0;
     for (const auto& mesh : model->model.meshes) {
@@ -49,6 +40,7 @@ TEST_CASE("Every shared model loads, or is refused for an extension it requires"
     CHECK(model->model.images.size() == entry["images"].get<size_t>());
     for (const Note& note : model->notes) {
       if (note.text.starts_with("\"/materials/5/normalTexture/offset\"")) continue;  // AnimateAllTheThings' own slip
+      if (note.text.find("KHR_texture_basisu") != std::string::npos) continue;       // placeholders take their place
       CHECK(note.severity == Note::Severity::info);
     }
   }

@@ -293,6 +293,41 @@ TEST_CASE("Pointers set materials, and values stay in range") {
   CHECK(material(P::textureScale, {2, 0}).normal.transform == TextureTransform{});
 }
 
+TEST_CASE("Pointers set the factors of material extensions, and values stay in range") {
+  Model model;
+  model.materials.resize(1);
+  using P = AnimatedProperty;
+  const auto material = [&](P property, std::vector<float> value) {
+    const Model animated = constant(model, property, std::move(value), TextureSlot::baseColor);
+    return only(animated).materials.of(animated.materials, 0);
+  };
+  CHECK(material(P::ior, {1.75f}).ior == 1.75f);
+  CHECK(material(P::ior, {0}).ior == 0);
+  CHECK(material(P::ior, {0.5f}).ior == 1);
+  CHECK(material(P::specularWeight, {0.25f}).specularWeight == 0.25f);
+  CHECK(material(P::specularColorFactor, {-1, 0.5f, 3}).specularColorFactor == glm::vec3(0, 0.5f, 3));
+  CHECK(material(P::clearcoatFactor, {2}).clearcoatFactor == 1);
+  CHECK(material(P::clearcoatRoughnessFactor, {0.5f}).clearcoatRoughnessFactor == 0.5f);
+  CHECK(material(P::clearcoatNormalScale, {-3}).clearcoatNormalScale == -3);
+  CHECK(material(P::sheenColorFactor, {0.5f, 2, -1}).sheenColorFactor == glm::vec3(0.5f, 1, 0));
+  CHECK(material(P::sheenRoughnessFactor, {0.75f}).sheenRoughnessFactor == 0.75f);
+  CHECK(material(P::anisotropyStrength, {0.5f}).anisotropyStrength == 0.5f);
+  CHECK(material(P::anisotropyRotation, {-7}).anisotropyRotation == -7);
+  CHECK(material(P::iridescenceFactor, {0.5f}).iridescenceFactor == 0.5f);
+  CHECK(material(P::iridescenceIor, {0.5f}).iridescenceIor == 1);
+  CHECK(material(P::iridescenceThicknessMinimum, {-5}).iridescenceThicknessMinimum == 0);
+  CHECK(material(P::iridescenceThicknessMaximum, {900}).iridescenceThicknessMaximum == 900);
+  CHECK(material(P::transmissionFactor, {1.5f}).transmissionFactor == 1);
+  CHECK(material(P::thicknessFactor, {12}).thicknessFactor == 12);
+  CHECK(material(P::attenuationDistance, {0}).attenuationDistance == 1e-18f);
+  CHECK(material(P::attenuationDistance, {0.5f}).attenuationDistance == 0.5f);
+  CHECK(material(P::attenuationColor, {0.5f, 2, -1}).attenuationColor == glm::vec3(0.5f, 1, 0));
+  CHECK(material(P::dispersion, {7}).dispersion == 7);
+  CHECK(material(P::diffuseTransmissionFactor, {0.5f}).diffuseTransmissionFactor == 0.5f);
+  CHECK(material(P::diffuseTransmissionColorFactor, {0.5f, 2, -1}).diffuseTransmissionColorFactor ==
+        glm::vec3(0.5f, 1, 0));
+}
+
 TEST_CASE("Pointers set lights and cameras, and values stay in range") {
   Model model;
   model.lights.resize(1);

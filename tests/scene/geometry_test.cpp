@@ -145,7 +145,48 @@ TEST_CASE("Geometry is completed as the materials need it") {
     CHECK(model.meshes[0].primitives[0].tangents.empty());
     REQUIRE(notes.size() == 1);
     CHECK(notes[0].place == "/meshes/0/primitives/0");
-    CHECK(notes[0].text == "the normal texture needs TEXCOORD_1, which is missing; the texture is not used");
+    CHECK(notes[0].text == "the normalTexture needs TEXCOORD_1, which is missing; the texture is not used");
+  }
+  SECTION("missing coordinates are noted once for each texture that can be seen") {
+    mapped.baseColor = mapped.occlusion = mapped.clearcoat = mapped.emissive = {0, 2, {}};
+    mapped.baseColorFactor = {0, 0, 0, 1};
+    mapped.clearcoatFactor = 1;
+    Model model = modelWith(quad(), mapped);
+    model.materials.push_back(mapped);
+    model.materials[1].occlusion.texCoord = 3;
+    model.meshes[0].primitives[0].variantMaterials = {1, 0, 1};
+    completeGeometry(model, notes);
+    REQUIRE(notes.size() == 2);
+    CHECK(notes[0].text == "the occlusionTexture needs TEXCOORD_2, which is missing; the texture is not used");
+    CHECK(notes[1].text == "the clearcoatTexture needs TEXCOORD_2, which is missing; the texture is not used");
+  }
+  SECTION("anisotropy and a clearcoat's normals get tangents") {
+    Material m;
+    m.anisotropyStrength = 0.5f;
+    Model model = modelWith(quad(), m);
+    completeGeometry(model, notes);
+    CHECK(model.meshes[0].primitives[0].tangents.size() == 4);
+    m.anisotropyStrength = 0;
+    m.clearcoatNormal.texture = 0;
+    model = modelWith(quad(), m);
+    completeGeometry(model, notes);
+    CHECK(model.meshes[0].primitives[0].tangents.empty());
+    m.clearcoatFactor = 1;
+    model = modelWith(quad(), m);
+    completeGeometry(model, notes);
+    CHECK(model.meshes[0].primitives[0].tangents.size() == 4);
+    CHECK(notes.empty());
+  }
+  SECTION("anisotropy without coordinates is noted") {
+    Material m;
+    m.anisotropyStrength = 0.5f;
+    Primitive plain = quad();
+    plain.texCoords = {};
+    Model model = modelWith(plain, m);
+    completeGeometry(model, notes);
+    CHECK(model.meshes[0].primitives[0].tangents.empty());
+    REQUIRE(notes.size() == 1);
+    CHECK(notes[0].text == "an anisotropic material needs tangents or texture coordinates; it is shown isotropic");
   }
   SECTION("what the scene doesn't draw stays") {
     Model model = modelWith(quad(), mapped);
@@ -162,6 +203,10 @@ TEST_CASE("Geometry is completed as the materials need it") {
     CHECK(model.meshes[0].primitives[0].normals.empty());
     CHECK(model.meshes[0].primitives[0].topology == Topology::lineStrip);
     CHECK(notes.empty());
+    model.materials[0].baseColor.texture = 0;
+    completeGeometry(model, notes);
+    REQUIRE(notes.size() == 1);
+    CHECK(notes[0].text == "the baseColorTexture needs TEXCOORD_0, which is missing; the texture is not used");
   }
 }
 
@@ -291,8 +336,8 @@ TEST_CASE("The materials of variants get what they need as well") {
     completeGeometry(model, notes);
     CHECK(p.tangents.size() == p.positions.size());
     REQUIRE(notes.size() == 2);
-    CHECK(notes[0].text == "the normal texture needs TEXCOORD_5, which is missing; the texture is not used");
-    CHECK(notes[1].text == "the normal texture of a variant uses TEXCOORD_1; its tangents are those of TEXCOORD_0");
+    CHECK(notes[0].text == "the normalTexture needs TEXCOORD_5, which is missing; the texture is not used");
+    CHECK(notes[1].text == "a normal or anisotropy texture uses TEXCOORD_1; its tangents are those of TEXCOORD_0");
   }
 }
 

@@ -1,6 +1,9 @@
 #include "scene/usage.hpp"
 
 #include <catch2/catch.hpp>
+#include <set>
+
+#include "scene/material_properties.hpp"
 
 using namespace facet::scene;
 
@@ -138,5 +141,98 @@ TEST_CASE("Textures that an animation brings out are used over time") {
     model.animations = {animation};
     const Material m = materialsOverTime(model).at(0);
     for (const TextureSlot slot : textureSlots) CHECK(usesTexture(m, slot) == (slot == row.slot));
+  }
+}
+
+namespace {
+
+// Every slot textured with texture = slot number, every factor 1, and nothing that makes one irrelevant.
+Material everything() {
+  Material m;
+  for (const MaterialProperty& property : materialProperties())
+    for (float& value : components(m, property)) value = 1;
+  m.iridescenceThicknessMinimum = 0;
+  for (const TextureSlot slot : textureSlots) textureRef(m, slot).texture = int(slot);
+  return m;
+}
+
+std::set<std::string> unused(const Material& material) {
+  std::set<std::string> names;
+  for (const TextureSlot slot : textureSlots)
+    if (!usesTexture(material, slot)) names.insert(name(slot));
+  return names;
+}
+
+}  // namespace
+
+TEST_CASE("Textures of extensions are used while a factor of their effect is left") {
+  using Names = std::set<std::string>;
+  CHECK(unused(everything()).empty());
+  const struct {
+    float Material::*factor;
+    Names unused;
+  } rows[] = {
+      {&Material::specularWeight, {"specularTexture", "specularColorTexture"}},
+      {&Material::clearcoatFactor, {"clearcoatTexture", "clearcoatRoughnessTexture", "clearcoatNormalTexture"}},
+      {&Material::clearcoatRoughnessFactor, {"clearcoatRoughnessTexture"}},
+      {&Material::clearcoatNormalScale, {"clearcoatNormalTexture"}},
+      {&Material::sheenRoughnessFactor, {"sheenRoughnessTexture"}},
+      {&Material::anisotropyStrength, {"anisotropyTexture"}},
+      {&Material::anisotropyRotation, {}},
+      {&Material::iridescenceFactor, {"iridescenceTexture", "iridescenceThicknessTexture"}},
+      {&Material::iridescenceThicknessMaximum, {"iridescenceThicknessTexture"}},  // = minimum
+      {&Material::transmissionFactor, {"transmissionTexture"}},  // diffuse light still needs the volume
+      {&Material::thicknessFactor, {"thicknessTexture"}},
+      {&Material::dispersion, {}},
+      {&Material::diffuseTransmissionFactor, {"diffuseTransmissionTexture", "diffuseTransmissionColorTexture"}},
+      {&Material::ior, {}},
+  };
+  for (const auto& row : rows) {
+    Material m = everything();
+    m.*row.factor = 0;
+    CHECK(unused(m) == row.unused);
+  }
+  const struct {
+    glm::vec3 Material::*factor;
+    Names unused;
+  } colors[] = {{&Material::specularColorFactor, {"specularColorTexture"}},
+                {&Material::sheenColorFactor, {"sheenColorTexture", "sheenRoughnessTexture"}},
+                {&Material::attenuationColor, {}},
+                {&Material::diffuseTransmissionColorFactor, {"diffuseTransmissionColorTexture"}}};
+  for (const auto& row : colors) {
+    Material m = everything();
+    m.*row.factor = glm::vec3(0);
+    CHECK(unused(m) == row.unused);
+    m.*row.factor = glm::vec3(0, 0, 1e-6f);
+    CHECK(unused(m).empty());
+  }
+  Material m = everything();
+  m.transmissionFactor = m.diffuseTransmissionFactor = 0;
+  CHECK(unused(m).count("thicknessTexture") == 1);
+  m = everything();
+  m.specularGlossiness = true;
+  CHECK(unused(m).size() == textureSlotCount - 5);
+  m.unlit = true;
+  CHECK(unused(m).size() == textureSlotCount - 1);
+}
+
+TEST_CASE("An animated factor brings out the textures of its effect") {
+  for (const MaterialProperty& property : materialProperties()) {
+    INFO(property.path);
+    Material m = everything();
+    for (float& value : components(m, property)) value = 0;
+    if (property.property == AnimatedProperty::iridescenceThicknessMinimum) m.iridescenceThicknessMaximum = 0;
+    if (property.property == AnimatedProperty::metallicFactor) m.perceptualRoughnessFactor = 0;
+    if (property.property == AnimatedProperty::roughnessFactor) m.metallicFactor = 0;
+    const bool matters = !unused(m).empty();
+    const auto p = property.property;
+    using P = AnimatedProperty;
+    const std::set<P> others = {
+        P::alphaCutoff,      P::ior,       P::anisotropyRotation, P::iridescenceIor, P::attenuationDistance,
+        P::attenuationColor, P::dispersion};
+    CHECK(matters == !others.contains(p));
+    Model model = modelWith(m);
+    model.animations = {{"", {{Interpolation::step, {0}, {0, 0, 0, 0}, componentCount(property)}}, {{0, p, 0}}}};
+    CHECK(unused(materialsOverTime(model).at(0)).empty());
   }
 }

@@ -1,0 +1,182 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+
+#include "optics/bsdf.hpp"
+#include "optics/iridescence.hpp"
+#include "optics/quadrature.hpp"
+#include "optics/reference.hpp"
+#include "optics/sheen.hpp"
+#include "scene/usage.hpp"
+#include "support/picture.hpp"
+
+using namespace facet;
+using frame::PictureSettings;
+using test::at, test::emptyScene;
+using test::GltfBuilder;
+
+namespace {
+
+struct Extension {
+  const char* name;
+  std::function<void(scene::Material&, float roughness)> apply;
+};
+
+void coat(scene::Material& m, float roughness) { m.clearcoatFactor = 1, m.clearcoatRoughnessFactor = roughness; }
+void halfCoat(scene::Material& m, float roughness) { m.clearcoatFactor = 0.5f, m.clearcoatRoughnessFactor = roughness; }
+void cloth(scene::Material& m, float roughness) {
+  m.sheenColorFactor = glm::vec3(1, 0.5f, 0.2f), m.sheenRoughnessFactor = roughness;
+}
+void film(scene::Material& m, float) { m.iridescenceFactor = 1, m.iridescenceThicknessMaximum = 350; }
+void grain(scene::Material& m, float) { m.anisotropyStrength = 0.8f; }
+void specular(scene::Material& m, float) { m.ior = 2, m.specularWeight = 0.7f, m.specularColorFactor = {1, 0.4f, 2}; }
+void metal(scene::Material& m, float) { m.metallicFactor = 1; }
+
+const Extension extensions[] = {
+    {"none", [](scene::Material&, float) {}},
+    {"specular, ior", specular},
+    {"ior 0", [](scene::Material& m, float) { m.ior = 0; }},
+    {"clearcoat", coat},
+    {"sheen", cloth},
+    {"iridescence", film},
+    {"anisotropy", grain},
+    {"metal", metal},
+    {"metal, clearcoat", [](scene::Material& m, float r) { metal(m, r), coat(m, r); }},
+    {"metal, sheen", [](scene::Material& m, float r) { metal(m, r), cloth(m, r); }},
+    {"metal, iridescence", [](scene::Material& m, float r) { metal(m, r), film(m, r); }},
+    {"metal, anisotropy", [](scene::Material& m, float r) { metal(m, r), grain(m, r); }},
+    {"metal, anisotropy, clearcoat", [](scene::Material& m, float r) { metal(m, r), grain(m, r), coat(m, 0); }},
+    {"metal, anisotropy, iridescence", [](scene::Material& m, float r) { metal(m, r), grain(m, r), film(m, r); }},
+    {"clearcoat, sheen", [](scene::Material& m, float r) { halfCoat(m, 0), cloth(m, r); }},
+    {"clearcoat, iridescence", [](scene::Material& m, float r) { coat(m, 0.2f), film(m, r); }},
+    {"specular, sheen", [](scene::Material& m, float r) { specular(m, r), cloth(m, r); }},
+    {"specular, iridescence", [](scene::Material& m, float r) { specular(m, r), film(m, r); }},
+    {"specular, clearcoat, anisotropy", [](scene::Material& m, float r) { specular(m, r), coat(m, r), grain(m, r); }},
+    {"sheen, iridescence, clearcoat", [](scene::Material& m, float r) { cloth(m, r), film(m, r), halfCoat(m, r); }},
+    {"all",
+     [](scene::Material& m, float r) { specular(m, r), coat(m, r), cloth(m, r), film(m, r), grain(m, r); }},
+    {"half metal, all",
+     [](scene::Material& m, float r) {
+       specular(m, r), coat(m, r), cloth(m, r), film(m, r), grain(m, r), m.metallicFactor = 0.5f;
+     }},
+};
+
+const float roughnesses[] = {0, 0.1f, 0.4f, 0.7f, 1};
+constexpr int columns = 5, cell = 40;
+
+// Spheres of a white material, one for each roughness, in a row; tangents as MikkTSpace would give for longitude.
+io::LoadedModel sphereRow(const Extension& extension) {
+  GltfBuilder builder = emptyScene();
+  for (int i = 0; i < columns; ++i)
+    test::addMeshNode(builder, test::addSphere(builder, 0.5, 48, 96),
+                      builder.append("materials", test::material({1, 1, 1, 1}, 0, double(roughnesses[i]))),
+                      at(i - 2, 0, 0));
+  test::addOrthographicCamera(builder, columns / 2.0, 0.5);
+  io::LoadedModel model = test::loadBuilt(builder);
+  for (int i = 0; i < columns; ++i) extension.apply(model.model.materials[size_t(i)], roughnesses[i]);
+  for (scene::Mesh& mesh : model.model.meshes)
+    for (scene::Primitive& primitive : mesh.primitives) {
+      primitive.tangents.clear();
+      for (const glm::vec3& n : primitive.normals)
+        primitive.tangents.emplace_back(std::hypot(n.x, n.z) > 0 ? glm::normalize(glm::vec3(n.z, 0, -n.x)) : n, 1.0f);
+    }
+  return model;
+}
+
+PictureSettings rowSettings(const char* environment) {
+  PictureSettings settings = test::bareSettings(columns * cell, cell);
+  settings.camera = "0";
+  settings.environment = environment;
+  return settings;
+}
+
+// The sphere's normal at a pixel's centre; false off the sphere or on its rim.
+bool normalAt(int x, int y, glm::dvec3& N) {
+  const double u = (x % cell + 0.5) / cell * 2 - 1, v = 1 - (y + 0.5) / cell * 2, r2 = u * u + v * v;
+  if (r2 > 0.98) return false;
+  N = {u, v, std::sqrt(1 - r2)};
+  return true;
+}
+
+struct Range {
+  float low = 1e9f, high = -1e9f;
+};
+Range rangeOf(const io::RadianceImage& image) {
+  Range range;
+  for (const glm::vec4& p : image.pixels)
+    if (p.w == 1)
+      range.low = std::min({range.low, p.x, p.y, p.z}), range.high = std::max({range.high, p.x, p.y, p.z});
+  return range;
+}
+
+}  // namespace
+
+TEST_CASE("Layers: no furnace gains, by any extension or sum of them") {
+  test::Studio studio;
+  std::printf("%-34s %8s %8s   %8s %8s\n", "white furnace", "split", "sum", "sampled", "");
+  for (const Extension& extension : extensions) {
+    const io::LoadedModel model = sphereRow(extension);
+    PictureSettings settings = rowSettings("builtin:white");
+    const frame::Picture split = studio.render(model, settings);
+    settings.samples = 8;
+    const frame::Picture sampled = studio.render(model, settings);
+    const Range a = rangeOf(split.radiance), b = rangeOf(sampled.radiance);
+    std::printf("%-34s %8.4f %8.4f   %8.4f %8.4f\n", extension.name, a.low, a.high, b.low, b.high);
+    INFO(extension.name);
+    CHECK(split.statistics.nonFinitePixels == 0);
+    CHECK(sampled.statistics.nonFinitePixels == 0);
+    CHECK(a.high <= 1.001f);
+  }
+}
+
+namespace {
+
+optics::Surface surfaceOf(const scene::Material& m, const glm::dvec3& N) {
+  optics::Surface s{glm::dvec3(1), double(m.metallicFactor), double(m.perceptualRoughnessFactor)};
+  if (scene::hasDielectricSpecular(m))
+    optics::setDielectricSpecular(s, double(m.ior), double(m.specularWeight), glm::dvec3(m.specularColorFactor));
+  s.coat = {double(m.clearcoatFactor), double(m.clearcoatRoughnessFactor), N};
+  s.sheen = {glm::dvec3(m.sheenColorFactor), double(m.sheenRoughnessFactor)};
+  s.film = {double(m.iridescenceFactor), double(m.iridescenceIor), double(m.iridescenceThicknessMaximum)};
+  s.grain = {double(m.anisotropyStrength), glm::normalize(glm::dvec3(N.z, 0, -N.x))};
+  return s;
+}
+
+}  // namespace
+
+TEST_CASE("Layers: one light on spheres is what the twin says") {
+  test::Studio studio;
+  const glm::dvec3 V(0, 0, 1), L = glm::normalize(glm::dvec3(0.5, 0.4, 0.77));
+  double worst = 0;
+  for (const Extension& extension : extensions) {
+    io::LoadedModel model = sphereRow(extension);
+    scene::Light light;
+    light.type = scene::LightType::directional;
+    light.intensity = 1;
+    model.model.lights.push_back(light);
+    scene::Node node;
+    node.light = int(model.model.lights.size()) - 1;
+    node.rotation = glm::normalize(glm::dquat(1 + L.z, glm::cross(glm::dvec3(0, 0, 1), L)));
+    model.model.scenes[0].nodes.push_back(int(model.model.nodes.size()));
+    model.model.nodes.push_back(node);
+    const frame::Picture picture = studio.render(model, rowSettings("none"));
+    double largest = 0;
+    for (int y = 5; y < cell; y += 7)
+      for (int x = 2; x < columns * cell; x += 7) {
+        glm::dvec3 N;
+        if (x / cell == 0 || !normalAt(x, y, N) || glm::dot(N, L) < 0.02) continue;  // a mirror's light is a delta
+        const optics::Surface surface = surfaceOf(model.model.materials[size_t(x / cell)], N);
+        const glm::dvec3 expected = optics::evaluate(surface, optics::albedosOf(surface, N, V, L), N, V, L);
+        const glm::vec4& got = test::pixel(picture.radiance, x, y);
+        for (int i = 0; i < 3; ++i)
+          largest = std::max(largest, std::abs(double(got[i]) - expected[i]) / (expected[i] + 0.02));
+      }
+    std::printf("one light, %-34s off by %.4f\n", extension.name, largest);
+    INFO(extension.name);
+    CHECK(largest < 0.05);
+    worst = std::max(worst, largest);
+  }
+  CHECK(worst > 0);
+}
