@@ -84,8 +84,7 @@ vec4 behindSampled(Surface s, vec3 from, vec2 pixel, float along, float alpha) {
   vec4 sum = vec4(0.0);
   float weights = 0.0;
   for (int i = first; i < first + IMAGE_LIGHT_SAMPLES; ++i) {
-    vec2 u = vec2(uvec2(i) * uvec2(3242174889u, 2447445414u) + 0x80000000u) * (1.0 / 4294967296.0);
-    vec3 H = sampleVisibleNormal(V, alpha, u);
+    vec3 H = sampleVisibleNormal(V, alpha, samplePoint(i));
     vec3 L = 2.0 * max(dot(V, H), 1e-6) * H - V;
     vec3 away = worldFromLocal * vec3(L.xy, -L.z);
     float forward = -dot(away, frame.towardsEye.xyz);
@@ -142,7 +141,8 @@ Passage passageThrough(Surface s, float ior, float thickness) {
 // Radiance from lights beyond where the passage ends, before any loss at the interface.
 vec3 punctualThrough(Surface s, vec3 position, Passage passage) {
   vec3 radiance = vec3(0.0);
-  float albedo = max(lookUpDfg(s.NoV, sqrt(passage.alpha)).x + lookUpDfg(s.NoV, sqrt(passage.alpha)).y, 1e-4);
+  vec3 dfg = lookUpDfg(s.NoV, sqrt(passage.alpha));
+  float albedo = max(dfg.x + dfg.y, 1e-4);
   for (int i = 0; i < lights.length(); ++i) {
     vec3 L;
     vec3 arriving = arrivingLight(lights[i], position + passage.ray, -s.N, L);

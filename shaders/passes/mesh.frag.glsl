@@ -104,13 +104,13 @@ vec4 litRadiance(Varyings v, vec3 V, vec3 baseColor) {
 #ifdef HAS_LAYERS
   readLayers(s, v);
 #endif
-#if defined(HAS_TRANSMISSION) || defined(HAS_DIFFUSE_TRANSMISSION)
-  vec2 transmission = materialTransmission(v);
-  s.diffuseShare = 1.0 - transmission.x - transmission.y;
-#endif
   vec3 emission = materialEmission(v);
 #ifdef HAS_LAYERS
   emission *= coatLeft(s);  // it lies below the coat (KHR_materials_clearcoat)
+#endif
+#if defined(HAS_TRANSMISSION) || defined(HAS_DIFFUSE_TRANSMISSION)
+  vec2 transmission = materialTransmission(v);
+  s.diffuseShare = 1.0 - transmission.x - transmission.y;
 #endif
   vec3 radiance = emission + punctualLight(s, v.position) + imageLight(s);
   float coverage = 1.0;

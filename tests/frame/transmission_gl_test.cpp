@@ -118,6 +118,29 @@ TEST_CASE("A volume attenuates by colour^(way / distance), the way scaled with t
   checkPixel(test::pixel(picture.radiance, 1, 1), glm::vec4(glm::vec3(expected), 1), 2e-3f);
 }
 
+TEST_CASE("A body of ior 1 only attenuates: neither reflection nor refraction nor blur") {
+  Glass scene;
+  scene.paint({1, 1, 1, 1}, {-9, -9}, {0, 9}, -5);
+  json where = at(0, 0, 0);
+  where["rotation"] = {0, std::sin(0.3), 0, std::cos(0.3)};
+  scene.pane({-3, -3}, {3, 3}, where);
+  test::addOrthographicCamera(scene.builder, 1, 1);
+  const glm::vec3 color(0.8f, 0.4f, 0.1f);
+  const io::LoadedModel model = scene.load([&](scene::Material& m) {
+    m.ior = 1;
+    m.specularWeight = 0;  // no reflection at grazing angles either
+    m.perceptualRoughnessFactor = 0.7f;
+    m.thicknessFactor = 0.75f;
+    m.attenuationColor = color;
+    m.attenuationDistance = 0.6f;
+  });
+  const frame::Picture picture = test::Studio().render(model, frontSettings(8, 8));
+  const glm::dvec3 expected = optics::volumeTransmittance(color, double(0.6f), 0.75);
+  for (int x = 0; x < 4; ++x)
+    checkPixel(test::pixel(picture.radiance, x, 4), glm::vec4(glm::vec3(expected), 1), 1e-3f);
+  checkPixel(test::pixel(picture.radiance, 4, 4), {0, 0, 0, 1 - float(expected.x + expected.y + expected.z) / 3});
+}
+
 TEST_CASE("A refracting body shifts what is behind by its closed form, each colour by its own index") {
   // The view along -Z meets a pane that is turned by theta about Y: the ray leaves thickness sin(theta - theta') aside.
   const double theta = 0.7, thickness = 0.8, ior = 1.5, dispersion = 8;
@@ -214,6 +237,33 @@ TEST_CASE("White glass in a white furnace: what is reflected and what passes mak
         CHECK(std::abs(center.x + 1 - center.w - 1) < 0.02f);
         CHECK(center.w < 0.5f);
       }
+}
+
+TEST_CASE("White glass under a coat, sheen and a film keeps the furnace's energy too") {
+  Glass scene;
+  test::addMeshNode(scene.builder, test::addSphere(scene.builder, 1), scene.glass);
+  test::Studio studio;
+  for (const float roughness : {0.1f, 0.6f}) {
+    const io::LoadedModel model = scene.load([&](scene::Material& m) {
+      m.perceptualRoughnessFactor = roughness;
+      m.thicknessFactor = 0.3f;
+      m.ior = 1.8f;
+      m.clearcoatFactor = 1, m.clearcoatRoughnessFactor = 0.2f;
+      m.sheenColorFactor = glm::vec3(0.5f), m.sheenRoughnessFactor = 0.5f;
+      m.iridescenceFactor = 0.5f;
+    });
+    PictureSettings settings = test::bareSettings(40, 40);
+    settings.environment = "builtin:white";
+    settings.background = frame::Background::environment;
+    settings.samples = 4;
+    const frame::Picture picture = studio.render(model, settings);
+    float low = 2, high = 0;
+    for (const glm::vec4& p : picture.radiance.pixels)
+      for (int i = 0; i < 3; ++i) low = std::min(low, p[i]), high = std::max(high, p[i]);
+    std::cout << "glass under layers in a furnace, roughness " << roughness << ": " << low << " to " << high << "\n";
+    CHECK(high < 1.01f);
+    CHECK(low > 0.8f);  // the layers' own losses
+  }
 }
 
 TEST_CASE("Blended surfaces behind glass shine through it, those before it are drawn over it") {
