@@ -37,11 +37,8 @@ const char* const layeredBody = R"(
   out0.rgb = evaluateBsdf(s, in1.xyz);
   out1.rgb = (prefilteredAlbedo(s) + irradianceAlbedo(s)) * layersLeft(s);
 )";
-const std::vector<shading::Define> allLayers = {{"HAS_DIELECTRIC_SPECULAR"},
-                                                {"HAS_CLEARCOAT"},
-                                                {"HAS_SHEEN"},
-                                                {"HAS_ANISOTROPY"},
-                                                {"HAS_IRIDESCENCE"}};
+const std::vector<shading::Define> allLayers = {
+    {"HAS_DIELECTRIC_SPECULAR"}, {"HAS_CLEARCOAT"}, {"HAS_SHEEN"}, {"HAS_ANISOTROPY"}, {"HAS_IRIDESCENCE"}};
 
 optics::Surface layeredSurface(CheckVectors in) {
   optics::Surface surface{{1, 0.5, float(0.1)}, in[0].w, in[1].w};
@@ -92,8 +89,9 @@ Check checkLayers() {
     const double alpha = std::max(in[1].w * in[1].w, minAnalyticAlphaFloat);
     return 1 + 0.04 / alpha;
   };
-  allow(check, 400, "sum of lobes of up to 60 roundings; H off by 2 epsilon, which D amplifies by 2 / alpha; the film's "
-                    "cosines of phases up to 20");
+  allow(check, 400,
+        "sum of lobes of up to 60 roundings; H off by 2 epsilon, which D amplifies by 2 / alpha; the film's "
+        "cosines of phases up to 20");
   return check;
 }
 
@@ -112,9 +110,7 @@ Check checkAnisotropicDfg() {
     const optics::Dfg dfg = optics::integrateDfgAnisotropic(xyzOf(in[0]), {in[1].x, in[1].y});
     return CheckValues{dfg.A + dfg.B, dfg.B};
   };
-  check.observe = [](CheckVectors, CheckVectors out) {
-    return CheckValues{out[0].x + out[0].y, out[0].y};
-  };
+  check.observe = [](CheckVectors, CheckVectors out) { return CheckValues{out[0].x + out[0].y, out[0].y}; };
   check.tolerance = 0.023;
   check.reason = "96 nodes where the twin has 4608: 0.015; A is raised by 0.008 on purpose";
   check.clamped = "NoV >= 1e-4 (minNoV)";

@@ -55,8 +55,7 @@ const Extension extensions[] = {
     {"specular, iridescence", [](scene::Material& m, float r) { specular(m, r), film(m, r); }},
     {"specular, clearcoat, anisotropy", [](scene::Material& m, float r) { specular(m, r), coat(m, r), grain(m, r); }},
     {"sheen, iridescence, clearcoat", [](scene::Material& m, float r) { cloth(m, r), film(m, r), halfCoat(m, r); }},
-    {"all",
-     [](scene::Material& m, float r) { specular(m, r), coat(m, r), cloth(m, r), film(m, r), grain(m, r); }},
+    {"all", [](scene::Material& m, float r) { specular(m, r), coat(m, r), cloth(m, r), film(m, r), grain(m, r); }},
     {"half metal, all",
      [](scene::Material& m, float r) {
        specular(m, r), coat(m, r), cloth(m, r), film(m, r), grain(m, r), m.metallicFactor = 0.5f;
@@ -106,8 +105,7 @@ struct Range {
 Range rangeOf(const io::RadianceImage& image) {
   Range range;
   for (const glm::vec4& p : image.pixels)
-    if (p.w == 1)
-      range.low = std::min({range.low, p.x, p.y, p.z}), range.high = std::max({range.high, p.x, p.y, p.z});
+    if (p.w == 1) range.low = std::min({range.low, p.x, p.y, p.z}), range.high = std::max({range.high, p.x, p.y, p.z});
   return range;
 }
 
@@ -179,4 +177,32 @@ TEST_CASE("Layers: one light on spheres is what the twin says") {
     worst = std::max(worst, largest);
   }
   CHECK(worst > 0);
+}
+
+TEST_CASE("Layers: a plain material costs the same beside one that has them all") {
+  const io::LoadedModel plain = sphereRow(extensions[0]);
+  io::LoadedModel mixed = sphereRow(extensions[0]);
+  std::prev(std::end(extensions))->apply(mixed.model.materials[1], 0.4f);
+  const auto listOf = [](const io::LoadedModel& model) {
+    return frame::buildDrawList(model.model, 0, frame::drawOptions(rowSettings("builtin:white"), true));
+  };
+  const auto textOf = [](const frame::DrawList& list, int material) {
+    for (const frame::Draw& draw : list.opaque)
+      if (draw.material == material) {
+        const auto defines = shading::variantDefines(draw.key);
+        const auto assembled = shading::assemble("passes/mesh.frag.glsl", defines, shading::shaderReader());
+        REQUIRE(assembled);
+        return assembled->text;
+      }
+    return std::string();
+  };
+  const frame::DrawList a = listOf(plain), b = listOf(mixed);
+  CHECK_FALSE(textOf(a, 0).empty());
+  CHECK(textOf(a, 0) == textOf(b, 0));
+  CHECK(textOf(b, 0) != textOf(b, 1));
+  CHECK_FALSE(a.needs(false).sheen);
+  CHECK(b.needs(false).sheen);
+  test::Studio studio;
+  const frame::Picture picture = studio.render(plain, rowSettings("builtin:white"));
+  for (const ibl::TableStatistics& table : picture.statistics.tables) CHECK(table.name != "sheen");
 }
