@@ -258,8 +258,8 @@ Result<void> computeTables(Tables& tables, const scene::Environment* environment
     if (auto r = addAlbedo(tables.dfg, booked, 8, programs, made); !r) return r;
   }
   if (needs.sheen && !tables.sheen) {
-    const AlbedoTable made{"sheen",          "passes/sheen_albedo.comp.glsl", GL_R32F,
-                           method.sheenSize, method.sheenHeights,             method.sheenAngles};
+    const AlbedoTable made{
+        "sheen", "passes/sheen_albedo.comp.glsl", GL_R32F, method.sheenSize, method.sheenHeights, method.sheenAngles};
     if (auto r = addAlbedo(tables.sheen, booked, 4, programs, made); !r) return r;
   }
   const bool background = needs.background && !tables.background;

@@ -33,8 +33,8 @@ struct Method {
   int dfgRadii = 32, dfgAngles = 8;  // Gauss-Legendre nodes over the visible normals
   int sheenSize = 64;
   int sheenHeights = 32, sheenAngles = 16;  // Gauss-Legendre nodes over the light's height and azimuth
-  int samplesNarrow = 32;            // LD samples where perceptual roughness is below 0.25
-  int samplesWide = 96;              // and above
+  int samplesNarrow = 32;                   // LD samples where perceptual roughness is below 0.25
+  int samplesWide = 96;                     // and above
 };
 
 struct TableStatistics {

@@ -49,9 +49,9 @@ Reflected reflectFacets(const Surface& surface, const Dfg& dfg, const Angles& an
   const glm::dvec3 dielectric = reflectance(surface.film, angles.VoH, surface.f0, surface.f90);
   const double m = surface.metallic;
   Reflected reflected;
-  reflected.specular = facets * angles.NoL *
-                       (m * metal * compensationTurquin(dfg, f0.metal) +
-                        (1 - m) * dielectric * compensationTurquin(dfg, f0.dielectric));
+  reflected.specular =
+      facets * angles.NoL *
+      (m * metal * compensationTurquin(dfg, f0.metal) + (1 - m) * dielectric * compensationTurquin(dfg, f0.dielectric));
   reflected.diffuse = (1 - m) * surface.baseColor *
                       leftBelow(surface, specularAlbedoTurquin(dfg, f0.bound, surface.f90)) *
                       (Fd_Lambert() * angles.NoL);

@@ -2,8 +2,8 @@
 
 // The metallic-roughness surface of glTF 2.0, appendix B.2.1: a mix of two complete BRDFs, a metal and a dielectric
 // over its diffuse base. Both have GGX lobes of one roughness; each keeps its own energy, so that any mix of white ones
-// is white. One lobe of mixed f0 would not be: a half metal would darken its own diffuse part. Over it the layers of the
-// material extensions, which share light by the rule of layers.hpp.
+// is white. One lobe of mixed f0 would not be: a half metal would darken its own diffuse part. Over it the layers of
+// the material extensions, which share light by the rule of layers.hpp.
 
 #include <glm/glm.hpp>
 
@@ -37,8 +37,8 @@ struct Surface {
   glm::dvec3 baseColor{1};  // linear; f0 of the metal, albedo of the dielectric's diffuse part
   double metallic = 1;      // share of the metal
   double perceptualRoughness = 1;
-  glm::dvec3 f0{dielectricF0};  // of the dielectric, at most f90
-  double f90 = 1;               // of the dielectric
+  glm::dvec3 f0{dielectricF0};    // of the dielectric, at most f90
+  double f90 = 1;                 // of the dielectric
   bool coloredInterface = false;  // of its lobe the strongest channel counts for what is below it
   Grain grain = {};
   Film film = {};
@@ -46,8 +46,8 @@ struct Surface {
   Coat coat = {};
 };
 
-// KHR_materials_ior and KHR_materials_specular: f0 = min(f0FromIor(ior) color, 1) weight, f90 = weight. ior 0: infinite,
-// so that colour alone is the reflectance.
+// KHR_materials_ior and KHR_materials_specular: f0 = min(f0FromIor(ior) color, 1) weight, f90 = weight. ior 0:
+// infinite, so that colour alone is the reflectance.
 void setDielectricSpecular(Surface& surface, double ior, double weight, const glm::dvec3& color);
 
 // KHR_materials_pbrSpecularGlossiness: a dielectric whose diffuse albedo is diffuse (1 - max(specular)), all in [0, 1].

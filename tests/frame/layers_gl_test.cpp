@@ -178,3 +178,31 @@ TEST_CASE("Layers: one light on spheres is what the twin says") {
   }
   CHECK(worst > 0);
 }
+
+TEST_CASE("Layers: a plain material costs the same beside one that has them all") {
+  const io::LoadedModel plain = sphereRow(extensions[0]);
+  io::LoadedModel mixed = sphereRow(extensions[0]);
+  std::prev(std::end(extensions))->apply(mixed.model.materials[1], 0.4f);
+  const auto listOf = [](const io::LoadedModel& model) {
+    return frame::buildDrawList(model.model, 0, frame::drawOptions(rowSettings("builtin:white"), true));
+  };
+  const auto textOf = [](const frame::DrawList& list, int material) {
+    for (const frame::Draw& draw : list.opaque)
+      if (draw.material == material) {
+        const auto defines = shading::variantDefines(draw.key);
+        const auto assembled = shading::assemble("passes/mesh.frag.glsl", defines, shading::shaderReader());
+        REQUIRE(assembled);
+        return assembled->text;
+      }
+    return std::string();
+  };
+  const frame::DrawList a = listOf(plain), b = listOf(mixed);
+  CHECK_FALSE(textOf(a, 0).empty());
+  CHECK(textOf(a, 0) == textOf(b, 0));
+  CHECK(textOf(b, 0) != textOf(b, 1));
+  CHECK_FALSE(a.needs(false).sheen);
+  CHECK(b.needs(false).sheen);
+  test::Studio studio;
+  const frame::Picture picture = studio.render(plain, rowSettings("builtin:white"));
+  for (const ibl::TableStatistics& table : picture.statistics.tables) CHECK(table.name != "sheen");
+}
