@@ -47,12 +47,14 @@ size_t targetCount(const tinygltf::Mesh& mesh);
 // Errors: differences of a type that they cannot have.
 Result<void> checkTargets(const Document& doc, const tinygltf::Primitive& primitive, const std::string& place);
 
-// Bytes that they can take once they are read.
-uint64_t targetBytes(const Document& doc, const tinygltf::Primitive& primitive);
+// Bytes that they can take once they are read, `count` of them (the mesh's): in memory or on the GPU, where those that
+// add nothing take as much as the others. POSITION must be there.
+uint64_t targetBytes(const Document& doc, const tinygltf::Primitive& primitive, size_t count);
 
-// Fills targets; the attributes that they change must be there. Differences that are not finite become zero; arrays
-// that add nothing are left empty. May throw std::bad_alloc.
-void readTargets(const Document& doc, const tinygltf::Primitive& from, const std::string& place,
+// Fills targets; the attributes that they change must be there. Where there are any, they become `count`, the mesh's,
+// with empty ones at the end. Differences that are not finite become zero; arrays that add nothing are left empty. May
+// throw std::bad_alloc.
+void readTargets(const Document& doc, const tinygltf::Primitive& from, size_t count, const std::string& place,
                  scene::Primitive& primitive, Notes& notes);
 
 // Mesh::weights and Mesh::targetNames; says where the numbers of targets differ.
