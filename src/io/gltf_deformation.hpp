@@ -25,14 +25,14 @@ std::vector<JointLimit> jointLimits(const Document& doc);
 // Errors: joints or weights of a type that neither can have.
 Result<void> checkInfluences(const Document& doc, const tinygltf::Primitive& primitive, const std::string& place);
 
-// Bytes that they can take once they are read.
+// Bytes that they can take once they are read, with Primitive::jointBounds.
 uint64_t influenceBytes(const Document& doc, const tinygltf::Primitive& primitive, const JointLimit& limit);
 
 // The attributes to decode; the names belong to the primitive.
 void appendInfluenceNames(const tinygltf::Primitive& primitive, std::vector<const char*>& names);
 
-// Fills influences and, where the mesh is drawn with a skin, jointBounds; positions must be there. Any number of sets;
-// shares of zero are dropped, several of one joint added, the rest sorted (largest first) and normalised. Negative and
+// Fills influences; positions must be there. A mesh that is drawn without a skin gets none. Any number of sets; shares
+// of zero are dropped, several of one joint added, the rest sorted (largest first) and normalised. Negative and
 // non-finite weights count as zero; a vertex without any follows its first joint. Sets of which one half is missing are
 // ignored. Errors: a joint that the skin does not have. May throw std::bad_alloc.
 Result<void> readInfluences(const Document& doc, const tinygltf::Primitive& from, const DracoGeometry& draco,

@@ -149,18 +149,6 @@ void noteRepairs(const Reading& reading, const std::string& place, Notes& notes)
   }
 }
 
-// The box of each joint's vertices.
-void boundJoints(scene::Primitive& primitive) {
-  const auto width = static_cast<size_t>(primitive.influencesPerVertex);
-  uint32_t largest = 0;
-  for (const scene::Influence& influence : primitive.influences) largest = std::max(largest, influence.joint);
-  primitive.jointBounds.resize(size_t{largest} + 1);
-  for (size_t i = 0; i < primitive.influences.size(); ++i) {
-    const scene::Influence& influence = primitive.influences[i];
-    if (influence.weight > 0) primitive.jointBounds[influence.joint].add(glm::dvec3(primitive.positions[i / width]));
-  }
-}
-
 // Rows of `from` entries, of which `to` are used, moved together.
 void tighten(std::vector<scene::Influence>& influences, size_t from, size_t to) {
   if (from == to) return;
@@ -226,6 +214,7 @@ Result<void> checkInfluences(const Document& doc, const tinygltf::Primitive& pri
 }
 
 uint64_t influenceBytes(const Document& doc, const tinygltf::Primitive& primitive, const JointLimit& limit) {
+  if (limit.skin == -1) return 0;
   uint64_t bytes = 0;
   for (const auto& [n, set] : setsOf(primitive)) {
     if (set.complete()) bytes += accessorAt(doc, set.joints).count * uint64_t{4} * sizeof(scene::Influence);
@@ -242,6 +231,7 @@ void appendInfluenceNames(const tinygltf::Primitive& primitive, std::vector<cons
 Result<void> readInfluences(const Document& doc, const tinygltf::Primitive& from, const DracoGeometry& draco,
                             const std::string& place, const JointLimit& limit, scene::Primitive& primitive,
                             Notes& notes) {
+  if (limit.skin == -1) return {};
   const std::string at = place + "/attributes";
   Reading reading = readSets(doc, from, draco, at, notes);
   if (reading.sets.empty()) return {};
@@ -255,7 +245,7 @@ Result<void> readInfluences(const Document& doc, const tinygltf::Primitive& from
     for (size_t i = 0; i < shares.size(); ++i) {
       const auto weight = static_cast<float>(shares[i].weight);
       if (weight == 0) break;  // too small; so are those that follow
-      if (limit.skin != -1 && shares[i].joint >= limit.joints) {
+      if (shares[i].joint >= limit.joints) {
         return doc.error(at, "vertex " + std::to_string(v) + " follows joint " + std::to_string(shares[i].joint) +
                                  ", but skin " + std::to_string(limit.skin) + " has " + std::to_string(limit.joints) +
                                  " joints");
@@ -266,7 +256,6 @@ Result<void> readInfluences(const Document& doc, const tinygltf::Primitive& from
   }
   tighten(influences, room, largest);
   primitive.influencesPerVertex = static_cast<int>(largest);
-  if (limit.skin != -1) boundJoints(primitive);
   noteRepairs(reading, at, notes);
   return {};
 }

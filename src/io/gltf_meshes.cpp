@@ -289,7 +289,7 @@ bool decodeCompressed(const Document& doc, Job& job) {
   std::vector<const char*> wanted;
   for (const auto& rule : attributeRules)
     if (isRead(rule, job.sets)) wanted.push_back(rule.name);
-  appendInfluenceNames(*job.from, wanted);
+  if (job.joints.skin != -1) appendInfluenceNames(*job.from, wanted);
   auto geometry = decodeDraco(doc, *job.from, job.place, wanted);
   if (geometry) {
     job.draco = std::move(*geometry);
