@@ -33,8 +33,9 @@ void appendInfluenceNames(const tinygltf::Primitive& primitive, std::vector<cons
 
 // Fills influences; positions must be there. A mesh that is drawn without a skin gets none. Any number of sets; shares
 // of zero are dropped, several of one joint added, the rest sorted (largest first) and normalised. Negative and
-// non-finite weights count as zero; a vertex without any follows its first joint. Sets of which one half is missing are
-// ignored. Errors: a joint that the skin does not have. May throw std::bad_alloc.
+// non-finite weights count as zero; a vertex without any follows its first joint, or joint 0 where the skin does not
+// have that. Sets of which one half is missing are ignored. Errors: a share of a joint that the skin does not have. May
+// throw std::bad_alloc.
 Result<void> readInfluences(const Document& doc, const tinygltf::Primitive& from, const DracoGeometry& draco,
                             const std::string& place, const JointLimit& limit, scene::Primitive& primitive,
                             Notes& notes);

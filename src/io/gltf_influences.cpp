@@ -103,8 +103,9 @@ void addEqualJoints(std::vector<Share>& shares) {
   shares.resize(last + 1);
 }
 
-// The vertex's shares, none of zero, each joint once, adding up to 1.
-void gather(Reading& reading, size_t vertex, std::vector<Share>& shares) {
+// The vertex's shares, none of zero, each joint once, adding up to 1. Without any the vertex follows its first joint,
+// which may be a filler that the skin (of so many joints, at least one) does not have: then the skin's first.
+void gather(Reading& reading, size_t vertex, size_t joints, std::vector<Share>& shares) {
   shares.clear();
   double sum = 0;
   for (SetData& set : reading.sets) {
@@ -121,7 +122,8 @@ void gather(Reading& reading, size_t vertex, std::vector<Share>& shares) {
   }
   if (shares.empty()) {
     ++reading.withoutWeights;
-    shares.push_back({jointAt(reading.sets[0], vertex, 0), 1});
+    const uint32_t joint = jointAt(reading.sets[0], vertex, 0);
+    shares.push_back({joint < joints ? joint : 0, 1});
     return;
   }
   if (std::abs(sum - 1) > reading.tolerance) ++reading.normalised;
@@ -241,7 +243,7 @@ Result<void> readInfluences(const Document& doc, const tinygltf::Primitive& from
   size_t largest = 1;
   std::vector<Share> shares;
   for (size_t v = 0; v < vertices; ++v) {
-    gather(reading, v, shares);
+    gather(reading, v, limit.joints, shares);
     for (size_t i = 0; i < shares.size(); ++i) {
       const auto weight = static_cast<float>(shares[i].weight);
       if (weight == 0) break;  // too small; so are those that follow

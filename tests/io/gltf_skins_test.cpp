@@ -179,6 +179,16 @@ TEST_CASE("Joints are checked against the smallest skin", "[io][skins]") {
         "again.");
 }
 
+TEST_CASE("A vertex without weights does not need the joint that it names", "[io][skins]") {
+  GltfBuilder b = skinned(2);
+  const std::vector<uint16_t> joints = {1, 9, 9, 9, 65535, 0, 0, 0, 2, 1, 1, 1};
+  addSet(b, 0, joints, ushortType, std::vector<float>(12, 0.0f), floatType);
+  const auto model = loaded(b);
+  CHECK(influences(primitive(model)) == "1:1.000 | 0:1.000 | 0:1.000");
+  CHECK(notes(model) ==
+        "! /meshes/0/primitives/0/attributes/WEIGHTS_0: 3 vertices have none: they follow their first joint\n");
+}
+
 TEST_CASE("Skins: joints and inverse bind matrices", "[io][skins]") {
   GltfBuilder b = skinned(2);
   auto model = loaded(b);
