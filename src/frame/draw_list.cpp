@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <tuple>
 
@@ -95,21 +94,12 @@ bool anyWeight(const std::vector<Placed>& placed) {
       placed, [](const Placed& p) { return std::ranges::any_of(p.weights, [](float w) { return w != 0; }); });
 }
 
-// The targets that every morphed primitive of the mesh has.
-size_t commonTargets(const scene::Mesh& mesh) {
-  size_t count = std::numeric_limits<size_t>::max();
-  for (const scene::Primitive& primitive : mesh.primitives)
-    if (!primitive.targets.empty()) count = std::min(count, primitive.targets.size());
-  return count;
-}
-
-void addInstance(DrawList& list, const scene::Mesh& mesh, const Placed& placed, const std::vector<int>& firstJoints) {
+void addInstance(DrawList& list, const Placed& placed, const std::vector<int>& firstJoints) {
   layout::Instance uniforms = instanceUniforms(*placed.instance, list.origin);
   if (placed.instance->skin >= 0)
     uniforms.deformation.x = static_cast<uint32_t>(firstJoints[static_cast<size_t>(placed.instance->skin)]);
   uniforms.deformation.y = static_cast<uint32_t>(list.morphWeights.size());
-  const size_t targets = std::min(placed.weights.size(), commonTargets(mesh));
-  for (size_t target = 0; target < targets; ++target)
+  for (size_t target = 0; target < placed.weights.size(); ++target)
     if (placed.weights[target] != 0)
       list.morphWeights.push_back({static_cast<uint32_t>(target), placed.weights[target]});
   uniforms.deformation.z = static_cast<uint32_t>(list.morphWeights.size()) - uniforms.deformation.y;
@@ -120,7 +110,7 @@ void addInstance(DrawList& list, const scene::Mesh& mesh, const Placed& placed, 
 void addInstances(DrawList& list, const scene::Mesh& mesh, const std::vector<Placed>& placed,
                   const std::vector<int>& firstJoints, const DrawOptions& options) {
   const auto first = static_cast<uint32_t>(list.instances.size());
-  for (const Placed& p : placed) addInstance(list, mesh, p, firstJoints);
+  for (const Placed& p : placed) addInstance(list, p, firstJoints);
   const shading::Deformation deformation{placed.front().instance->skin >= 0, options.moving || anyWeight(placed)};
   for (size_t i = 0; i < mesh.primitives.size(); ++i) {
     const scene::Primitive& primitive = mesh.primitives[i];

@@ -110,6 +110,8 @@ void dropBadKeys(Document& doc, scene::AnimationSampler& sampler, bool unitLengt
   if (kept == count) return;
   sampler.times.resize(kept);
   sampler.values.resize(kept * stride);
+  sampler.times.shrink_to_fit();
+  sampler.values.shrink_to_fit();
   doc.warning(place, std::to_string(count - kept) + " of " + std::to_string(count) +
                          " keys are not finite or do not follow the one before: left out; the first is key " +
                          std::to_string(first));

@@ -25,16 +25,17 @@ std::vector<JointLimit> jointLimits(const Document& doc);
 // Errors: joints or weights of a type that neither can have.
 Result<void> checkInfluences(const Document& doc, const tinygltf::Primitive& primitive, const std::string& place);
 
-// Bytes that they can take once they are read.
+// Bytes that they can take once they are read, with Primitive::jointBounds.
 uint64_t influenceBytes(const Document& doc, const tinygltf::Primitive& primitive, const JointLimit& limit);
 
 // The attributes to decode; the names belong to the primitive.
 void appendInfluenceNames(const tinygltf::Primitive& primitive, std::vector<const char*>& names);
 
-// Fills influences and, where the mesh is drawn with a skin, jointBounds; positions must be there. Any number of sets;
-// shares of zero are dropped, several of one joint added, the rest sorted (largest first) and normalised. Negative and
-// non-finite weights count as zero; a vertex without any follows its first joint. Sets of which one half is missing are
-// ignored. Errors: a joint that the skin does not have. May throw std::bad_alloc.
+// Fills influences; positions must be there. A mesh that is drawn without a skin gets none. Any number of sets; shares
+// of zero are dropped, several of one joint added, the rest sorted (largest first) and normalised. Negative and
+// non-finite weights count as zero; a vertex without any follows its first joint, or joint 0 where the skin does not
+// have that. Sets of which one half is missing are ignored. Errors: a share of a joint that the skin does not have. May
+// throw std::bad_alloc.
 Result<void> readInfluences(const Document& doc, const tinygltf::Primitive& from, const DracoGeometry& draco,
                             const std::string& place, const JointLimit& limit, scene::Primitive& primitive,
                             Notes& notes);
@@ -47,12 +48,14 @@ size_t targetCount(const tinygltf::Mesh& mesh);
 // Errors: differences of a type that they cannot have.
 Result<void> checkTargets(const Document& doc, const tinygltf::Primitive& primitive, const std::string& place);
 
-// Bytes that they can take once they are read.
-uint64_t targetBytes(const Document& doc, const tinygltf::Primitive& primitive);
+// Bytes that they can take once they are read, `count` of them (the mesh's): in memory or on the GPU, where those that
+// add nothing take as much as the others. POSITION must be there.
+uint64_t targetBytes(const Document& doc, const tinygltf::Primitive& primitive, size_t count);
 
-// Fills targets; the attributes that they change must be there. Differences that are not finite become zero; arrays
-// that add nothing are left empty. May throw std::bad_alloc.
-void readTargets(const Document& doc, const tinygltf::Primitive& from, const std::string& place,
+// Fills targets; the attributes that they change must be there. Where there are any, they become `count`, the mesh's,
+// with empty ones at the end. Differences that are not finite become zero; arrays that add nothing are left empty. May
+// throw std::bad_alloc.
+void readTargets(const Document& doc, const tinygltf::Primitive& from, size_t count, const std::string& place,
                  scene::Primitive& primitive, Notes& notes);
 
 // Mesh::weights and Mesh::targetNames; says where the numbers of targets differ.

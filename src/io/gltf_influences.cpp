@@ -103,8 +103,9 @@ void addEqualJoints(std::vector<Share>& shares) {
   shares.resize(last + 1);
 }
 
-// The vertex's shares, none of zero, each joint once, adding up to 1.
-void gather(Reading& reading, size_t vertex, std::vector<Share>& shares) {
+// The vertex's shares, none of zero, each joint once, adding up to 1. Without any the vertex follows its first joint,
+// which may be a filler that the skin (of so many joints, at least one) does not have: then the skin's first.
+void gather(Reading& reading, size_t vertex, size_t joints, std::vector<Share>& shares) {
   shares.clear();
   double sum = 0;
   for (SetData& set : reading.sets) {
@@ -121,7 +122,8 @@ void gather(Reading& reading, size_t vertex, std::vector<Share>& shares) {
   }
   if (shares.empty()) {
     ++reading.withoutWeights;
-    shares.push_back({jointAt(reading.sets[0], vertex, 0), 1});
+    const uint32_t joint = jointAt(reading.sets[0], vertex, 0);
+    shares.push_back({joint < joints ? joint : 0, 1});
     return;
   }
   if (std::abs(sum - 1) > reading.tolerance) ++reading.normalised;
@@ -146,18 +148,6 @@ void noteRepairs(const Reading& reading, const std::string& place, Notes& notes)
   if (reading.normalised > 0) {
     notes.push_back({Note::Severity::info, at,
                      "those of " + std::to_string(reading.normalised) + " vertices do not add up to 1: normalised"});
-  }
-}
-
-// The box of each joint's vertices.
-void boundJoints(scene::Primitive& primitive) {
-  const auto width = static_cast<size_t>(primitive.influencesPerVertex);
-  uint32_t largest = 0;
-  for (const scene::Influence& influence : primitive.influences) largest = std::max(largest, influence.joint);
-  primitive.jointBounds.resize(size_t{largest} + 1);
-  for (size_t i = 0; i < primitive.influences.size(); ++i) {
-    const scene::Influence& influence = primitive.influences[i];
-    if (influence.weight > 0) primitive.jointBounds[influence.joint].add(glm::dvec3(primitive.positions[i / width]));
   }
 }
 
@@ -226,6 +216,7 @@ Result<void> checkInfluences(const Document& doc, const tinygltf::Primitive& pri
 }
 
 uint64_t influenceBytes(const Document& doc, const tinygltf::Primitive& primitive, const JointLimit& limit) {
+  if (limit.skin == -1) return 0;
   uint64_t bytes = 0;
   for (const auto& [n, set] : setsOf(primitive)) {
     if (set.complete()) bytes += accessorAt(doc, set.joints).count * uint64_t{4} * sizeof(scene::Influence);
@@ -242,6 +233,7 @@ void appendInfluenceNames(const tinygltf::Primitive& primitive, std::vector<cons
 Result<void> readInfluences(const Document& doc, const tinygltf::Primitive& from, const DracoGeometry& draco,
                             const std::string& place, const JointLimit& limit, scene::Primitive& primitive,
                             Notes& notes) {
+  if (limit.skin == -1) return {};
   const std::string at = place + "/attributes";
   Reading reading = readSets(doc, from, draco, at, notes);
   if (reading.sets.empty()) return {};
@@ -251,11 +243,11 @@ Result<void> readInfluences(const Document& doc, const tinygltf::Primitive& from
   size_t largest = 1;
   std::vector<Share> shares;
   for (size_t v = 0; v < vertices; ++v) {
-    gather(reading, v, shares);
+    gather(reading, v, limit.joints, shares);
     for (size_t i = 0; i < shares.size(); ++i) {
       const auto weight = static_cast<float>(shares[i].weight);
       if (weight == 0) break;  // too small; so are those that follow
-      if (limit.skin != -1 && shares[i].joint >= limit.joints) {
+      if (shares[i].joint >= limit.joints) {
         return doc.error(at, "vertex " + std::to_string(v) + " follows joint " + std::to_string(shares[i].joint) +
                                  ", but skin " + std::to_string(limit.skin) + " has " + std::to_string(limit.joints) +
                                  " joints");
@@ -266,7 +258,6 @@ Result<void> readInfluences(const Document& doc, const tinygltf::Primitive& from
   }
   tighten(influences, room, largest);
   primitive.influencesPerVertex = static_cast<int>(largest);
-  if (limit.skin != -1) boundJoints(primitive);
   noteRepairs(reading, at, notes);
   return {};
 }

@@ -11,6 +11,12 @@ namespace {
 
 constexpr const char* extensionName = "EXT_mesh_gpu_instancing";
 
+// What one instance takes from the file to the picture, measured: matrices, boxes, uniforms and their copies.
+constexpr uint64_t instanceBytes = 800;
+
+// Of instances that the file does not store; a few bytes could ask for any number of them.
+constexpr size_t maxInstancesWithoutData = 65536;
+
 struct Attributes {
   int translation = -1, rotation = -1, scale = -1;  // accessors
   size_t count = 0;
@@ -40,6 +46,10 @@ Result<Attributes> findAttributes(const Document& doc, const tinygltf::Value& fr
     }
     first = false;
     result.count = accessor.count;
+    if (accessor.bufferView == -1 && accessor.count > maxInstancesWithoutData) {
+      return doc.error(at, "has no buffer view for " + std::to_string(accessor.count) + " instances; at most " +
+                               std::to_string(maxInstancesWithoutData) + " can do without");
+    }
     for (const auto& rule : rules) {
       if (name != rule.name) continue;
       *rule.accessor = index;
@@ -78,7 +88,7 @@ Result<void> readInstances(Document& doc, const tinygltf::Node& from, const std:
   const auto attributes = findAttributes(doc, extension->second.Get("attributes"), at);
   if (!attributes) return tl::unexpected(attributes.error());
   const size_t count = attributes->count;
-  bytes += count * uint64_t{sizeof(glm::dmat4)};
+  bytes += count * instanceBytes;
   if (bytes > doc.limits.geometryBytes) {
     return doc.error(at, "the instances take more than " + std::to_string(doc.limits.geometryBytes) + " bytes",
                      "use a smaller model");

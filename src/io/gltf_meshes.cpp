@@ -27,6 +27,7 @@ struct Job {
   Notes notes = {};
   std::optional<Error> error = {};
   JointLimit joints = {};
+  size_t targets = 0;  // of the mesh
 
   void note(Note::Severity severity, std::string key, std::string text) {
     notes.push_back({severity, place + key, std::move(text)});
@@ -288,7 +289,7 @@ bool decodeCompressed(const Document& doc, Job& job) {
   std::vector<const char*> wanted;
   for (const auto& rule : attributeRules)
     if (isRead(rule, job.sets)) wanted.push_back(rule.name);
-  appendInfluenceNames(*job.from, wanted);
+  if (job.joints.skin != -1) appendInfluenceNames(*job.from, wanted);
   auto geometry = decodeDraco(doc, *job.from, job.place, wanted);
   if (geometry) {
     job.draco = std::move(*geometry);
@@ -305,7 +306,7 @@ void readPrimitive(const Document& doc, Job& job) {
   if (!decodeCompressed(doc, job) || !readPositions(doc, job) || !readPrimitiveIndices(doc, job)) return;
   readFrames(doc, job);
   readSurfaceData(doc, job);
-  readTargets(doc, *job.from, job.place, job.primitive, job.notes);
+  readTargets(doc, *job.from, job.targets, job.place, job.primitive, job.notes);
   const auto ok = readInfluences(doc, *job.from, job.draco, job.place, job.joints, job.primitive, job.notes);
   if (!ok) job.error = ok.error();
   job.draco = {};
@@ -333,6 +334,7 @@ Result<void> readMeshes(Document& doc) {
     const auto& mesh = doc.gltf.meshes[m];
     doc.model.meshes.emplace_back().name = mesh.name;
     if (auto ok = readMeshWeights(doc, m); !ok) return ok;
+    const size_t targets = targetCount(mesh);
     for (size_t p = 0; p < mesh.primitives.size(); ++p) {
       std::string place = pointer(pointer("/meshes", m) + "/primitives", p);
       bool use = false;
@@ -345,8 +347,9 @@ Result<void> readMeshes(Document& doc) {
       job.primitive.variantMaterials = std::move(*variants);
       job.sets = wantedSets(doc, job.primitive);
       job.joints = joints[m];
+      job.targets = targets;
       bytes += decodedBytes(doc, *job.from, job.sets) + influenceBytes(doc, *job.from, joints[m]) +
-               targetBytes(doc, *job.from);
+               targetBytes(doc, *job.from, job.targets);
       meshOf.push_back(m);
     }
   }

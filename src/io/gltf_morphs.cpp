@@ -113,19 +113,18 @@ Result<void> checkTargets(const Document& doc, const tinygltf::Primitive& primit
   return {};
 }
 
-uint64_t targetBytes(const Document& doc, const tinygltf::Primitive& primitive) {
-  uint64_t bytes = primitive.targets.size() * sizeof(scene::MorphTarget);
-  for (const Target& target : primitive.targets) {
-    for (const TargetRule* rule : targetRules) {
-      const auto found = target.find(rule->name);
-      if (found == target.end()) continue;
-      bytes += doc.gltf.accessors[static_cast<size_t>(found->second)].count * uint64_t{rule->bytes};
-    }
+uint64_t targetBytes(const Document& doc, const tinygltf::Primitive& primitive, size_t count) {
+  if (primitive.targets.empty()) return 0;
+  uint64_t perVertex = 0;
+  for (const TargetRule* rule : targetRules) {
+    const auto names = [&](const Target& target) { return target.count(rule->name) > 0; };
+    if (rule == &positionRule || std::ranges::any_of(primitive.targets, names)) perVertex += rule->bytes;
   }
-  return bytes;
+  const uint64_t vertices = doc.gltf.accessors[static_cast<size_t>(primitive.attributes.at("POSITION"))].count;
+  return count * (sizeof(scene::MorphTarget) + vertices * perVertex);
 }
 
-void readTargets(const Document& doc, const tinygltf::Primitive& from, const std::string& place,
+void readTargets(const Document& doc, const tinygltf::Primitive& from, size_t count, const std::string& place,
                  scene::Primitive& primitive, Notes& notes) {
   if (from.targets.empty()) return;
   Reader reader{doc, from, place, notes};
@@ -133,7 +132,7 @@ void readTargets(const Document& doc, const tinygltf::Primitive& from, const std
   const bool tangents = isThere(reader, tangentRule, !primitive.tangents.empty());
   const bool colors = isThere(reader, colorRule, !primitive.colors.empty());
   noteTextureCoordinates(reader);
-  primitive.targets.resize(from.targets.size());
+  primitive.targets.resize(count);
   for (size_t i = 0; i < from.targets.size(); ++i) {
     scene::MorphTarget& target = primitive.targets[i];
     readDifferences(reader, i, positionRule, target.positions);

@@ -121,23 +121,33 @@ void forEachDrawn(const Primitive& p, const Use& use) {
   for (size_t i = 0; i < cornerCount(p); ++i) use(size_t(corner(p, i)));
 }
 
+// Calls use(vertex, joint) for each share of what is drawn.
+template <class Use>
+void forEachShare(const Primitive& p, const Use& use) {
+  const auto per = size_t(p.influencesPerVertex);
+  forEachDrawn(p, [&](size_t v) {
+    for (size_t i = v * per; i < (v + 1) * per; ++i)
+      if (p.influences[i].weight > 0) use(v, size_t(p.influences[i].joint));
+  });
+}
+
+// Counted before they are made: growing would take room for up to twice as many.
+void addJointBounds(Primitive& p) {
+  p.jointBounds = {};
+  if (p.influences.empty()) return;
+  size_t count = 0;
+  forEachShare(p, [&](size_t, size_t joint) { count = std::max(count, joint + 1); });
+  p.jointBounds.resize(count);
+  forEachShare(p, [&](size_t v, size_t joint) { p.jointBounds[joint].add(p.positions[v]); });
+}
+
 void addBounds(Primitive& p) {
   p.bounds = bounds(p);
   for (MorphTarget& target : p.targets) {
     target.bounds = {};
     if (!target.positions.empty()) forEachDrawn(p, [&](size_t v) { target.bounds.add(target.positions[v]); });
   }
-  p.jointBounds.clear();
-  if (p.influences.empty()) return;
-  const auto per = size_t(p.influencesPerVertex);
-  forEachDrawn(p, [&](size_t v) {
-    for (size_t i = v * per; i < (v + 1) * per; ++i) {
-      if (!(p.influences[i].weight > 0)) continue;
-      const size_t joint = p.influences[i].joint;
-      if (joint >= p.jointBounds.size()) p.jointBounds.resize(joint + 1);
-      p.jointBounds[joint].add(p.positions[v]);
-    }
-  });
+  addJointBounds(p);
 }
 
 void completePrimitive(Primitive& p, const std::vector<const Material*>& materials, Warnings& warnings) {

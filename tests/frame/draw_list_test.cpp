@@ -57,6 +57,21 @@ TEST_CASE("Draw list: nodes that share a mesh are one instanced draw, mirrored o
   CHECK(list.instances[0].normalFromLocal[0].w == 1);
 }
 
+TEST_CASE("Draw list: a primitive with fewer morph targets does not take those of the others away") {
+  test::GltfBuilder builder = test::triangle();
+  json& mesh = builder.json["meshes"][0];
+  const json target = {{"POSITION", 0}};
+  mesh["primitives"][0]["targets"] = {target, target};
+  mesh["primitives"].push_back({{"attributes", {{"POSITION", 0}}}, {"targets", {target}}});
+  mesh["weights"] = {0.25, 2};
+  const frame::DrawList list = frame::buildDrawList(load(builder), 0, {});
+  REQUIRE(list.morphWeights.size() == 2);
+  CHECK(list.morphWeights[1].target == 1);
+  CHECK(list.morphWeights[1].weight == 2);
+  REQUIRE(list.instances.size() == 1);
+  CHECK(list.instances[0].deformation.z == 2);
+}
+
 TEST_CASE("Draw list: blended draws come one by one with their own bounds, opaque ones sorted by program, material") {
   test::GltfBuilder builder = test::triangle();
   builder.json["materials"] = {{{"alphaMode", "BLEND"}}, json::object(), {{"doubleSided", true}}, json::object()};

@@ -165,6 +165,19 @@ TEST_CASE("Keys that cannot be used are left out", "[io][animations]") {
         "is key 1\n");
 }
 
+TEST_CASE("Keys that are left out take no memory", "[io][animations]") {
+  GltfBuilder b = moved();
+  const auto zeros = [&](const char* type) {
+    return b.addAccessor({{"componentType", 5126}, {"type", type}, {"count", 10000}});
+  };
+  sampler(b)["input"] = zeros("SCALAR");
+  sampler(b)["output"] = zeros("VEC3");
+  const auto model = loaded(b);
+  CHECK(first(model).times == std::vector<float>{0});
+  CHECK(first(model).times.capacity() < 10);
+  CHECK(first(model).values.capacity() < 10);
+}
+
 TEST_CASE("What cannot be played is left out with a warning", "[io][animations]") {
   const struct {
     void (*breakIt)(GltfBuilder&);

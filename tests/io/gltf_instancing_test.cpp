@@ -90,9 +90,26 @@ TEST_CASE("Broken instances are refused with one sentence", "[io][instancing]") 
   CHECK(outcome(b) == place + "/SCALE: is not a vector of 3 components; export the model again.");
   const auto glb = instanced().glb();
   io::Limits limits;
-  limits.geometryBytes = 3 * 128 - 1;
+  limits.geometryBytes = 3 * 800 - 1;
   CHECK(facet::test::outcome(io::loadGltfBytes(glb, "m", {}, limits)) ==
-        place + ": the instances take more than 383 bytes; use a smaller model.");
+        place + ": the instances take more than 2399 bytes; use a smaller model.");
+  limits.geometryBytes = 3 * 800;
+  CHECK(facet::test::outcome(io::loadGltfBytes(glb, "m", {}, limits)) == "loaded");
+}
+
+TEST_CASE("Instances that the file does not store", "[io][instancing]") {
+  GltfBuilder b = instanced();
+  const auto zeros = [&](int count) {
+    return b.addAccessor({{"componentType", 5126}, {"type", "VEC3"}, {"count", count}});
+  };
+  instancing(b)["attributes"] = {{"TRANSLATION", zeros(65536)}};
+  CHECK(loaded(b).model.nodes[0].instances.size() == 65536);
+  instancing(b)["attributes"] = {{"TRANSLATION", zeros(65537)}};
+  CHECK(outcome(b) ==
+        "m: /nodes/0/extensions/EXT_mesh_gpu_instancing/attributes/TRANSLATION: has no buffer view for 65537 "
+        "instances; at most 65536 can do without; export the model again.");
+  instancing(b)["attributes"] = {{"_ID", zeros(65537)}};  // it too says how many there are
+  CHECK(outcome(b).find("attributes/_ID: has no buffer view for 65537 instances") != std::string::npos);
 }
 
 TEST_CASE("Visibility of nodes", "[io][instancing]") {

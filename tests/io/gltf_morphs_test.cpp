@@ -87,6 +87,35 @@ TEST_CASE("Any number of morph targets; those that change nothing remain", "[io]
   CHECK(primitive(model).targets[300].positions.empty());
 }
 
+TEST_CASE("The primitives of a mesh get equally many targets, those without any none", "[io][morphs]") {
+  GltfBuilder b = lifted();
+  const Json first = targets(b)[0];
+  for (int i = 0; i < 2; ++i) targets(b).push_back(first);
+  const Json attributes = {{"POSITION", 0}};
+  mesh(b)["primitives"].push_back({{"attributes", attributes}, {"targets", {first}}});
+  mesh(b)["primitives"].push_back({{"attributes", attributes}});
+  const auto model = loaded(b);
+  CHECK(notes(model) ==
+        "! /meshes/0/primitives/1: has 1 morph targets, but another has 3: those that are missing do nothing\n"
+        "! /meshes/0/primitives/2: has 0 morph targets, but another has 3: those that are missing do nothing\n");
+  const auto& primitives = model.model.meshes[0].primitives;
+  CHECK(primitives[0].targets.size() == 3);
+  REQUIRE(primitives[1].targets.size() == 3);
+  CHECK(primitives[1].targets[0].positions.size() == 3);
+  for (const size_t i : {1, 2}) {
+    CHECK(primitives[1].targets[i].positions.empty());
+    CHECK(primitives[1].targets[i].bounds.empty());
+  }
+  CHECK(primitives[2].targets.empty());
+  // Those that add nothing count towards the limit.
+  const auto glb = b.glb();
+  io::Limits limits;
+  limits.geometryBytes = 3 * 36 + 2 * 3 * (sizeof(scene::MorphTarget) + 36);
+  CHECK(facet::test::outcome(io::loadGltfBytes(glb, "m", {}, limits)) == "loaded");
+  --limits.geometryBytes;
+  CHECK(facet::test::outcome(io::loadGltfBytes(glb, "m", {}, limits)).find("more than the limit") != std::string::npos);
+}
+
 TEST_CASE("Weights and names of targets", "[io][morphs]") {
   GltfBuilder b = lifted();
   targets(b).push_back(targets(b)[0]);

@@ -145,24 +145,25 @@ TEST_CASE("Half a set of joints is ignored", "[io][skins]") {
   CHECK(influences(primitive(model)) == "0:1.000 | 0:1.000 | 0:1.000");
 }
 
-TEST_CASE("The boxes of joints", "[io][skins]") {
+TEST_CASE("Joints and weights that no skin reads are not kept", "[io][skins]") {
   GltfBuilder b = skinned(3);
-  addSet(b, 0, std::vector<uint8_t>{0, 1, 0, 0, 1, 0, 0, 0, 1, 2, 0, 0}, ubyteType,
-         std::vector<float>{0.5f, 0.5f, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, floatType);
+  addSet(b, 0, std::vector<uint16_t>{0, 1, 0, 0, 1, 0, 0, 0, 65535, 2, 0, 0}, ushortType,
+         std::vector<float>{0.5f, 0.5f, 0, 0, 1, 0, 0, 0, 0, 2, 0, 0}, floatType);
   auto model = loaded(b);
-  const auto& boxes = primitive(model).jointBounds;
-  REQUIRE(boxes.size() == 2);
-  CHECK(boxes[0].min == glm::dvec3(0));
-  CHECK(boxes[0].max == glm::dvec3(0));
-  CHECK(boxes[1].min == glm::dvec3(0));
-  CHECK(boxes[1].max == glm::dvec3(1, 1, 0));
-  // Drawn without a skin the influences stay, whatever they name.
-  b.json["nodes"][0].erase("skin");
-  b.json.erase("skins");
-  model = loaded(b);
   CHECK(primitive(model).influencesPerVertex == 2);
-  CHECK(primitive(model).jointBounds.empty());
-  CHECK(notes(model) == "");
+  CHECK(influences(primitive(model)) == "0:0.500 1:0.500 | 1:1.000 0:0.000 | 2:1.000 0:0.000");
+  // A node that draws the mesh as it is changes nothing as long as another has the skin.
+  b.append("nodes", {{"mesh", 0}});
+  CHECK(primitive(loaded(b)).influences.size() == 6);
+  b.json["nodes"][0].erase("skin");
+  const auto glb = b.glb();
+  io::Limits limits;
+  limits.geometryBytes = 36;  // positions alone
+  const auto plain = io::loadGltfBytes(glb, "m", {}, limits);
+  REQUIRE(plain);
+  CHECK(primitive(*plain).influences.empty());
+  CHECK(primitive(*plain).influencesPerVertex == 0);
+  CHECK(notes(*plain) == "");
 }
 
 TEST_CASE("Joints are checked against the smallest skin", "[io][skins]") {
@@ -176,6 +177,16 @@ TEST_CASE("Joints are checked against the smallest skin", "[io][skins]") {
   CHECK(outcome(b) ==
         "m: /meshes/0/primitives/0/attributes: vertex 1 follows joint 2, but skin 1 has 2 joints; export the model "
         "again.");
+}
+
+TEST_CASE("A vertex without weights does not need the joint that it names", "[io][skins]") {
+  GltfBuilder b = skinned(2);
+  const std::vector<uint16_t> joints = {1, 9, 9, 9, 65535, 0, 0, 0, 2, 1, 1, 1};
+  addSet(b, 0, joints, ushortType, std::vector<float>(12, 0.0f), floatType);
+  const auto model = loaded(b);
+  CHECK(influences(primitive(model)) == "1:1.000 | 0:1.000 | 0:1.000");
+  CHECK(notes(model) ==
+        "! /meshes/0/primitives/0/attributes/WEIGHTS_0: 3 vertices have none: they follow their first joint\n");
 }
 
 TEST_CASE("Skins: joints and inverse bind matrices", "[io][skins]") {

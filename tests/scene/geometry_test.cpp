@@ -291,6 +291,7 @@ TEST_CASE("Bounds of joints and morph targets hold the vertices that are drawn")
   completeGeometry(model, notes);
   const Primitive& done = model.meshes[0].primitives[0];
   REQUIRE(done.jointBounds.size() == 7);  // vertex 3 is not drawn, so joints 3 and 7 have none
+  CHECK(done.jointBounds.capacity() == 7);
   CHECK(done.jointBounds[2].min == glm::dvec3(1, 1, 0));
   CHECK(done.jointBounds[6].max == glm::dvec3(1, 1, 0));
   CHECK(done.jointBounds[3].empty());
