@@ -156,6 +156,11 @@ TEST_CASE("Draco: joints and weights", "[io][draco][skins]") {
   Json& p = firstPrimitive(b);
   p["attributes"] = {{"POSITION", 0}, {"JOINTS_0", accessor(5123)}, {"WEIGHTS_0", accessor(5126)}};
   p["extensions"][name]["attributes"] = {{"POSITION", positionId}, {"JOINTS_0", 1}, {"WEIGHTS_0", 2}};
+  CHECK(primitive(loaded(b)).influences.empty());  // no skin
+  Json skinJoints;
+  for (int i = 0; i < 31; ++i) skinJoints.push_back(b.append("nodes", Json::object()));
+  b.append("skins", {{"joints", skinJoints}});
+  b.append("nodes", {{"mesh", 0}, {"skin", 0}});
   const auto model = loaded(b);
   CHECK(notes(model) == "");
   const auto& influences = primitive(model).influences;
