@@ -205,10 +205,10 @@ struct Primitive {
   // Vertex v: entries v * influencesPerVertex and on; the weights of each vertex sum up to 1. Empty: not skinned.
   std::vector<Influence> influences;
   int influencesPerVertex = 0;
-  std::vector<MorphTarget> targets;
-  bool flatNormals = false;         // normals were missing: each triangle is flat, also when it is deformed
-  Bounds bounds;                    // of the vertices as they are
-  std::vector<Bounds> jointBounds;  // by joint: of the vertices that it has a share of; up to the last with a share
+  std::vector<MorphTarget> targets;  // none, or as many as every other primitive of the mesh that has any
+  bool flatNormals = false;          // normals were missing: each triangle is flat, also when it is deformed
+  Bounds bounds;                     // of the vertices as they are
+  std::vector<Bounds> jointBounds;   // by joint: of the vertices that it has a share of; up to the last with a share
 };
 
 struct Mesh {
