@@ -1,8 +1,6 @@
 // The metallic-roughness BSDF as a pure function: no uniform, no texture, so that any pass may call it.
 // The twin is src/optics/bsdf.cpp.
-#include "microfacet.glsl"
-#include "fresnel.glsl"
-#include "diffuse.glsl"
+#include "models.glsl"
 #include "energy.glsl"
 
 // What a lit point is made of. Directions are unit and leave the surface.
@@ -56,12 +54,19 @@ vec3 evaluateBsdf(Surface s, vec3 L) {
   float alpha = max(s.alpha, minAnalyticAlpha);
   vec3 metalGain = energyCompensation(s.baseColor, s.dfg.xy);
   vec3 dielectricGain = energyCompensation(s.dielectricF0, s.dfg.xy);
-  vec3 fresnel = mix(F_Schlick(VoH, s.dielectricF0, 1.0) * dielectricGain, F_Schlick(VoH, s.baseColor, 1.0) * metalGain,
-                     s.metallic);
-  vec3 specular = D_GGX(s.N, H, alpha) * V_SmithGGXCorrelated(s.NoV, NoL, alpha) * fresnel;
+  vec3 fresnel = mix(fresnelDielectric(VoH, s.dielectricF0, 1.0) * modelGain(dielectricGain),
+                     fresnelMetal(VoH, s.baseColor) * modelGain(metalGain), s.metallic);
+  vec3 specular = modelD(s.N, H, alpha) * modelV(s.NoV, NoL, dot(s.N, H), VoH, alpha) * fresnel;
   vec3 left = max(1.0 - singleScatterAlbedo(s.dielectricF0, s.dfg.xy) * dielectricGain, 0.0);
-  vec3 diffuse = s.baseColor * (1.0 - s.metallic) * left * Fd_Lambert();
+  vec3 diffuse =
+      diffuseTerm(s.baseColor, s.NoV, NoL, dot(s.V, L), s.perceptualRoughness) * (1.0 - s.metallic) * left;
   return (specular + diffuse) * NoL;
+}
+
+// What of distant light reaches the dielectric's diffuse base.
+vec3 dielectricBaseShare(Surface s) {
+  vec3 reflected = singleScatterAlbedo(s.dielectricF0, s.dfg.xy) + multipleScatterAlbedo(s.dielectricF0, s.dfg.xy);
+  return (1.0 - s.metallic) * (1.0 - reflected);
 }
 
 // What of irradiance / pi leaves towards the viewer: light that left the microsurface after several bounces, which is
@@ -70,5 +75,6 @@ vec3 irradianceAlbedo(Surface s) {
   vec3 dielectricSingle = singleScatterAlbedo(s.dielectricF0, s.dfg.xy);
   vec3 dielectricMultiple = multipleScatterAlbedo(s.dielectricF0, s.dfg.xy);
   vec3 multiple = mix(dielectricMultiple, multipleScatterAlbedo(s.baseColor, s.dfg.xy), s.metallic);
-  return multiple + s.baseColor * (1.0 - s.metallic) * (1.0 - dielectricSingle - dielectricMultiple);
+  vec3 diffuse = diffuseReturned(s.baseColor, s.NoV, s.perceptualRoughness);
+  return multiple + diffuse * (1.0 - s.metallic) * (1.0 - dielectricSingle - dielectricMultiple);
 }

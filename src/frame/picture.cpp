@@ -105,6 +105,27 @@ void noteUnlit(const PictureSettings& settings, const DrawList& list, const ibl:
                      "nothing lights the scene: it has no lights and --env is none; give --env or --lights demo"});
 }
 
+// What the chosen models cannot reach.
+void noteModels(const DrawList& list, Notes& notes) {
+  const auto any = [&](auto test) {
+    return std::ranges::any_of(list.opaque, test) || std::ranges::any_of(list.blended, test);
+  };
+  const auto info = [&](const char* text) { notes.push_back({Note::Severity::info, "", text}); };
+  const optics::Models& models = list.features.models;
+  const bool lobes = any([](const Draw& d) { return d.key.distribution != 0 || d.key.masking != 0; });
+  const bool asked = models.distribution != optics::NormalDistribution::ggx || models.masking != optics::Masking::smith;
+  if (asked && !lobes) info("--ndf and --masking change nothing: no point, spot or directional light shines");
+  if (lobes && list.features.environment)
+    info("--ndf and --masking are for point, spot and directional lights; the environment's light is reflected by GGX");
+  if (models.fresnel == optics::FresnelModel::schlick) return;
+  if (!any([](const Draw& d) { return d.key.fresnel != 0; }))
+    info("--fresnel changes nothing: exact is for dielectrics and for metals whose index is known, f82 for the latter");
+  else if (list.features.environment && list.features.imageLightSamples == 0)
+    info(
+        "--fresnel is for point, spot and directional lights; of the environment's light only with more than 4 "
+        "samples");
+}
+
 }  // namespace
 
 DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment) {
@@ -113,6 +134,7 @@ DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment) {
   options.features.occlusion = settings.occlusion > 0;
   options.features.channel = std::max(0, shading::channelIndex(settings.channel));
   if (settings.samples > convergedAbove) options.features.imageLightSamples = convergedLightSamples;
+  options.features.models = {settings.diffuse, settings.fresnel, settings.distribution, settings.masking};
   options.sceneLights = settings.lights != Lights::none;
   options.demoLights = settings.lights == Lights::demo;
   options.moving = !settings.animation.empty();
@@ -255,6 +277,7 @@ Result<PreparedPicture> preparePicture(const PictureSettings& settings, SceneOnG
   const bool skyVisible = settings.background == Background::environment && lit && list.features.channel == 0;
   const ibl::Needs needs = list.needs(skyVisible);
   noteUnlit(settings, list, needs, notes);
+  noteModels(list, notes);
   stages.mark("prepare");
 
   const shading::ProgramStatistics before = programs.statistics();

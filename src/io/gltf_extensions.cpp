@@ -14,6 +14,7 @@ constexpr std::string_view supportedExtensions[] = {
     "KHR_materials_unlit",                  // gltf_materials.cpp
     "KHR_materials_pbrSpecularGlossiness",  // gltf_materials.cpp
     "KHR_materials_emissive_strength",      // gltf_materials.cpp
+    "FACET_materials_models",               // gltf_materials.cpp
     "KHR_materials_variants",               // gltf_variants.cpp
     "KHR_mesh_quantization",                // accessors.cpp: all component types are read anyway
     "KHR_draco_mesh_compression",           // gltf_draco.cpp

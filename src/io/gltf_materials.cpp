@@ -308,6 +308,26 @@ Result<void> readSpecularGlossiness(Document& doc, const Value& extension, const
   return readRef(doc, extension, "specularGlossinessTexture", place, material.metallicRoughness);
 }
 
+// FACET_materials_models: what our built-in scenes say beyond glTF.
+Result<void> readModels(Document& doc, const Value& extension, const std::string& place, scene::Material& material) {
+  const auto text = [&](const char* key) {
+    const Value& value = extension.Get(key);
+    return value.IsString() ? value.Get<std::string>() : std::string();
+  };
+  using scene::Microfacets;
+  constexpr std::pair<std::string_view, Microfacets> names[] = {{"", Microfacets::any},
+                                                                {"ggx", Microfacets::ggx},
+                                                                {"beckmann", Microfacets::beckmann},
+                                                                {"blinn", Microfacets::blinn}};
+  const std::string wanted = text("microfacets");
+  const auto found =
+      std::ranges::find(names, std::string_view(wanted), &std::pair<std::string_view, Microfacets>::first);
+  if (found == std::end(names)) return doc.error(place + "/microfacets", "is not ggx, beckmann or blinn");
+  material.microfacets = found->second;
+  material.conductor = text("conductor");
+  return {};
+}
+
 using ReadExtension = Result<void> (*)(Document&, const Value&, const std::string& place, scene::Material&);
 constexpr struct {
   const char* name;
@@ -316,6 +336,7 @@ constexpr struct {
     {"KHR_materials_unlit", readUnlit},
     {"KHR_materials_pbrSpecularGlossiness", readSpecularGlossiness},
     {"KHR_materials_emissive_strength", readEmissiveStrength},
+    {"FACET_materials_models", readModels},
 };
 
 Result<void> readMaterial(Document& doc, size_t index) {

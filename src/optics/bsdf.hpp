@@ -8,6 +8,7 @@
 
 #include "optics/energy.hpp"
 #include "optics/microfacet.hpp"
+#include "optics/models.hpp"
 
 namespace facet::optics {
 
@@ -18,6 +19,8 @@ struct Surface {
   double metallic = 1;      // share of the metal
   double perceptualRoughness = 1;
   glm::dvec3 f0{dielectricF0};  // of the dielectric
+  Models models = {};
+  const Conductor* conductor = nullptr;  // the metal's, where it is known
 };
 
 // KHR_materials_pbrSpecularGlossiness: a dielectric whose diffuse albedo is diffuse (1 - max(specular)), all in [0, 1].
@@ -32,7 +35,9 @@ struct Reflected {
 };
 // Metal: D V F NoL (1 + f0 (1 / E - 1)) with f0 = baseColor, Turquin's compensation. Dielectric: the same with
 // its own f0, and baseColor / pi (1 - Es) NoL with Es the directional albedo, at V, of that very lobe. So white
-// reflects exactly all of a white furnace. Both factors look at V only: the sum is not reciprocal, D V F is. 0 if V or
+// reflects exactly all of a white furnace. Both factors look at V only: the sum is not reciprocal, D V F is. Other
+// models take the places of D, V, F and Lambert's 1 / pi; lobes other than GGX with Smith's term stay without
+// compensation, because E is that lobe's, which also decides what is left for the base. 0 if V or
 // L is below the horizon; alpha = 0 has no specular value here (a delta). dfg = dfgOf(surface, NoV), passed in because
 // it costs an integral.
 Reflected reflect(const Surface& surface, const Dfg& dfg, const glm::dvec3& N, const glm::dvec3& V,
@@ -46,6 +51,7 @@ struct DistantWeights {
   glm::dvec3 irradiance{0};   // times irradiance / pi: multiple scattering and the diffuse part
 };
 // In a furnace of radiance 1 the sum of both is the albedo: baseColor 1 gives 1 for every mix.
-DistantWeights distantWeights(const Surface& surface, const Dfg& dfg);
+// GGX and Schlick, whatever the models; the diffuse one enters with what it returns at NoV of a white furnace.
+DistantWeights distantWeights(const Surface& surface, const Dfg& dfg, double NoV = 1);
 
 }  // namespace facet::optics
