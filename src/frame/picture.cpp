@@ -105,25 +105,29 @@ void noteUnlit(const PictureSettings& settings, const DrawList& list, const ibl:
                      "nothing lights the scene: it has no lights and --env is none; give --env or --lights demo"});
 }
 
-// What the chosen models cannot reach.
+// What the chosen models do not reach.
 void noteModels(const DrawList& list, Notes& notes) {
   const auto any = [&](auto test) {
     return std::ranges::any_of(list.opaque, test) || std::ranges::any_of(list.blended, test);
   };
-  const auto info = [&](const char* text) { notes.push_back({Note::Severity::info, "", text}); };
+  const auto warn = [&](const char* text) { notes.push_back({Note::Severity::warning, "", text}); };
   const optics::Models& models = list.features.models;
-  const bool lobes = any([](const Draw& d) { return d.key.distribution != 0 || d.key.masking != 0; });
-  const bool asked = models.distribution != optics::NormalDistribution::ggx || models.masking != optics::Masking::smith;
-  if (asked && !lobes) info("--ndf and --masking change nothing: no point, spot or directional light shines");
-  if (lobes && list.features.environment)
-    info("--ndf and --masking are for point, spot and directional lights; the environment's light is reflected by GGX");
+  if (models.distribution != optics::NormalDistribution::ggx || models.masking != optics::Masking::smith) {
+    if (!any([](const Draw& d) { return d.key.distribution != 0 || d.key.masking != 0; }))
+      warn("--ndf and --masking change nothing: they are for point, spot and directional lights, and none shines");
+    else if (list.features.environment)
+      warn("--ndf and --masking are for point, spot and directional lights: GGX reflects the environment");
+  }
   if (models.fresnel == optics::FresnelModel::schlick) return;
+  const bool sampled = list.features.imageLightSamples != 0;
   if (!any([](const Draw& d) { return d.key.fresnel != 0; }))
-    info("--fresnel changes nothing: exact is for dielectrics and for metals whose index is known, f82 for the latter");
-  else if (list.features.environment && list.features.imageLightSamples == 0)
-    info(
-        "--fresnel is for point, spot and directional lights; of the environment's light only with more than 4 "
-        "samples");
+    warn(
+        "--fresnel changes nothing: exact is for dielectrics and for metals whose index is known, f82 for the latter, "
+        "under point, spot and directional lights, or with more than 4 samples");
+  else if (list.features.environment && !sampled)
+    warn(
+        "--fresnel is for point, spot and directional lights: the environment's tables are Schlick's; more than 4 "
+        "samples do without them");
 }
 
 }  // namespace

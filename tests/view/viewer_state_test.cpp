@@ -76,6 +76,8 @@ TEST_CASE("viewer state: only what the draw list reads asks for a new one") {
   CHECK(changes([](view::ViewerState& s) { s.settings.background = frame::Background::transparent; }));
   CHECK(changes([](view::ViewerState& s) { s.material.on = true; }));
   CHECK(changes([](view::ViewerState& s) { s.settings.samples = 16; }));
+  CHECK(changes([](view::ViewerState& s) { s.settings.diffuse = optics::DiffuseModel::eon; }));
+  CHECK(changes([](view::ViewerState& s) { s.settings.masking = optics::Masking::cavity; }));
   CHECK_FALSE(changes([](view::ViewerState& s) { s.settings.samples = 2; }));
   CHECK(view::listRequest(state, 1, -1, true) != before);
   CHECK(view::listRequest(state, 0, 0, true) != before);
