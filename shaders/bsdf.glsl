@@ -2,9 +2,7 @@
 // that any pass may call them. From the top: coat, sheen, then the base: metal, or dielectric lobe over diffuse; a film
 // and a grain change the base's lobes. What the upper ones leave for the lower ones is said here and nowhere else.
 // The twin is src/optics/bsdf.cpp.
-#include "microfacet.glsl"
-#include "fresnel.glsl"
-#include "diffuse.glsl"
+#include "models.glsl"
 #include "energy.glsl"
 #ifdef HAS_CLEARCOAT
 #include "layers.glsl"
@@ -167,7 +165,7 @@ void setFilm(inout Surface s, float weight, float ior, float thicknessNm) {
 
 vec3 dielectricFresnel(Surface s, float VoH) {
   float f90 = dielectricF90(s);
-  vec3 F = F_Schlick(VoH, s.dielectricF0, f90);
+  vec3 F = fresnelDielectric(VoH, s.dielectricF0, f90);
 #ifdef HAS_IRIDESCENCE
   if (s.metallic < 1.0)
     F = mix(F, f90 * filmReflectance(s.film, VoH, s.dielectricF0 / max(f90, 1e-6)), s.film.weight);
@@ -175,7 +173,7 @@ vec3 dielectricFresnel(Surface s, float VoH) {
   return F;
 }
 vec3 metalFresnel(Surface s, float VoH) {
-  vec3 F = F_Schlick(VoH, s.baseColor, 1.0);
+  vec3 F = fresnelMetal(VoH, s.baseColor);
 #ifdef HAS_IRIDESCENCE
   if (s.metallic > 0.0) F = mix(F, filmReflectance(s.film, VoH, s.baseColor), s.film.weight);
 #endif
@@ -212,7 +210,7 @@ float baseFacets(Surface s, vec3 L, vec3 H, float NoL) {
   return D_GGXAnisotropic(H * local, alphas) * V_GGXAnisotropic(V, L * local, alphas);
 #else
   float alpha = max(s.alpha, minAnalyticAlpha);
-  return D_GGX(s.N, H, alpha) * V_SmithGGXCorrelated(s.NoV, NoL, alpha);
+  return modelD(s.N, H, alpha) * modelV(s.NoV, NoL, dot(s.N, H), dot(s.V, H), alpha);
 #endif
 }
 
@@ -227,11 +225,12 @@ vec3 evaluateBase(Surface s, vec3 L) {
   float length2 = dot(VL, VL);
   vec3 H = length2 > 1e-12 ? VL * inversesqrt(length2) : vec3(0.0);  // L = -V leaves H undefined: D = 0
   float VoH = dot(s.V, H);
-  vec3 metalGain = energyCompensation(metalAlbedoF0(s), s.dfg.xy);
-  vec3 dielectricGain = energyCompensation(dielectricAlbedoF0(s), s.dfg.xy);
+  vec3 metalGain = modelGain(energyCompensation(metalAlbedoF0(s), s.dfg.xy));
+  vec3 dielectricGain = modelGain(energyCompensation(dielectricAlbedoF0(s), s.dfg.xy));
   vec3 fresnel = mix(dielectricFresnel(s, VoH) * dielectricGain, metalFresnel(s, VoH) * metalGain, s.metallic);
   vec3 specular = baseFacets(s, L, H, NoL) * fresnel;
-  vec3 diffuse = s.baseColor * (1.0 - s.metallic) * s.diffuseShare * dielectricLeft(s) * Fd_Lambert();
+  vec3 diffuse = diffuseTerm(s.baseColor, s.NoV, NoL, dot(s.V, L), s.perceptualRoughness) * (1.0 - s.metallic) *
+                 s.diffuseShare * dielectricLeft(s);
   return (specular + diffuse) * NoL;
 }
 
@@ -287,15 +286,19 @@ vec3 evaluateBsdf(Surface s, vec3 L) {
   return value;
 }
 
+// What of distant light reaches the dielectric's diffuse base, before what passes through the surface is taken off.
+vec3 dielectricBaseShare(Surface s) { return (1.0 - s.metallic) * dielectricLeftDistant(s); }
+
 // What of irradiance / pi the base sends towards the viewer: light that left the microsurface after several bounces,
 // which is taken as diffuse, and the dielectric's diffuse part.
 vec3 irradianceAlbedo(Surface s) {
   vec3 dielectric = multipleScatterAlbedo(dielectricAlbedoF0(s), dielectricF90(s), s.dfg.xy);
   vec3 multiple = mix(dielectric, multipleScatterAlbedo(metalAlbedoF0(s), 1.0, s.dfg.xy), s.metallic);
-  return multiple + s.baseColor * (1.0 - s.metallic) * s.diffuseShare * dielectricLeftDistant(s);
+  vec3 diffuse = diffuseReturned(s.baseColor, s.NoV, s.perceptualRoughness);
+  return multiple + diffuse * s.diffuseShare * dielectricBaseShare(s);
 }
 // What enters the dielectric, before its colour: the rest is reflected by its interface, by the metal or by the layers.
-vec3 enteringShare(Surface s) { return (1.0 - s.metallic) * dielectricLeftDistant(s) * layersLeft(s); }
+vec3 enteringShare(Surface s) { return dielectricBaseShare(s) * layersLeft(s); }
 // The same of the prefiltered radiance: the lobes after one bounce.
 vec3 prefilteredAlbedo(Surface s) {
   return mix(singleScatterAlbedo(dielectricAlbedoF0(s), dielectricF90(s), s.dfg.xy),

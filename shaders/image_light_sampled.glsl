@@ -74,6 +74,27 @@ vec3 specularSampled(Surface s) {
   return specular / float(IMAGE_LIGHT_SAMPLES);
 }
 
+#if DIFFUSE_MODEL != 0
+// irradianceAlbedo weighs all of the hemisphere alike. Cosine-distributed samples of the difference, whose mean makes up
+// for that: (pi f - returned) radiance.
+vec3 diffuseDetail(Surface s) {
+  mat3 worldFromLocal = frameAround(s.N);
+  vec3 V = s.V * worldFromLocal;
+  V = normalize(vec3(V.xy, max(V.z, minNoV)));
+  vec3 returned = diffuseReturned(s.baseColor, V.z, s.perceptualRoughness);
+  vec3 sum = vec3(0.0);
+  int first = int(frame.options.y) * IMAGE_LIGHT_SAMPLES;
+  for (int i = first; i < first + IMAGE_LIGHT_SAMPLES; ++i) {
+    vec2 u = samplePoint(i);
+    float phi = 2.0 * PI * u.x, NoL = sqrt(max(1.0 - u.y, 1e-6)), sinL = sqrt(max(1.0 - NoL * NoL, 0.0));
+    vec3 L = vec3(cos(phi) * sinL, sin(phi) * sinL, NoL);
+    vec3 f = diffuseTerm(s.baseColor, V.z, NoL, dot(V, L), s.perceptualRoughness);
+    sum += (PI * f - returned) * sampledRadiance(worldFromLocal * L, NoL / PI);
+  }
+  return sum / float(IMAGE_LIGHT_SAMPLES);
+}
+#endif
+
 #ifdef HAS_CLEARCOAT
 vec3 coatSampled(Surface s) {
   mat3 worldFromLocal = frameAround(s.coat.N);
@@ -117,6 +138,9 @@ vec3 sheenSampled(Surface s) {
 vec3 imageLight(Surface s) {
   vec3 irradiance = textureLod(irradianceOverPi, environmentFromWorld(s.N), 0.0).rgb;
   vec3 radiance = specularSampled(s) + irradiance * irradianceAlbedo(s);
+#if DIFFUSE_MODEL != 0
+  radiance += diffuseDetail(s) * s.diffuseShare * dielectricBaseShare(s);
+#endif
 #ifdef HAS_SHEEN
   radiance = radiance * sheenLeft(s) + s.sheen.color * sheenSampled(s);
 #endif

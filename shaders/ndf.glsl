@@ -52,6 +52,17 @@ float G1_BeckmannRational(float NoX, float alpha) {
   return a < 1.6 ? a * (3.535 + 2.181 * a) / (1.0 + a * (2.276 + 2.577 * a)) : 1.0;
 }
 
+// G1_BeckmannRational / NoX, finite at the horizon.
+float beckmannRationalOverCosine(float NoX, float alpha) {
+  float width = max(alpha * sqrt(max((1.0 - NoX) * (1.0 + NoX), 0.0)), 1e-10);
+  float a = NoX / width;
+  return a < 1.6 ? (3.535 + 2.181 * a) / (width * (1.0 + a * (2.276 + 2.577 * a))) : 1.0 / NoX;
+}
+// Product of both directions' over 4 NoV NoL.
+float V_BeckmannRational(float NoV, float NoL, float alpha) {
+  return 0.25 * beckmannRationalOverCosine(NoV, alpha) * beckmannRationalOverCosine(NoL, alpha);
+}
+
 // Schlick 1994, with k = alpha / 2: Smith's G1 of GGX; error 0.16 at most.
 float G1_SchlickGGX(float NoX, float alpha) {
   float k = 0.5 * alpha;

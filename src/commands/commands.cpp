@@ -27,6 +27,15 @@ constexpr Command table[] = {
      "  facet compare before.png after.png --metric above --tolerance 0.02 --max-error 0.001 --diff difference.png\n"
      "  facet compare before.png after.png --json",
      addCompare},
+    {"normalmap", "a grey height map made a normal map",
+     "  facet normalmap height.png -o normal.png\n"
+     "  facet normalmap tiles.png -o tiles_normal.png --scale 0.05 --wrap",
+     addNormalMap},
+    {"report", "how far each approximate formula is from its truth, as tables",
+     "  facet report fresnel\n"
+     "  facet report diffuse --format csv -o diffuse.csv\n"
+     "  facet report ndf --format json",
+     addReport},
     {"selftest", "numerical stability: every shader function on this GPU against double precision",
      "  facet selftest\n"
      "  facet selftest --json > selftest.json\n"

@@ -38,7 +38,9 @@ int badInput(const Error& error);
 // One per command, each in the file of its name.
 std::function<int()> addCompare(CLI::App& app);
 std::function<int()> addInspect(CLI::App& app);
+std::function<int()> addNormalMap(CLI::App& app);
 std::function<int()> addRender(CLI::App& app);
+std::function<int()> addReport(CLI::App& app);
 std::function<int()> addSelftest(CLI::App& app);
 std::function<int()> addWindow(CLI::App& app);
 

@@ -57,6 +57,25 @@ constexpr Named<frame::ToneMapper> toneMappers[] = {{"none", frame::ToneMapper::
 constexpr Named<frame::Lights> lightChoices[] = {
     {"scene", frame::Lights::scene}, {"none", frame::Lights::none}, {"demo", frame::Lights::demo}};
 
+constexpr Named<optics::DiffuseModel> diffuseModels[] = {{"lambert", optics::DiffuseModel::lambert},
+                                                         {"burley", optics::DiffuseModel::burley},
+                                                         {"frostbite", optics::DiffuseModel::frostbite},
+                                                         {"oren-nayar", optics::DiffuseModel::orenNayar},
+                                                         {"eon", optics::DiffuseModel::eon},
+                                                         {"codww2", optics::DiffuseModel::callOfDuty}};
+
+constexpr Named<optics::FresnelModel> fresnelModels[] = {{"schlick", optics::FresnelModel::schlick},
+                                                         {"exact", optics::FresnelModel::exact},
+                                                         {"f82", optics::FresnelModel::f82Tint}};
+
+constexpr Named<optics::NormalDistribution> distributions[] = {{"ggx", optics::NormalDistribution::ggx},
+                                                               {"beckmann", optics::NormalDistribution::beckmann},
+                                                               {"blinn", optics::NormalDistribution::blinn}};
+
+constexpr Named<optics::Masking> maskings[] = {{"smith", optics::Masking::smith},
+                                               {"approximate", optics::Masking::approximate},
+                                               {"v-cavity", optics::Masking::cavity}};
+
 constexpr Named<Text> channels[] = {{"final", ""},
                                     {"normal", "normal"},
                                     {"geometryNormal", "geometryNormal"},
@@ -166,6 +185,10 @@ std::string writeScene(const PictureSettings& settings) {
   return settings.scene < 0 ? std::string() : number(settings.scene);
 }
 
+std::string writeBumpScale(const PictureSettings& settings) {
+  return settings.bump.empty() ? std::string() : number(settings.bumpScale);
+}
+
 std::string writeTime(const PictureSettings& settings) {
   return settings.animation.empty() ? std::string() : number(settings.timeSeconds);
 }
@@ -215,6 +238,10 @@ constexpr PictureOption table[] = {
     {"scene", "N", "index of the scene (the file's default)", parseScene, writeScene},
     {"variant", "NAME|INDEX", "the file's material variant (none: its own materials)", parseText<&S::variant>,
      writeText<&S::variant>},
+    {"bump", "HEIGHT.png", "grey height map for the materials of a built-in scene (none)", parseText<&S::bump>,
+     writeText<&S::bump>, ',', true},
+    {"bump-scale", "X", "height of its white above its black, in widths of the map (0.02)",
+     parseNumberInto<&S::bumpScale, -1000, 1000>, writeBumpScale},
     {"animation", "NAME|INDEX|all", "an animation of the file, or all at once (none: at rest)",
      parseText<&S::animation>, writeText<&S::animation>},
     {"time", "S", "seconds at which the animation stands (0)", parseNumberInto<&S::timeSeconds, 0, 1'000'000>,
@@ -228,6 +255,15 @@ constexpr PictureOption table[] = {
     {"background", "env|transparent|#rrggbb", "what is behind the model (env)", parseBackground, writeBackground},
     {"lights", "scene|none|demo", "the file's lights, none, or four more (scene)", parseName<lightChoices, &S::lights>,
      writeName<lightChoices, &S::lights>},
+    {"diffuse", "NAME", "diffuse model: lambert, burley, frostbite, oren-nayar, eon, codww2 (lambert)",
+     parseName<diffuseModels, &S::diffuse>, writeName<diffuseModels, &S::diffuse>},
+    {"fresnel", "NAME",
+     "schlick; exact: of dielectrics, and of metals whose index is known; f82: of the latter. For lights (schlick)",
+     parseName<fresnelModels, &S::fresnel>, writeName<fresnelModels, &S::fresnel>},
+    {"ndf", "NAME", "distribution of microfacets for lights: ggx, beckmann, blinn (ggx)",
+     parseName<distributions, &S::distribution>, writeName<distributions, &S::distribution>},
+    {"masking", "NAME", "shadowing of microfacets for lights: smith, approximate, v-cavity (smith)",
+     parseName<maskings, &S::masking>, writeName<maskings, &S::masking>},
     {"occlusion", "0..1", "scales the occlusion textures' strength (1)", parseNumberInto<&S::occlusion, 0, 1>,
      writeNumber<&S::occlusion>},
     {"exposure", "STOPS", "factor 2^STOPS before tone mapping (0)", parseNumberInto<&S::exposureStops, -32, 32>,

@@ -109,6 +109,31 @@ void noteUnlit(const PictureSettings& settings, const DrawList& list, const ibl:
                      "nothing lights the scene: it has no lights and --env is none; give --env or --lights demo"});
 }
 
+// What the chosen models do not reach.
+void noteModels(const DrawList& list, Notes& notes) {
+  const auto any = [&](auto test) {
+    return std::ranges::any_of(list.classes(), [&](const auto* draws) { return std::ranges::any_of(*draws, test); });
+  };
+  const auto warn = [&](const char* text) { notes.push_back({Note::Severity::warning, "", text}); };
+  const optics::Models& models = list.features.models;
+  if (models.distribution != optics::NormalDistribution::ggx || models.masking != optics::Masking::smith) {
+    if (!any([](const Draw& d) { return d.key.distribution != 0 || d.key.masking != 0; }))
+      warn("--ndf and --masking change nothing: they are for point, spot and directional lights, and none shines");
+    else if (list.features.environment)
+      warn("--ndf and --masking are for point, spot and directional lights: GGX reflects the environment");
+  }
+  if (models.fresnel == optics::FresnelModel::schlick) return;
+  const bool sampled = list.features.imageLightSamples != 0;
+  if (!any([](const Draw& d) { return d.key.fresnel != 0; }))
+    warn(
+        "--fresnel changes nothing: exact is for dielectrics and for metals whose index is known, f82 for the latter, "
+        "under point, spot and directional lights, or with more than 4 samples");
+  else if (list.features.environment && !sampled)
+    warn(
+        "--fresnel is for point, spot and directional lights: the environment's tables are Schlick's; more than 4 "
+        "samples do without them");
+}
+
 }  // namespace
 
 DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment) {
@@ -117,6 +142,7 @@ DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment) {
   options.features.occlusion = settings.occlusion > 0;
   options.features.channel = std::max(0, shading::channelIndex(settings.channel));
   if (settings.samples > convergedAbove) options.features.imageLightSamples = convergedLightSamples;
+  options.features.models = {settings.diffuse, settings.fresnel, settings.distribution, settings.masking};
   options.sceneLights = settings.lights != Lights::none;
   options.demoLights = settings.lights == Lights::demo;
   options.moving = !settings.animation.empty();
@@ -287,6 +313,7 @@ Result<PreparedPicture> preparePicture(const PictureSettings& settings, SceneOnG
   const bool skyVisible = settings.background == Background::environment && lit && list.features.channel == 0;
   const ibl::Needs needs = list.needs(skyVisible);
   noteUnlit(settings, list, needs, notes);
+  noteModels(list, notes);
   stages.mark("prepare");
 
   const shading::ProgramStatistics before = programs.statistics();

@@ -27,12 +27,12 @@ Result<std::unique_ptr<Session>> Session::create(const SessionOptions& options) 
   return std::unique_ptr<Session>(new Session(std::move(*context), options));
 }
 
-Result<void> Session::loadScene(const std::string& source, Notes& notes) {
-  if (scene_ && scene_->source == source) return {};
+Result<void> Session::loadScene(const std::string& source, const io::Bump& bump, Notes& notes) {
+  if (scene_ && scene_->source == source && scene_->bump == bump) return {};
   scene_.reset();  // frees the old one before the new one grows
-  Result<io::LoadedModel> loaded = io::loadModel(source);
+  Result<io::LoadedModel> loaded = io::loadModel(source, {}, bump);
   if (!loaded) return tl::unexpected(loaded.error());
-  scene_ = std::make_unique<LoadedScene>(LoadedScene{source, std::move(*loaded), {}});
+  scene_ = std::make_unique<LoadedScene>(LoadedScene{source, bump, std::move(*loaded), {}});
   scene_->onGpu.source = source;
   scene_->onGpu.model = &scene_->loaded.model;
   notes.insert(notes.end(), scene_->loaded.notes.begin(), scene_->loaded.notes.end());
@@ -59,7 +59,8 @@ Result<LoadedEnvironment*> Session::findEnvironment(const std::string& source, N
 
 Result<Picture> Session::render(const std::string& model, const PictureSettings& settings,
                                 const PictureRequest& request, Notes& notes, Stages& stages) {
-  if (Result<void> r = loadScene(model, notes); !r) return tl::unexpected(r.error());
+  if (Result<void> r = loadScene(model, {settings.bump, settings.bumpScale}, notes); !r)
+    return tl::unexpected(r.error());
   stages.mark("read model");
   const Result<int> scene = chooseScene(settings, scene_->loaded.model);
   if (!scene) return tl::unexpected(scene.error());

@@ -9,6 +9,7 @@
 
 #include "frame/picture.hpp"
 #include "gl/context.hpp"
+#include "io/bump.hpp"
 #include "io/gltf.hpp"
 
 namespace facet::frame {
@@ -20,6 +21,7 @@ struct LoadedEnvironment {
 
 struct LoadedScene {
   std::string source;
+  io::Bump bump;
   io::LoadedModel loaded;
   SceneOnGpu onGpu;
 };
@@ -47,7 +49,7 @@ class Session {
 
  private:
   explicit Session(gl::HeadlessContext context, const SessionOptions& options);
-  Result<void> loadScene(const std::string& source, Notes& notes);
+  Result<void> loadScene(const std::string& source, const io::Bump& bump, Notes& notes);
   Result<LoadedEnvironment*> findEnvironment(const std::string& source, Notes& notes);
 
   gl::HeadlessContext context_;  // first: everything below is freed before it

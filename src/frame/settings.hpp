@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 
+#include "optics/models.hpp"
+
 namespace facet::frame {
 
 // Eye = target + radius (sin phi sin theta, cos phi, sin phi cos theta).
@@ -32,6 +34,9 @@ struct PictureSettings {
   int scene = -1;                    // index; -1: the file's default scene
   std::string variant;               // KHR_materials_variants: name or index; empty: the file's own materials
 
+  std::string bump;         // grey height map for the materials of a built-in scene; empty: none
+  double bumpScale = 0.02;  // height of white above black, in widths of the map
+
   std::string animation;   // name or index of an animation in the file, "all"; empty: none, the model is at rest
   double timeSeconds = 0;  // at which the animation stands, [0, 1e6]
 
@@ -42,6 +47,12 @@ struct PictureSettings {
   glm::vec3 backgroundColor = glm::vec3(0);  // linear Rec. 709; Background::color only
 
   Lights lights = Lights::scene;
+  // Models for comparison. Of the environment: diffuse; Fresnel's terms only where it is sampled; the rest is GGX.
+  optics::DiffuseModel diffuse = optics::DiffuseModel::lambert;
+  optics::FresnelModel fresnel = optics::FresnelModel::schlick;
+  optics::NormalDistribution distribution = optics::NormalDistribution::ggx;
+  optics::Masking masking = optics::Masking::smith;
+
   float occlusion = 1;  // scales every material's occlusion strength, [0, 1]
 
   float exposureStops = 0;  // factor 2^stops before tone mapping, [-32, 32]

@@ -24,6 +24,7 @@ constexpr std::string_view supportedExtensions[] = {
     "KHR_materials_specular",
     "KHR_materials_transmission",
     "KHR_materials_volume",
+    "FACET_materials_models",      // gltf_materials.cpp
     "KHR_materials_variants",      // gltf_variants.cpp
     "KHR_mesh_quantization",       // accessors.cpp: all component types are read anyway
     "KHR_draco_mesh_compression",  // gltf_draco.cpp

@@ -76,6 +76,22 @@ Result<void> readSpecularGlossiness(Document& doc, const Json& extension, const 
   return readTextureRef(doc, extension, "specularGlossinessTexture", place, material.metallicRoughness);
 }
 
+// FACET_materials_models: what our built-in scenes say beyond glTF.
+Result<void> readModels(Document& doc, const Json& extension, const std::string& place, scene::Material& material) {
+  using scene::Microfacets;
+  constexpr std::pair<std::string_view, Microfacets> names[] = {{"", Microfacets::any},
+                                                                {"ggx", Microfacets::ggx},
+                                                                {"beckmann", Microfacets::beckmann},
+                                                                {"blinn", Microfacets::blinn}};
+  const std::string wanted = stringAt(extension, "microfacets");
+  const auto found =
+      std::ranges::find(names, std::string_view(wanted), &std::pair<std::string_view, Microfacets>::first);
+  if (found == std::end(names)) return doc.error(place + "/microfacets", "is not ggx, beckmann or blinn");
+  material.microfacets = found->second;
+  material.conductor = stringAt(extension, "conductor");
+  return {};
+}
+
 // Of extensions that add to others which are missing.
 void noteMissingParts(Document& doc, const Json& from, const std::string& place, const scene::Material& material) {
   const auto has = [&](const char* name) { return extensionOf(from, name) != nullptr; };
@@ -101,6 +117,8 @@ Result<void> readMaterial(Document& doc, const Json& json, const std::string& pl
     const std::string at = place + "/extensions/KHR_materials_pbrSpecularGlossiness";
     if (auto ok = readSpecularGlossiness(doc, *glossiness, at, material); !ok) return ok;
   }
+  if (const Json* models = extensionOf(json, "FACET_materials_models"))
+    if (auto ok = readModels(doc, *models, place + "/extensions/FACET_materials_models", material); !ok) return ok;
   noteMissingParts(doc, json, place, material);
   doc.model.materials.push_back(std::move(material));
   return {};

@@ -269,13 +269,35 @@ Pixels placeholderImage() {
   return pixels;
 }
 
-Result<void> writePng(const std::filesystem::path& path, const Pixels& pixels) {
+namespace {
+
+Result<void> checkWritable(const Pixels& pixels, const std::string& name) {
   const auto bytes = static_cast<uint64_t>(pixels.width) * static_cast<uint64_t>(pixels.height) *
                      static_cast<uint64_t>(pixels.channels);
   if (pixels.width <= 0 || pixels.height <= 0 || pixels.bytesPerSample != 1 || bytes != pixels.data.size() ||
       bytes > static_cast<uint64_t>(std::numeric_limits<int>::max())) {
-    return fail(path.string(), "", "these pixels cannot be written as an 8-bit PNG", "choose a smaller size");
+    return fail(name, "", "these pixels cannot be written as an 8-bit PNG", "choose a smaller size");
   }
+  return {};
+}
+
+}  // namespace
+
+Result<std::vector<uint8_t>> encodePng(const Pixels& pixels, const std::string& name) {
+  if (auto ok = checkWritable(pixels, name); !ok) return tl::unexpected(ok.error());
+  std::vector<uint8_t> out;
+  const auto write = [](void* context, void* data, int size) {
+    const auto* begin = static_cast<const uint8_t*>(data);
+    static_cast<std::vector<uint8_t>*>(context)->insert(static_cast<std::vector<uint8_t>*>(context)->end(), begin,
+                                                        begin + size);
+  };
+  if (stbi_write_png_to_func(write, &out, pixels.width, pixels.height, pixels.channels, pixels.data.data(), 0) == 0)
+    return fail(name, "", "cannot be encoded as PNG", "choose a smaller size");
+  return out;
+}
+
+Result<void> writePng(const std::filesystem::path& path, const Pixels& pixels) {
+  if (auto ok = checkWritable(pixels, path.string()); !ok) return ok;
   const auto cannot = [&] {
     return fail(path.string(), "", std::string("cannot be written: ") + std::strerror(errno),
                 "check the folder, its permissions and the space left");

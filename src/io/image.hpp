@@ -35,6 +35,9 @@ Pixels placeholderImage();  // magenta and black checks
 // 8-bit RGB or RGBA. Errors: the file cannot be written.
 Result<void> writePng(const std::filesystem::path& path, const Pixels& pixels);
 
+// The same into memory; `name` leads the error.
+Result<std::vector<uint8_t>> encodePng(const Pixels& pixels, const std::string& name);
+
 // 8-bit PNG read back as RGBA (for compare). Errors as decodeImage.
 Result<Pixels> readImage(const std::filesystem::path& path, const Limits& limits = {});
 

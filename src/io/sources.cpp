@@ -24,8 +24,13 @@ Result<LoadedModel> readModel(const std::string& source, const Limits& limits) {
 
 }  // namespace
 
-Result<LoadedModel> loadModel(const std::string& source, const Limits& limits) {
+Result<LoadedModel> loadModel(const std::string& source, const Limits& limits, const Bump& bump) {
+  const bool bumped = !bump.file.empty();
+  if (bumped && !isBuiltin(source))
+    return fail(source, "", "--bump is for the built-in scenes", "leave it out, or show builtin:poster");
   Result<LoadedModel> loaded = readModel(source, limits);
+  if (loaded && bumped)
+    if (auto ok = applyBump(loaded->model, bump, limits); !ok) return tl::unexpected(ok.error());
   if (loaded) scene::completeGeometry(loaded->model, loaded->notes);
   return loaded;
 }

@@ -5,13 +5,15 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "io/bump.hpp"
 #include "io/gltf.hpp"
 #include "scene/environment.hpp"
 
 namespace facet::io {
 
-// The file or built-in scene, geometry completed (scene::completeGeometry).
-Result<LoadedModel> loadModel(const std::string& source, const Limits& limits = {});
+// The file or built-in scene, geometry completed (scene::completeGeometry). A bump is for built-in scenes alone: files
+// bring normal textures of their own, and texture coordinates that only their authors know.
+Result<LoadedModel> loadModel(const std::string& source, const Limits& limits = {}, const Bump& bump = {});
 
 // The file or built-in environment.
 Result<scene::Environment> loadEnvironmentSource(const std::string& source, Notes& notes, const Limits& limits = {});

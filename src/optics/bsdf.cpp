@@ -23,9 +23,8 @@ glm::dvec3 filmed(const Film& film, double cosine, const glm::dvec3& f0) {
   return glm::min(F_ThinFilm(cosine, 1, film.ior, film.thicknessNm, f0), glm::dvec3(1));
 }
 
-// Of a lobe: Schlick's curve to f90, covered by the film where it covers. f0 counts up to f90.
-glm::dvec3 reflectance(const Film& film, double VoH, const glm::dvec3& f0, double f90) {
-  const glm::dvec3 bare = F_Schlick(VoH, f0, f90);
+// Of a lobe: `bare`, covered by the film where it covers. f0 counts up to f90.
+glm::dvec3 covered(const Film& film, double VoH, const glm::dvec3& bare, const glm::dvec3& f0, double f90) {
   if (film.weight == 0) return bare;
   return glm::mix(bare, f90 * filmed(film, VoH, f0 / std::max(f90, 1e-6)), film.weight);
 }
@@ -43,18 +42,24 @@ glm::dvec3 leftBelow(const Surface& surface, const glm::dvec3& albedo) {
 }
 
 // F of the mix with each part's compensation; times D V.
-Reflected reflectFacets(const Surface& surface, const Dfg& dfg, const Angles& angles, double facets) {
+Reflected reflectFacets(const Surface& surface, const Dfg& dfg, const Angles& angles, double facets, bool compensated) {
   const AlbedoF0 f0 = albedoF0(surface, angles.NoV);
-  const glm::dvec3 metal = reflectance(surface.film, angles.VoH, surface.baseColor, 1);
-  const glm::dvec3 dielectric = reflectance(surface.film, angles.VoH, surface.f0, surface.f90);
+  const FresnelModel model = surface.models.fresnel;
+  const auto lobe = [&](const glm::dvec3& bare, const glm::dvec3& bareF0, double f90, const glm::dvec3& albedoF0) {
+    const glm::dvec3 gain = compensated ? compensationTurquin(dfg, albedoF0) : glm::dvec3(1);
+    return covered(surface.film, angles.VoH, bare, bareF0, f90) * gain;
+  };
+  const glm::dvec3 metal = fresnelMetal(model, angles.VoH, surface.baseColor, surface.conductor);
+  const glm::dvec3 dielectric = fresnelDielectric(model, angles.VoH, surface.f0, surface.f90);
   const double m = surface.metallic;
   Reflected reflected;
-  reflected.specular =
-      facets * angles.NoL *
-      (m * metal * compensationTurquin(dfg, f0.metal) + (1 - m) * dielectric * compensationTurquin(dfg, f0.dielectric));
-  reflected.diffuse = (1 - m) * surface.baseColor *
-                      leftBelow(surface, specularAlbedoTurquin(dfg, f0.bound, surface.f90)) *
-                      (Fd_Lambert() * angles.NoL);
+  reflected.specular = facets * angles.NoL *
+                       (m * lobe(metal, surface.baseColor, 1, f0.metal) +
+                        (1 - m) * lobe(dielectric, surface.f0, surface.f90, f0.dielectric));
+  const DiffuseAngles base{angles.NoV, angles.NoL, 2 * angles.VoH * angles.VoH - 1};
+  reflected.diffuse = (1 - m) *
+                      diffuseTerm(surface.models.diffuse, base, surface.perceptualRoughness, surface.baseColor) *
+                      leftBelow(surface, specularAlbedoTurquin(dfg, f0.bound, surface.f90)) * angles.NoL;
   return reflected;
 }
 
@@ -95,14 +100,17 @@ Reflected reflect(const Surface& surface, const Dfg& dfg, const glm::dvec3& N, c
   const AnisotropicAlpha alpha = alphaFromAnisotropy(alphaOf(surface), surface.grain.strength);
   const auto local = [&](const glm::dvec3& d) { return inGrain(surface.grain, N, d); };
   const double facets = D_GGXAnisotropic(local(angles.H), alpha) * V_GGXAnisotropic(local(V), local(L), alpha);
-  return reflectFacets(surface, dfg, angles, facets);
+  return reflectFacets(surface, dfg, angles, facets, true);
 }
 
 Reflected reflect(const Surface& surface, const Dfg& dfg, const Angles& angles) {
   if (angles.NoV < 0 || angles.NoL <= 0) return {};
   const double alpha = alphaOf(surface);
-  const double facets = D_GGX(angles, alpha) * V_SmithGGXCorrelated(angles.NoV, angles.NoL, alpha);
-  return reflectFacets(surface, dfg, angles, facets);
+  const Models& models = surface.models;
+  const double facets = distributionOf(models.distribution, angles, alpha) *
+                        visibilityOf(models.distribution, models.masking, angles, alpha);
+  const bool compensated = models.distribution == NormalDistribution::ggx && models.masking == Masking::smith;
+  return reflectFacets(surface, dfg, angles, facets, compensated);
 }
 
 Albedos albedosOf(const Surface& surface, const glm::dvec3& N, const glm::dvec3& V, const glm::dvec3& L) {
@@ -153,7 +161,8 @@ DistantWeights distantWeights(const Surface& surface, const Dfg& dfg, double NoV
   const double m = surface.metallic;
   DistantWeights weights;
   weights.prefiltered = m * metal.single + (1 - m) * dielectric.single;
-  weights.irradiance = m * metal.multiple + (1 - m) * (dielectric.multiple + surface.baseColor * left);
+  const glm::dvec3 base = diffuseReturned(surface.models.diffuse, NoV, surface.perceptualRoughness, surface.baseColor);
+  weights.irradiance = m * metal.multiple + (1 - m) * (dielectric.multiple + base * left);
   return weights;
 }
 

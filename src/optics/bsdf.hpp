@@ -9,6 +9,7 @@
 
 #include "optics/energy.hpp"
 #include "optics/microfacet.hpp"
+#include "optics/models.hpp"
 
 namespace facet::optics {
 
@@ -44,6 +45,8 @@ struct Surface {
   Film film = {};
   Sheen sheen = {};
   Coat coat = {};
+  Models models = {};                    // grain keeps GGX with Smith's term, the film its own Fresnel term
+  const Conductor* conductor = nullptr;  // the metal's, where it is known
 };
 
 // KHR_materials_ior and KHR_materials_specular: f0 = min(f0FromIor(ior) color, 1) weight, f90 = weight. ior 0:
@@ -71,9 +74,10 @@ struct Reflected {
 // Metal: D V F NoL (1 + f0 (1 / E - 1)) with f0 = baseColor, Turquin's compensation. Dielectric: the same with
 // its own f0, and baseColor / pi (1 - Es) NoL with Es the directional albedo, at V, of that very lobe. So white
 // reflects exactly all of a white furnace; of a lobe that a film or f0 colours, the strongest channel counts (1 - max
-// Es), as the extensions have it. Both factors look at V only: the sum is not reciprocal, D V F is. 0 if V or
-// L is below the horizon; alpha = 0 has no specular value here (a delta). dfg = dfgOf(surface, NoV), passed in because
-// it costs an integral.
+// Es), as the extensions have it. Both factors look at V only: the sum is not reciprocal, D V F is. Other models take
+// the places of D, V, F and Lambert's 1 / pi; lobes other than GGX with Smith's term stay without compensation, because
+// E is that lobe's, which also decides what is left for the base. 0 if V or L is below the horizon; alpha = 0 has no
+// specular value here (a delta). dfg = dfgOf(surface, NoV), passed in because it costs an integral.
 Reflected reflect(const Surface& surface, const Dfg& dfg, const glm::dvec3& N, const glm::dvec3& V,
                   const glm::dvec3& L);
 // The same where the angles are at hand; without grain.
@@ -97,7 +101,8 @@ struct DistantWeights {
   glm::dvec3 irradiance{0};      // times irradiance / pi: multiple scattering and the diffuse part
   glm::dvec3 sheen{0}, coat{0};  // times the mean radiance under those lobes
 };
-// In a furnace of radiance 1 the sum is the albedo: baseColor 1 gives 1 for every mix. Of the base alone.
+// In a furnace of radiance 1 the sum is the albedo: baseColor 1 gives 1 for every mix. Of the base alone: GGX and
+// Schlick, whatever the models; the diffuse one enters with what it returns at NoV of a white furnace.
 DistantWeights distantWeights(const Surface& surface, const Dfg& dfg, double NoV = 1);
 // Of all layers; albedos.sheenL is not looked at.
 DistantWeights distantWeights(const Surface& surface, const Albedos& albedos, double NoV);

@@ -53,12 +53,14 @@ double albedoFujii(double NoX, double r) {
   return fujiiA(r) * (1 + r / pi * (s * (theta - s * c) + 2.0 / 3 * tail));
 }
 
+double albedoFujiiMean(double r) { return fujiiA(r) * (1 + fujiiC2 * r); }
+
 double Fd_Eon(const DiffuseAngles& angles, double r, double albedo) {
   const double across = angles.VoL - angles.NoV * angles.NoL;
   const double larger = std::max(angles.NoV, angles.NoL);
   const double lobe = across > 0 ? (larger > 0 ? across / larger : 0) : across;
   const double single = albedo / pi * fujiiA(r) * (1 + r * lobe);
-  const double mean = fujiiA(r) * (1 + fujiiC2 * r);
+  const double mean = albedoFujiiMean(r);
   if (mean >= 1) return single;  // r = 0: nothing is lost
   const double tint = albedo * albedo * mean / (1 - albedo * (1 - mean));
   return single + tint / pi * (1 - albedoFujii(angles.NoV, r)) * (1 - albedoFujii(angles.NoL, r)) / (1 - mean);

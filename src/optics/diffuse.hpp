@@ -44,6 +44,7 @@ double sigmaOrenNayar(double perceptualRoughness);
 double Fd_Eon(const DiffuseAngles& angles, double r, double albedo);
 // Directional albedo of its first bounce, rho = 1.
 double albedoFujii(double NoX, double r);
+double albedoFujiiMean(double r);  // 2 int albedoFujii mu dmu
 
 // Chan 2018, "Material Advances in Call of Duty: WWII", the fitted diffuse BRDF with multiple scattering. alpha =
 // perceptualRoughness^2 enters by g = log2(2 / alpha^2 - 1) / 18, clamped to [0, 1]: below alpha = 2.8e-3 nothing

@@ -78,6 +78,12 @@ double G1_BeckmannRational(double cosine, double alpha) {
   return a * (3.535 + 2.181 * a) / (1 + a * (2.276 + 2.577 * a));
 }
 
+double V_BeckmannRational(double NoV, double NoL, double alpha) {
+  if (NoV < 0 || NoL < 0) return 0;
+  const double v = floored(NoV), l = floored(NoL);
+  return G1_BeckmannRational(v, alpha) / v * (G1_BeckmannRational(l, alpha) / l) / 4;
+}
+
 double G1_Smith(const std::function<double(double sin2NoH)>& D, double alpha, double NoV) {
   const double sinV = std::sqrt(sin2FromCos(NoV));
   // int max(VoH, 0) dphi = 2 (VzHz phi0 + sinV sinH sin(phi0)), phi0 where VoH turns negative.

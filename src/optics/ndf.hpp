@@ -24,6 +24,7 @@ double G2_Beckmann(double NoV, double NoL, double alpha);           // height-co
 double V_BeckmannCorrelated(double NoV, double NoL, double alpha);  // / (4 NoV NoL); finite unless both are 0
 // Walter et al. 2007 eq. 27: a rational function of a, 1 from a = 1.6 on. Error against G1_Beckmann: 3.1e-3 at most.
 double G1_BeckmannRational(double cosine, double alpha);
+double V_BeckmannRational(double NoV, double NoL, double alpha);  // product of both over 4 NoV NoL; finite at 0
 // Blinn's has no closed form; Walter et al. take this one for it, too: off by 0.0025 (alpha 0.1), 0.038 (0.5),
 // 0.22 (1, where Blinn's normals are all alike). Exact by quadrature: G1_Smith.
 

@@ -52,8 +52,8 @@ optics::Surface layeredSurface(CheckVectors in) {
   return surface;
 }
 
-Check checkLayers() {
-  Check check{"evaluateBsdf of all layers",
+Check checkLayers(const char* name, const optics::Models& models = {}) {
+  Check check{name,
               {{"bsdf.glsl"}, layeredBody, 5, 2, allLayers},
               {"V.x", "V.y", "V.z", "metallic", "L.x", "L.y", "L.z", "perceptualRoughness", "coat", "sheenRoughness",
                "film", "anisotropy"}};
@@ -72,8 +72,9 @@ Check checkLayers() {
               check.inputs.emplace_back(A, B, 0.9, 0.05);
               check.inputs.emplace_back(sheen * 0.4, sheen * 1.3, 0, 0);
             }
-  check.twin = [](CheckVectors in) {
-    const optics::Surface surface = layeredSurface(in);
+  check.twin = [models](CheckVectors in) {
+    optics::Surface surface = layeredSurface(in);
+    surface.models = models;
     const optics::Albedos albedos{{in[3].x, in[3].y}, {in[3].z, in[3].w}, in[4].x, in[4].y};
     const glm::dvec3 V = xyzOf(in[0]);
     const glm::dvec3 value = optics::evaluate(surface, albedos, {0, 0, 1}, V, xyzOf(in[1]));
@@ -92,6 +93,14 @@ Check checkLayers() {
   allow(check, 400,
         "sum of lobes of up to 60 roundings; H off by 2 epsilon, which D amplifies by 2 / alpha; the film's "
         "cosines of phases up to 20");
+  return check;
+}
+
+Check checkLayersOfModels() {
+  Check check = checkLayers("evaluateBsdf of all layers, Burley, exact Fresnel",
+                            {.diffuse = optics::DiffuseModel::burley, .fresnel = optics::FresnelModel::exact});
+  check.probe.defines.push_back({"DIFFUSE_MODEL", "1"});
+  check.probe.defines.push_back({"FRESNEL_MODEL", "1"});
   return check;
 }
 
@@ -119,6 +128,8 @@ Check checkAnisotropicDfg() {
 
 }  // namespace
 
-std::vector<Check> layeredChecks() { return {checkLayers(), checkAnisotropicDfg()}; }
+std::vector<Check> layeredChecks() {
+  return {checkLayers("evaluateBsdf of all layers"), checkLayersOfModels(), checkAnisotropicDfg()};
+}
 
 }  // namespace facet::report

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/parallel.hpp"
+#include "optics/presets.hpp"
 #include "scene/glb_writer.hpp"
 #include "scene/shapes.hpp"
 
@@ -16,7 +17,7 @@ namespace {
 
 constexpr double pi = 3.141592653589793;
 
-const std::array<BuiltinScene, 5> scenes = {{
+const std::array<BuiltinScene, 7> scenes = {{
     {"poster", "a golden trefoil among spheres of many materials", "builtin:studio", {-20, 75, 7.3, {0, 0.82, 0}, 35}},
     {"spheres",
      "roughness (to the right) by metallic (upwards) under four point lights",
@@ -28,6 +29,14 @@ const std::array<BuiltinScene, 5> scenes = {{
      {0, 90, 14, {0, 0, 0}, 45}},
     {"crowd", "100,000 nodes that share one mesh, for measuring", "builtin:studio", {30, 60, 95, {0, 0, 0}, 45}},
     {"palette", "1,000 materials on as many meshes, for measuring", "builtin:studio", {0, 90, 51, {0, 0, 0}, 45}},
+    {"ndf",
+     "GGX above, Beckmann, Blinn below; roughness 0.15 to 1 to the right, under one point light",
+     "none",
+     {0, 90, 8.6, {0, 0, 0}, 45}},
+    {"metals",
+     "the twelve metals of the presets, with their complex index",
+     "builtin:studio",
+     {0, 90, 6, {0, 0, 0}, 45}},
 }};
 
 std::string label(const char* format, double a, double b) {
@@ -107,6 +116,48 @@ std::vector<uint8_t> palette() {
       const glm::dvec3 at(column - (columns - 1) / 2.0, row - (rows - 1) / 2.0, 0);
       addNode(w, placed(name, addMesh(w, name, sphere, material), at, 0.45));
     }
+  return glb(w);
+}
+
+// What glTF has no words for: read by our loader alone.
+void setModels(GlbWriter& w, int material, nlohmann::json models) {
+  constexpr const char* extension = "FACET_materials_models";
+  useExtension(w, extension);
+  w.gltf["materials"][size_t(material)]["extensions"][extension] = std::move(models);
+}
+
+std::vector<uint8_t> distributions() {
+  constexpr int steps = 6;
+  GlbWriter w = startGlb();
+  const nlohmann::json sphere = addShape(w, sphereShape(64, 128));
+  double y = 1;
+  for (const char* microfacets : {"ggx", "beckmann", "blinn"}) {
+    for (int i = 0; i < steps; ++i) {
+      const double perceptualRoughness = 0.15 + 0.17 * i;
+      const std::string name = microfacets + label(", roughness %.2f", perceptualRoughness, 0);
+      const int material = addMaterial(w, name, {0.9, 0.9, 0.9}, 1, perceptualRoughness);
+      setModels(w, material, {{"microfacets", microfacets}});
+      addNode(w, placed(name, addMesh(w, name, sphere, material), {i - (steps - 1) / 2.0, y, 0}, 0.45));
+    }
+    y -= 1;
+  }
+  addPointLight(w, "the light", {-4, 5, 8}, 150);
+  return glb(w);
+}
+
+std::vector<uint8_t> metals() {
+  constexpr int columns = 4;
+  GlbWriter w = startGlb();
+  const nlohmann::json sphere = addShape(w, sphereShape(48, 96));
+  int i = 0;
+  for (const optics::MetalPreset& metal : optics::metalPresets()) {
+    const std::string name(metal.name);
+    const int material = addMaterial(w, name, metal.f0(), 1, 0.2);
+    setModels(w, material, {{"conductor", name}});
+    const glm::dvec3 at(i % columns - (columns - 1) / 2.0, 1 - i / columns, 0);
+    addNode(w, placed(name, addMesh(w, name, sphere, material), at, 0.45));
+    ++i;
+  }
   return glb(w);
 }
 
@@ -237,6 +288,8 @@ Result<std::vector<uint8_t>> builtinScene(std::string_view name) {
   if (scene->name == "furnace") return furnace();
   if (scene->name == "crowd") return crowd();
   if (scene->name == "palette") return palette();
+  if (scene->name == "ndf") return distributions();
+  if (scene->name == "metals") return metals();
   return poster();
 }
 

@@ -26,6 +26,9 @@ const BuiltinScene* findBuiltinScene(std::string_view name);
 // A .glb. An error names the scenes that exist.
 //   spheres  7 x 7 spheres of one colour, roughness 0 ... 1 to the right, metallic 0 ... 1 upwards; four point lights.
 //   furnace  2 x 11 spheres, roughness 0 ... 1 to the right; white metal (F0 = 1) above, white dielectric below.
+//   ndf      3 x 6 metal spheres: GGX, Beckmann, Blinn, roughness 0.15 ... 1 to the right; one point light. Each
+//            material names its distribution (FACET_materials_models).
+//   metals   a sphere for each metal preset, which it names likewise: --fresnel exact takes its complex index.
 //   poster   a polished trefoil among spheres of many materials on a stone turntable, whose vertex colours hold the
 //            occlusion of the sky by what stands on it.
 //   crowd    100,000 nodes in a tree, all drawing one mesh; palette: 1,000 materials. What large scenes cost.

@@ -87,9 +87,16 @@ int addNode(GlbWriter& w, nlohmann::json node) {
   return index;
 }
 
+void useExtension(GlbWriter& w, const std::string& name) {
+  nlohmann::json& used = w.gltf["extensionsUsed"];
+  for (const nlohmann::json& known : used)
+    if (known == name) return;
+  used.push_back(name);
+}
+
 int addPointLight(GlbWriter& w, const std::string& name, const glm::dvec3& position, double candela) {
   constexpr const char* extension = "KHR_lights_punctual";
-  w.gltf["extensionsUsed"] = {extension};
+  useExtension(w, extension);
   const int light = append(w.gltf["extensions"][extension]["lights"],
                            nlohmann::json{{"name", name}, {"type", "point"}, {"intensity", candela}});
   addNode(w, {{"name", name},

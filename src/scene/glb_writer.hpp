@@ -29,6 +29,8 @@ int addMesh(GlbWriter& writer, const std::string& name, nlohmann::json primitive
 int addNode(GlbWriter& writer, nlohmann::json node);  // also a root of the scene
 int addPointLight(GlbWriter& writer, const std::string& name, const glm::dvec3& position, double candela);
 
+void useExtension(GlbWriter& writer, const std::string& name);  // in extensionsUsed, once
+
 std::vector<uint8_t> glb(const GlbWriter& writer);
 
 }  // namespace facet::scene

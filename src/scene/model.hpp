@@ -96,6 +96,9 @@ inline constexpr int textureSlotCount = 19;
 
 enum class AlphaMode : uint8_t { opaque, mask, blend };
 
+// Distributions of microfacets; `any`: the picture's choice.
+enum class Microfacets : uint8_t { any, ggx, beckmann, blinn };
+
 struct Material {
   std::string name;
 
@@ -170,6 +173,10 @@ struct Material {
   glm::vec3 diffuseTransmissionColorFactor = glm::vec3(1);  // linear, [0, 1]
   TextureRef diffuseTransmission;                           // linear; a
   TextureRef diffuseTransmissionColor;                      // sRGB
+
+  // FACET_materials_models, of our own built-in scenes
+  Microfacets microfacets = Microfacets::any;
+  std::string conductor;  // metal preset (optics/presets.hpp) whose complex index is the metal's; empty: not known
 };
 
 // ---- Geometry -------------------------------------------------------------------------------------------------------

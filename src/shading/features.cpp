@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstdio>
 #include <cstring>
 
+#include "optics/fresnel.hpp"
+#include "optics/presets.hpp"
 #include "scene/usage.hpp"
 
 namespace facet::shading {
@@ -194,6 +197,59 @@ constexpr uint64_t bit(size_t row) { return uint64_t{1} << row; }
 
 static_assert(std::size(rows) <= 64);
 
+// ---- Models ---------------------------------------------------------------------------------------------------------
+
+constexpr const char* diffuseNames[] = {"Lambert", "Burley", "Frostbite", "Oren-Nayar", "EON", "Call of Duty"};
+constexpr const char* fresnelNames[] = {"Schlick", "exact Fresnel", "F82-tint"};
+constexpr const char* distributionNames[] = {"GGX", "Beckmann", "Blinn"};
+constexpr const char* maskingNames[] = {"Smith", "approximate masking", "V-cavities"};
+
+bool hasDielectric(const scene::Material& m) {
+  return m.specularGlossiness || m.metallicFactor < 1 || m.metallicRoughness;
+}
+
+// Which of the chosen models the draw can show.
+void setModels(const FeatureInput& in, VariantKey& key) {
+  const bool lights = usesFeature(key, "HAS_PUNCTUAL_LIGHTS"), environment = usesFeature(key, "HAS_ENVIRONMENT");
+  const bool sampled = key.imageLightSamples != 0;
+  const scene::Material& m = in.material;
+  const optics::Models& models = in.frame.models;
+  if ((lights || environment) && hasDielectric(m)) key.diffuse = static_cast<uint8_t>(models.diffuse);
+  if (lights && !usesFeature(key, "HAS_ANISOTROPY")) {  // a grain is GGX's
+    const auto own = static_cast<int>(m.microfacets) - static_cast<int>(scene::Microfacets::ggx);
+    key.distribution = static_cast<uint8_t>(own >= 0 ? own : static_cast<int>(models.distribution));
+    key.masking = static_cast<uint8_t>(models.masking);
+  }
+  if (!(lights || sampled) || models.fresnel == optics::FresnelModel::schlick) return;
+  const optics::MetalPreset* metal =
+      m.metallicFactor > 0 && !m.specularGlossiness ? optics::findMetal(m.conductor) : nullptr;
+  if (metal) key.conductor = static_cast<uint8_t>(metal - optics::metalPresets().data() + 1);
+  if (metal || (models.fresnel == optics::FresnelModel::exact && hasDielectric(m)))
+    key.fresnel = static_cast<uint8_t>(models.fresnel);
+}
+
+std::string vec3Text(const glm::dvec3& v) {
+  char text[128];
+  std::snprintf(text, sizeof text, "vec3(%.9g, %.9g, %.9g)", v.x, v.y, v.z);
+  return text;
+}
+
+void addModels(const VariantKey& key, std::vector<Define>& defines) {
+  const auto add = [&](const char* name, uint8_t value) {
+    if (value != 0) defines.push_back({name, std::to_string(value)});
+  };
+  add("DIFFUSE_MODEL", key.diffuse);
+  add("FRESNEL_MODEL", key.fresnel);
+  add("NDF_MODEL", key.distribution);
+  add("MASKING_MODEL", key.masking);
+  if (key.conductor == 0) return;
+  const optics::MetalPreset& metal = optics::metalPresets()[key.conductor - 1u];
+  defines.push_back({"CONDUCTOR_F0", vec3Text(metal.f0())});
+  defines.push_back({"CONDUCTOR_ETA", vec3Text(metal.eta)});
+  defines.push_back({"CONDUCTOR_K", vec3Text(metal.k)});
+  defines.push_back({"CONDUCTOR_TINT", vec3Text(optics::tintFromF82(metal.f0(), metal.f82()))});
+}
+
 }  // namespace
 
 bool channelIsColor(int channel) {
@@ -217,6 +273,7 @@ VariantKey variantKey(const FeatureInput& input) {
   for (size_t i = 0; i < std::size(rows); ++i)
     if (rows[i].usedBy(input)) key.features |= bit(i);
   if (usesFeature(key, "HAS_ENVIRONMENT")) key.imageLightSamples = static_cast<uint8_t>(input.frame.imageLightSamples);
+  setModels(input, key);
   return key;
 }
 
@@ -230,6 +287,7 @@ std::vector<Define> variantDefines(const VariantKey& key) {
   if (!sets.empty()) defines.push_back({"EACH_TEXCOORD(DO)", sets});
   if (key.channel != 0) defines.push_back({"CHANNEL", std::to_string(key.channel)});
   if (key.imageLightSamples != 0) defines.push_back({"IMAGE_LIGHT_SAMPLES", std::to_string(key.imageLightSamples)});
+  addModels(key, defines);
   return defines;
 }
 
@@ -239,6 +297,14 @@ std::string variantName(const VariantKey& key) {
     if (key.features & bit(i)) name += (name.empty() ? "" : ", ") + std::string(rows[i].name);
   if (key.channel != 0) name += (name.empty() ? "" : ", ") + std::string("view of ") + channelNames[key.channel];
   if (key.imageLightSamples != 0) name += ", environment sampled";
+  const auto add = [&](uint8_t value, const char* model) {
+    if (value != 0) name += std::string(name.empty() ? "" : ", ") + model;
+  };
+  add(key.diffuse, diffuseNames[key.diffuse]);
+  add(key.fresnel, fresnelNames[key.fresnel]);
+  add(key.distribution, distributionNames[key.distribution]);
+  add(key.masking, maskingNames[key.masking]);
+  if (key.conductor != 0) name += " of " + std::string(optics::metalPresets()[key.conductor - 1u].name);
   return name.empty() ? "plain" : name;
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "optics/models.hpp"
 #include "scene/model.hpp"
 #include "scene/usage.hpp"
 #include "shading/assembler.hpp"
@@ -30,6 +31,7 @@ struct FrameFeatures {
   bool occlusion = true;  // false: occlusion textures are switched off
   int channel = 0;
   int imageLightSamples = 0;  // 0: split sum from the tables; else environment samples per shaded sample
+  optics::Models models = {};
 };
 
 // What moves the vertices of a drawn instance besides its matrix.
@@ -61,6 +63,9 @@ struct VariantKey {
   uint64_t features = 0;
   uint8_t channel = 0;
   uint8_t imageLightSamples = 0;
+  // Models other than the default that the draw can show: indices of optics::Models' enumerations.
+  uint8_t diffuse = 0, fresnel = 0, distribution = 0, masking = 0;
+  uint8_t conductor = 0;  // 1 + index in optics::metalPresets(), where `fresnel` reads it
   auto operator<=>(const VariantKey&) const = default;
 };
 

@@ -12,9 +12,9 @@ tl::unexpected<Error> tooLarge(const std::string& source) {
   return fail(source, "", "the memory does not suffice", "give a smaller input");
 }
 
-ModelLoaded loadModel(const std::string& source) {
+ModelLoaded loadModel(const std::string& source, const io::Bump& bump) {
   try {
-    Result<io::LoadedModel> loaded = io::loadModel(source);
+    Result<io::LoadedModel> loaded = io::loadModel(source, {}, bump);
     if (!loaded) return {source, tl::unexpected(loaded.error())};
     return {source, std::make_shared<const io::LoadedModel>(std::move(*loaded))};
   } catch (const std::bad_alloc&) {
@@ -49,8 +49,8 @@ ImagesDecoded decodeImages(const std::shared_ptr<const io::LoadedModel>& model, 
 
 }  // namespace
 
-void startModel(Loader& loader, const std::string& source) {
-  loader.model.start([source] { return loadModel(source); });
+void startModel(Loader& loader, const std::string& source, const io::Bump& bump) {
+  loader.model.start([source, bump] { return loadModel(source, bump); });
 }
 
 void startEnvironment(Loader& loader, const std::string& source) {

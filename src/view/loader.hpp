@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "io/bump.hpp"
 #include "io/gltf.hpp"
 #include "io/image.hpp"
 #include "scene/environment.hpp"
@@ -67,7 +68,7 @@ struct Loader {
   bool running() const { return model.running() || environment.running() || images.running(); }
 };
 
-void startModel(Loader& loader, const std::string& source);
+void startModel(Loader& loader, const std::string& source, const io::Bump& bump = {});
 void startEnvironment(Loader& loader, const std::string& source);
 void startImages(Loader& loader, std::shared_ptr<const io::LoadedModel> model, std::vector<bool> wanted);
 

@@ -8,6 +8,7 @@
 
 #include "base/srgb.hpp"
 #include "commands/picture_options.hpp"
+#include "optics/presets.hpp"
 #include "shading/features.hpp"
 #include "view/panel_window.hpp"
 #include "view/statistics_panel.hpp"
@@ -100,6 +101,20 @@ void lightsSection(ViewerState& state) {
   ImGui::SliderFloat("occlusion", &state.settings.occlusion, 0, 1, "%.2f", ImGuiSliderFlags_AlwaysClamp);
 }
 
+void modelsSection(ViewerState& state) {
+  if (!section("Models", false)) return;
+  frame::PictureSettings& settings = state.settings;
+  static constexpr const char* diffuse[] = {"Lambert", "Burley", "Frostbite", "Oren-Nayar", "EON", "Call of Duty WWII"};
+  static constexpr const char* fresnel[] = {"Schlick", "exact", "F82-tint"};
+  static constexpr const char* distributions[] = {"GGX", "Beckmann", "Blinn"};
+  static constexpr const char* maskings[] = {"Smith", "approximate", "V-cavities"};
+  chooseEnum("diffuse", settings.diffuse, diffuse);
+  ImGui::TextDisabled("of the lights:");
+  chooseEnum("Fresnel", settings.fresnel, fresnel);
+  chooseEnum("microfacets", settings.distribution, distributions);
+  chooseEnum("masking", settings.masking, maskings);
+}
+
 // A variant whose name is taken by another, or missing, is called by its index.
 void variantChoice(ViewerState& state) {
   const std::vector<std::string>& variants = state.shown.variants;
@@ -118,15 +133,40 @@ void variantChoice(ViewerState& state) {
   ImGui::EndCombo();
 }
 
+template <class Preset>
+void presetRows(MaterialChoice& material, std::span<const Preset> presets) {
+  for (const Preset& preset : presets) {
+    const std::string name(preset.name);
+    if (ImGui::Selectable(name.c_str(), name == material.preset)) choosePreset(material, name);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", presetText(name).c_str());
+  }
+}
+
+void presetChoice(MaterialChoice& material) {
+  const bool open = beginList("substance", material.preset.empty() ? "none" : material.preset);
+  if (open) {
+    if (ImGui::Selectable("none", material.preset.empty())) choosePreset(material, {});
+    ImGui::TextDisabled("metals");
+    presetRows(material, optics::metalPresets());
+    ImGui::TextDisabled("dielectrics");
+    presetRows(material, optics::dielectricPresets());
+    ImGui::EndCombo();
+  } else if (ImGui::IsItemHovered() && !material.preset.empty()) {
+    ImGui::SetTooltip("%s", presetText(material.preset).c_str());
+  }
+}
+
 void materialSection(ViewerState& state) {
   if (!section("Material", state.material.on || !state.shown.variants.empty())) return;
   variantChoice(state);
   MaterialChoice& material = state.material;
   ImGui::Checkbox("one for everything", &material.on);
   if (!material.on) return;
+  presetChoice(material);
   editColor("base colour", material.baseColor);
   ImGui::SliderFloat("metallic", &material.metallic, 0, 1, "%.2f", ImGuiSliderFlags_AlwaysClamp);
   ImGui::SliderFloat("roughness", &material.perceptualRoughness, 0, 1, "%.2f", ImGuiSliderFlags_AlwaysClamp);
+  ImGui::SliderFloat("ior", &material.ior, 1, 3, "%.3f", ImGuiSliderFlags_AlwaysClamp);
 }
 
 void cameraChoice(ViewerState& state, PanelResult& result) {
@@ -260,6 +300,7 @@ PanelResult drawPanel(ViewerState& state) {
       pictureSection(state);
       lightsSection(state);
       materialSection(state);
+      modelsSection(state);
       cameraSection(state, result);
       statisticsSection(state);
       notesSection(state.shown);

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <set>
 
 #include "frame/picture.hpp"
+#include "optics/presets.hpp"
 #include "scene/animation.hpp"
 #include "scene/builtin_environments.hpp"
 #include "scene/builtin_scenes.hpp"
@@ -18,10 +20,41 @@ scene::Material overriding(const MaterialChoice& choice) {
   material.baseColorFactor = glm::vec4(choice.baseColor, 1);
   material.metallicFactor = choice.metallic;
   material.perceptualRoughnessFactor = choice.perceptualRoughness;
+  material.ior = choice.ior;
+  if (optics::findMetal(choice.preset)) material.conductor = choice.preset;
   return material;
 }
 
 }  // namespace
+
+void choosePreset(MaterialChoice& choice, std::string_view name) {
+  choice.preset = name;
+  if (const optics::MetalPreset* metal = optics::findMetal(name)) {
+    choice.baseColor = metal->f0();
+    choice.metallic = 1;
+  } else if (const optics::DielectricPreset* dielectric = optics::findDielectric(name)) {
+    choice.ior = static_cast<float>(dielectric->ior);
+    choice.metallic = 0;
+  }
+}
+
+std::string presetText(std::string_view name) {
+  char figures[128] = "";
+  std::string_view source;
+  if (const optics::MetalPreset* metal = optics::findMetal(name)) {
+    const glm::dvec3 f0 = metal->f0();
+    std::snprintf(figures, sizeof figures, "F at normal incidence %.3f, %.3f, %.3f at %.0f, %.0f, %.0f nm", f0.r, f0.g,
+                  f0.b, metal->wavelengthNm.r, metal->wavelengthNm.g, metal->wavelengthNm.b);
+    source = metal->source;
+  } else if (const optics::DielectricPreset* dielectric = optics::findDielectric(name)) {
+    std::snprintf(figures, sizeof figures, "index of refraction %.4g, F at normal incidence %.4f", dielectric->ior,
+                  dielectric->f0());
+    source = dielectric->source;
+  } else {
+    return {};
+  }
+  return std::string(figures) + "\n" + std::string(source);
+}
 
 frame::DrawOptions drawOptions(const ViewerState& state, int variant, bool hasEnvironment) {
   frame::DrawOptions options = frame::drawOptions(state.settings, hasEnvironment);
@@ -39,6 +72,7 @@ ListRequest listRequest(const ViewerState& state, int scene, int variant, bool h
   request.occlusion = options.features.occlusion;
   request.channel = options.features.channel;
   request.imageLightSamples = options.features.imageLightSamples;
+  request.models = options.features.models;
   request.sceneLights = options.sceneLights;
   request.demoLights = options.demoLights;
   request.skyVisible =

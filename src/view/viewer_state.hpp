@@ -3,6 +3,7 @@
 // What the viewer shows and says: plain structs that panel and input change, and pure functions on them.
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "frame/draw_list.hpp"
@@ -19,9 +20,17 @@ struct MaterialChoice {
   glm::vec3 baseColor = glm::vec3(0.8f);  // linear Rec. 709
   float metallic = 0;
   float perceptualRoughness = 0.4f;
+  float ior = 1.5f;    // of the dielectric, [1, 3]
+  std::string preset;  // metal or dielectric (optics/presets.hpp); empty: none
 
   bool operator==(const MaterialChoice&) const = default;
 };
+
+// A metal sets the base colour to its F at normal incidence and metallic to 1, a dielectric the index of refraction and
+// metallic to 0. Roughness, and a dielectric's colour, are not the substance's: they stay. Empty: all stays.
+void choosePreset(MaterialChoice& choice, std::string_view name);
+// Where its figures come from and what they are, for a tooltip; empty for unknown names.
+std::string presetText(std::string_view name);
 
 struct Status {
   std::string text;
@@ -92,6 +101,7 @@ struct ListRequest {
   int variant = -1;
   bool environment = false, occlusion = true;
   int channel = 0, imageLightSamples = 0;
+  optics::Models models;
   bool sceneLights = true, demoLights = false;
   bool skyVisible = false;
   MaterialChoice material;

@@ -177,7 +177,10 @@ bool turn(Loop& loop, Viewport& viewport, ViewerState& state, Loader& loader, st
   glfwGetWindowSize(loop.window, &width, &height);
   const Flight flight{flightDirection(loop) * seconds, isDown(loop.window, GLFW_KEY_LEFT_SHIFT)};
   Actions actions = control(input, flight, currentView(viewport, state), height, state);
-  if (!actions.model.empty()) startModel(loader, model = actions.model);
+  if (!actions.model.empty()) {
+    state.settings.bump.clear();  // it belonged to the scene before
+    startModel(loader, model = actions.model);
+  }
   const bool wasLoading = loader.running() || viewport.clock.waiting();
   takeLoaded(viewport, state, loader);
   const bool reloaded = shadersChanged(loop.shaders, loop.last);
@@ -221,7 +224,7 @@ Viewport createViewport(const gl::ContextInfo& info, const WindowOptions& option
 
 Result<Start> prepareStart(const WindowOptions& options) {
   Loader loader;
-  startModel(loader, options.model);
+  startModel(loader, options.model, {options.settings.bump, options.settings.bumpScale});
   const frame::PictureSettings& settings = options.settings;
   if (!settings.environment.empty()) startEnvironment(loader, settings.environment);
   ModelLoaded loaded = *loader.model.take(true);

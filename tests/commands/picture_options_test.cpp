@@ -56,6 +56,9 @@ PictureSettings unusual() {
   s.fovYDeg = 33.3;
   s.scene = 3;
   s.variant = "night & day";
+  s.bump = "h.png", s.bumpScale = -0.125;
+  s.diffuse = optics::DiffuseModel::callOfDuty, s.fresnel = optics::FresnelModel::f82Tint;
+  s.distribution = optics::NormalDistribution::blinn, s.masking = optics::Masking::cavity;
   s.animation = "run's", s.timeSeconds = 1.25;
   s.environment = "it's here/a b.hdr";
   s.environmentRotationDeg = -0.1f, s.environmentStrength = 1e-3f;

@@ -123,6 +123,24 @@ TEST_CASE("Material extensions", "[io][gltf]") {
   CHECK(notes(model) == "/extensionsUsed/2: KHR_materials_subsurface is not supported yet: shown without\n");
 }
 
+TEST_CASE("FACET_materials_models: what our built-in scenes say", "[io][gltf]") {
+  GltfBuilder b;
+  b.json["extensionsUsed"] = {"FACET_materials_models"};
+  b.append("materials",
+           {{"extensions", {{"FACET_materials_models", {{"microfacets", "blinn"}, {"conductor", "gold"}}}}}});
+  b.append("materials", {{"extensions", {{"FACET_materials_models", Json::object()}}}});
+  const auto model = loaded(b);
+  CHECK(model.model.materials[0].microfacets == scene::Microfacets::blinn);
+  CHECK(model.model.materials[0].conductor == "gold");
+  CHECK(model.model.materials[1].microfacets == scene::Microfacets::any);
+  CHECK(model.model.materials[1].conductor.empty());
+  CHECK(notes(model).empty());
+  GltfBuilder wrong;
+  wrong.append("materials", {{"extensions", {{"FACET_materials_models", {{"microfacets", "phong"}}}}}});
+  CHECK(test::outcome(wrong.text()).find("/materials/0/extensions/FACET_materials_models/microfacets: is not ggx") !=
+        std::string::npos);
+}
+
 TEST_CASE("Textures whose image is only in a format that is not read", "[io][gltf]") {
   GltfBuilder b;
   b.append("textures", {{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}});

@@ -186,7 +186,7 @@ TEST_CASE("builtin:crowd and builtin:palette are as large as they say") {
 TEST_CASE("Built-in scenes are listed with an environment that exists and a camera, unknown names are refused") {
   for (const BuiltinScene& scene : builtinScenes()) {
     CHECK(builtinScene(scene.name).has_value());
-    CHECK(builtinEnvironment(scene.environment).has_value());
+    CHECK((scene.environment == "none" || builtinEnvironment(scene.environment).has_value()));
     CHECK(scene.camera.radius > 0);
     CHECK_FALSE(scene.description.empty());
     CHECK(builtinScene(scene.name).value() == builtinScene(scene.name).value());  // the same bytes each time
@@ -196,4 +196,21 @@ TEST_CASE("Built-in scenes are listed with an environment that exists and a came
   const auto unknown = builtinScene("builtin:cube");
   REQUIRE_FALSE(unknown);
   CHECK(facet::describe(unknown.error()).find("choose one of poster, spheres, furnace") != std::string::npos);
+}
+
+TEST_CASE("builtin:ndf and builtin:metals name their models") {
+  const nlohmann::json ndf = parse(builtinScene("ndf").value());
+  CHECK(ndf["materials"].size() == 18);
+  CHECK(ndf["nodes"].size() == 19);
+  const auto microfacets = [&](size_t material) {
+    return ndf["materials"][material]["extensions"]["FACET_materials_models"]["microfacets"].get<std::string>();
+  };
+  CHECK(microfacets(0) == "ggx");
+  CHECK(microfacets(6) == "beckmann");
+  CHECK(microfacets(17) == "blinn");
+  CHECK(ndf["materials"][17]["pbrMetallicRoughness"]["roughnessFactor"] == Approx(1));
+  CHECK(ndf["extensionsUsed"] == nlohmann::json({"FACET_materials_models", "KHR_lights_punctual"}));
+  const nlohmann::json metals = parse(builtinScene("metals").value());
+  CHECK(metals["materials"].size() == 12);
+  CHECK(metals["materials"][0]["extensions"]["FACET_materials_models"]["conductor"] == "gold");
 }

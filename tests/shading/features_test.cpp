@@ -174,3 +174,56 @@ TEST_CASE("The feature table: one define and one bit each, keys compare by value
   CHECK(shading::channelIsColor(shading::channelIndex("emissive")));
   CHECK_FALSE(shading::channelIsColor(shading::channelIndex("normal")));
 }
+
+TEST_CASE("Models: only what the draw can show enters its key, and the defaults add no define") {
+  const Primitive full = fullPrimitive();
+  const auto definesOf = [&](const Material& m, const FrameFeatures& frame) {
+    std::set<std::string> names;
+    for (const shading::Define& define : shading::variantDefines(shading::variantKey({m, full, frame})))
+      names.insert(define.name);
+    return names;
+  };
+  Material dielectric, metal, gold;
+  dielectric.metallicFactor = 0;
+  gold.conductor = "gold";
+  const std::set<std::string> plain = definesOf(dielectric, lit);
+  for (const char* name : {"DIFFUSE_MODEL", "FRESNEL_MODEL", "NDF_MODEL", "MASKING_MODEL", "CONDUCTOR_F0"})
+    CHECK(plain.count(name) == 0);
+
+  FrameFeatures diffuse = lit;
+  diffuse.models.diffuse = optics::DiffuseModel::eon;
+  CHECK(variant(dielectric, full, diffuse) == "normals, punctual lights, environment, EON");
+  CHECK(shading::variantKey({metal, full, diffuse}) == shading::variantKey({metal, full, lit}));
+  Material unlit = dielectric;
+  unlit.unlit = true;
+  CHECK(shading::variantKey({unlit, full, diffuse}) == shading::variantKey({unlit, full, lit}));
+
+  FrameFeatures exact = lit;
+  exact.models.fresnel = optics::FresnelModel::exact;
+  CHECK(definesOf(dielectric, exact).count("FRESNEL_MODEL") == 1);
+  CHECK(definesOf(dielectric, exact).count("CONDUCTOR_F0") == 0);
+  CHECK(definesOf(metal, exact).count("FRESNEL_MODEL") == 0);
+  CHECK(definesOf(gold, exact).count("CONDUCTOR_F0") == 1);
+  CHECK(variant(gold, full, exact) == "normals, punctual lights, environment, exact Fresnel of gold");
+  exact.models.fresnel = optics::FresnelModel::f82Tint;
+  CHECK(definesOf(dielectric, exact).count("FRESNEL_MODEL") == 0);
+  CHECK(definesOf(gold, exact).count("FRESNEL_MODEL") == 1);
+  exact.punctualLights = false;  // the environment's tables are Schlick's
+  CHECK(definesOf(gold, exact).count("FRESNEL_MODEL") == 0);
+  exact.imageLightSamples = 4;
+  CHECK(definesOf(gold, exact).count("FRESNEL_MODEL") == 1);
+
+  FrameFeatures lobes = lit;
+  lobes.models.distribution = optics::NormalDistribution::beckmann;
+  lobes.models.masking = optics::Masking::cavity;
+  CHECK(variant(metal, full, lobes) == "normals, punctual lights, environment, Beckmann, V-cavities");
+  Material brushed = metal;  // a grain is GGX's
+  brushed.anisotropyStrength = 0.5f;
+  CHECK(shading::variantKey({brushed, full, lobes}) == shading::variantKey({brushed, full, lit}));
+  metal.microfacets = scene::Microfacets::ggx;  // the material's own word counts
+  CHECK(variant(metal, full, lobes) == "normals, punctual lights, environment, V-cavities");
+  metal.microfacets = scene::Microfacets::blinn;
+  CHECK(variant(metal, full, lit) == "normals, punctual lights, environment, Blinn");
+  lobes.punctualLights = false;
+  CHECK(shading::variantKey({metal, full, lobes}).distribution == 0);
+}

@@ -5,6 +5,7 @@
 #include "commands/picture_options.hpp"
 #include "frame/picture.hpp"
 #include "io/gltf.hpp"
+#include "optics/presets.hpp"
 #include "support/gltf_builder.hpp"
 #include "support/temporary_folder.hpp"
 #include "view/screenshot.hpp"
@@ -75,6 +76,8 @@ TEST_CASE("viewer state: only what the draw list reads asks for a new one") {
   CHECK(changes([](view::ViewerState& s) { s.settings.background = frame::Background::transparent; }));
   CHECK(changes([](view::ViewerState& s) { s.material.on = true; }));
   CHECK(changes([](view::ViewerState& s) { s.settings.samples = 16; }));
+  CHECK(changes([](view::ViewerState& s) { s.settings.diffuse = optics::DiffuseModel::eon; }));
+  CHECK(changes([](view::ViewerState& s) { s.settings.masking = optics::Masking::cavity; }));
   CHECK_FALSE(changes([](view::ViewerState& s) { s.settings.samples = 2; }));
   CHECK(view::listRequest(state, 1, -1, true) != before);
   CHECK(view::listRequest(state, 0, 0, true) != before);
@@ -86,7 +89,7 @@ TEST_CASE("viewer state: the material choice takes every draw's place") {
   const Result<io::LoadedModel> loaded = io::loadGltfBytes(glb, "triangle.glb");
   REQUIRE(loaded);
   view::ViewerState state;
-  state.material = {true, {0.1f, 0.2f, 0.3f}, 0.75f, 0.25f};
+  state.material = {true, {0.1f, 0.2f, 0.3f}, 0.75f, 0.25f, 1.5f, {}};
   const frame::DrawList list = frame::buildDrawList(loaded->model, 0, view::drawOptions(state, -1, true));
   REQUIRE(list.opaque.size() == 1);
   const scene::Material& material = list.materials[static_cast<size_t>(list.opaque[0].material)];
@@ -119,4 +122,26 @@ TEST_CASE("screenshot: the name tells the time and overwrites nothing") {
   folder.write("facet-20240229-070509.png", std::string("x"));
   folder.write("facet-20240229-070509-2.png", std::string("x"));
   CHECK(view::screenshotName(time, folder.path()) == folder.path() / "facet-20240229-070509-3.png");
+}
+
+TEST_CASE("Presets: a metal brings colour and conductor, a dielectric its index; sources are told") {
+  view::ViewerState state;
+  state.material.on = true;
+  state.material.perceptualRoughness = 0.25f;
+  view::choosePreset(state.material, "gold");
+  frame::DrawOptions options = view::drawOptions(state, -1, true);
+  CHECK(options.material->conductor == "gold");
+  CHECK(options.material->metallicFactor == 1);
+  CHECK(options.material->perceptualRoughnessFactor == 0.25f);
+  CHECK(options.material->baseColorFactor.r == Approx(optics::findMetal("gold")->f0().r));
+  const glm::vec3 colour = state.material.baseColor;
+  view::choosePreset(state.material, "diamond");
+  options = view::drawOptions(state, -1, true);
+  CHECK(options.material->conductor.empty());
+  CHECK(options.material->metallicFactor == 0);
+  CHECK(options.material->ior == Approx(2.4175));
+  CHECK(state.material.baseColor == colour);
+  CHECK(view::presetText("gold").find("Johnson and Christy 1972") != std::string::npos);
+  CHECK(view::presetText("diamond").find("2.417") != std::string::npos);
+  CHECK(view::presetText("unobtainium").empty());
 }

@@ -1,0 +1,56 @@
+#pragma once
+
+// Which formulas a surface is evaluated with, where there is a choice. The defaults are those of glTF 2.0, appendix B.
+
+#include <cstdint>
+#include <glm/glm.hpp>
+
+#include "optics/diffuse.hpp"
+#include "optics/microfacet.hpp"
+
+namespace facet::optics {
+
+// The order of each is that of shaders/models.glsl.
+enum class FresnelModel : uint8_t { schlick, exact, f82Tint };
+enum class NormalDistribution : uint8_t { ggx, beckmann, blinn };
+enum class Masking : uint8_t { smith, approximate, cavity };
+
+struct Models {
+  DiffuseModel diffuse = DiffuseModel::lambert;
+  FresnelModel fresnel = FresnelModel::schlick;
+  NormalDistribution distribution = NormalDistribution::ggx;
+  Masking masking = Masking::smith;
+  bool operator==(const Models&) const = default;
+};
+
+// A metal whose index of refraction is known: eta + i k per channel.
+struct Conductor {
+  glm::dvec3 eta, k;
+};
+
+double distributionOf(NormalDistribution distribution, const Angles& angles, double alpha);  // [1/sr]
+
+// G2 / (4 NoV NoL).
+//   smith        GGX and Beckmann: height-correlated, exact. Blinn has no closed form: as `approximate`.
+//   approximate  GGX: Schlick's; Beckmann and Blinn: Walter's rational function; the two directions' product.
+//   cavity       V-cavities, for any distribution.
+double visibilityOf(NormalDistribution distribution, Masking masking, const Angles& angles, double alpha);
+
+// Directional albedo of the lobe where every facet reflects all (F = 1), by quadrature (about 1e-3; V-cavities, which
+// have kinks, 3e-3). alpha >= 0.03, NoV > 0.
+double lobeAlbedo(NormalDistribution distribution, Masking masking, double NoV, double alpha);
+
+// Of a dielectric of reflectance f0 at normal incidence and f90 at the horizon (the weight of KHR_materials_specular).
+// exact: f90 times Fresnel's equations for the index that f0 / f90 belongs to. f82Tint: Schlick.
+glm::dvec3 fresnelDielectric(FresnelModel model, double VoH, const glm::dvec3& f0, double f90);
+// Of a metal of that f0. exact, f82Tint: of the conductor, times f0 over the conductor's own, at most 1; without one
+// Schlick.
+glm::dvec3 fresnelMetal(FresnelModel model, double VoH, const glm::dvec3& f0, const Conductor* conductor);
+
+// Diffuse BRDF times albedo [1/sr], without the cosine; Eon's colour deepens with each bounce.
+glm::dvec3 diffuseTerm(DiffuseModel model, const DiffuseAngles& angles, double perceptualRoughness,
+                       const glm::dvec3& albedo);
+// What it returns of a white furnace: int f NoL dL, by quadrature (about 1e-6); of Eon in closed form.
+glm::dvec3 diffuseReturned(DiffuseModel model, double NoV, double perceptualRoughness, const glm::dvec3& albedo);
+
+}  // namespace facet::optics

@@ -1,0 +1,51 @@
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "io/image.hpp"
+#include "support/command.hpp"
+
+using namespace facet;
+
+TEST_CASE("facet report: a topic as Markdown, CSV, JSON, to a file; what is wrong is told") {
+  const test::Outcome markdown = test::runFacet({"report", "fresnel"});
+  CHECK(markdown.status == 0);
+  CHECK(markdown.text.find("### Schlick's approximation of dielectrics") == 0);
+  CHECK(markdown.text.find("| gold ") != std::string::npos);
+  const test::Outcome csv = test::runFacet({"report", "fresnel", "--format", "csv"});
+  CHECK(csv.text.find("# fresnel-dielectric: ") == 0);
+  test::TemporaryFolder folder;
+  const std::string file = folder.file("fresnel.json");
+  const test::Outcome json = test::runFacet({"report", "fresnel", "--format", "json", "-o", file});
+  CHECK(json.status == 0);
+  CHECK(json.text.empty());
+  std::ifstream stream(file);
+  CHECK(nlohmann::json::parse(stream)["tables"].size() == 2);
+  const test::Outcome topic = test::runFacet({"report", "fresnal"});
+  CHECK(topic.status == 2);
+  CHECK(topic.text.find("'fresnal': there is no such topic") != std::string::npos);
+  CHECK(topic.text.find("fresnel") != std::string::npos);
+  CHECK(test::runFacet({"report", "fresnel", "--format", "xls"}).status == 2);
+  CHECK(test::runFacet({"report", "fresnel", "-o", "/nowhere/at/all.md"}).status == 2);
+}
+
+TEST_CASE("facet normalmap: a flat picture becomes a level normal map; what is wrong is told") {
+  test::TemporaryFolder folder;
+  const std::string grey = folder.file("grey.png"), normal = folder.file("normal.png");
+  REQUIRE(io::writePng(grey, {.width = 3, .height = 2, .channels = 1, .data = {9, 9, 9, 9, 9, 9}}).has_value());
+  const test::Outcome good = test::runFacet({"normalmap", grey, "-o", normal, "--scale", "0.5", "--wrap"});
+  CHECK(good.status == 0);
+  CHECK(good.text.empty());
+  const Result<io::Pixels> pixels = io::readImage(normal);
+  REQUIRE(pixels.has_value());
+  CHECK(pixels->width == 3);
+  CHECK(pixels->data[0] == 128);
+  CHECK(pixels->data[1] == 128);
+  CHECK(pixels->data[2] == 255);
+  CHECK(test::runFacet({"normalmap", grey}).status == 2);
+  CHECK(test::runFacet({"normalmap", folder.file("none.png"), "-o", normal}).status == 2);
+  const test::Outcome scale = test::runFacet({"normalmap", grey, "-o", normal, "--scale", "steep"});
+  CHECK(scale.status == 2);
+  CHECK(scale.text.find("--scale") != std::string::npos);
+}

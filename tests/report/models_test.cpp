@@ -1,0 +1,84 @@
+#include "report/models.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+using namespace facet;
+using report::Table;
+
+namespace {
+
+double at(const Table& table, size_t row, const std::string& column) {
+  for (size_t i = 0; i < table.columns.size(); ++i)
+    if (table.columns[i] == column) return std::get<double>(table.rows.at(row).at(i));
+  FAIL("no column " << column);
+  return 0;
+}
+
+size_t rowOf(const Table& table, const std::string& name, double roughness) {
+  for (size_t i = 0; i < table.rows.size(); ++i)
+    if (std::get<std::string>(table.rows[i][0]) == name && at(table, i, "roughness") == roughness) return i;
+  FAIL("no row " << name);
+  return 0;
+}
+
+}  // namespace
+
+TEST_CASE("Report: Schlick's error grows away from ior 1.5, and F82-tint halves it at least, but for gold") {
+  const std::vector<Table> tables = report::fresnelTables();
+  REQUIRE(tables.size() == 2);
+  const Table& dielectrics = tables[0];
+  REQUIRE(dielectrics.rows.size() == 10);
+  CHECK(at(dielectrics, 4, "ior") == 1.5);
+  CHECK(at(dielectrics, 4, "F0") == Approx(0.04));
+  // Walter et al.'s exact curve at ior 1.5 integrates to 0.0918, Schlick's to 0.04 + 0.96 / 21.
+  CHECK(at(dielectrics, 4, "mean") == Approx(0.0918).margin(1e-4));
+  CHECK(at(dielectrics, 4, "mean by Schlick") == Approx(0.04 + 0.96 / 21));
+  CHECK(std::abs(at(dielectrics, 0, "largest error")) > std::abs(at(dielectrics, 4, "largest error")));
+  const Table& metals = tables[1];
+  REQUIRE(metals.rows.size() == 12);
+  for (size_t i = 0; i < metals.rows.size(); ++i) {
+    INFO(std::get<std::string>(metals.rows[i][0]));
+    // Gold's blue falls between the two angles that F82-tint holds on to.
+    const double share = std::get<std::string>(metals.rows[i][0]) == "gold" ? 1.1 : 0.6;
+    CHECK(std::abs(at(metals, i, "F82-tint: largest error")) <
+          share * std::abs(at(metals, i, "Schlick: largest error")));
+    CHECK(std::abs(at(metals, i, "F82-tint: largest error")) < 0.05);
+  }
+}
+
+TEST_CASE("Report: energy of the diffuse models") {
+  const Table table = report::diffuseTables().at(0);
+  CHECK(at(table, rowOf(table, "Lambert", 0), "least") == Approx(1).margin(1e-6));
+  CHECK(at(table, rowOf(table, "Lambert", 0), "half sky") < 1e-6);
+  CHECK(at(table, rowOf(table, "Burley", 1), "most") == Approx(1.56).margin(0.01));
+  CHECK(at(table, rowOf(table, "Frostbite", 1), "most") == Approx(1.03).margin(0.01));
+  CHECK(at(table, rowOf(table, "EON", 1), "least") == Approx(1).margin(1e-5));
+  CHECK(at(table, rowOf(table, "EON", 1), "most") == Approx(1).margin(1e-5));
+  CHECK(at(table, rowOf(table, "Oren-Nayar", 1), "half sky") > 0.05);
+}
+
+TEST_CASE("Report: shadowing terms, and what lobes return") {
+  const std::vector<Table> tables = report::ndfTables();
+  for (size_t i = 0; i < tables[0].rows.size(); ++i) {
+    CHECK(std::abs(at(tables[0], i, "GGX")) < 0.16);
+    CHECK(std::abs(at(tables[0], i, "Beckmann")) < 3.2e-3);
+  }
+  CHECK(at(tables[0], tables[0].rows.size() - 1, "GGX") == Approx(0).margin(1e-12));  // alpha = 1: none
+  const Table& lobes = tables[1];
+  CHECK(lobes.rows.size() == 8 * 4);
+  CHECK(at(lobes, rowOf(lobes, "GGX", 0.2), "0 degrees") == Approx(0.999).margin(2e-3));
+  CHECK(at(lobes, rowOf(lobes, "GGX", 1), "0 degrees") < at(lobes, rowOf(lobes, "Beckmann", 1), "0 degrees"));
+}
+
+TEST_CASE("Tables: Markdown, CSV, JSON") {
+  const std::vector<Table> tables = {
+      {"first", "First one", "A note.", {"name", "a, b"}, {{std::string("x \"y\""), 0.125}}}};
+  CHECK(report::markdown(tables) ==
+        "### First one\n\nA note.\n\n| name  | a, b  |\n| ----- | ----- |\n| x \"y\" | 0.125 |\n");
+  CHECK(report::csv(tables) == "# first: First one\nname,\"a, b\"\n\"x \"\"y\"\"\",0.125\n");
+  const nlohmann::json json = nlohmann::json::parse(report::json(tables));
+  CHECK(json["tables"][0]["rows"][0]["a, b"] == 0.125);
+  CHECK(json["tables"][0]["rows"][0]["name"] == "x \"y\"");
+}
