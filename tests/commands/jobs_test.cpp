@@ -115,6 +115,7 @@ TEST_CASE("jobs: a frame's number goes where the pattern says") {
     const auto name = commands::numberedName(wrong, 1);
     REQUIRE_FALSE(name);
     CHECK(describe(name.error()) ==
-          "-o: " + std::string(wrong) + " does not say where the frame's number goes; give a name like frame_%04d.png.");
+          "-o: " + std::string(wrong) +
+              " does not say where the frame's number goes; give a name like frame_%04d.png.");
   }
 }

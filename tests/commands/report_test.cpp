@@ -8,7 +8,7 @@
 
 using namespace facet;
 
-TEST_CASE("facet report: a topic as Markdown, CSV, JSON, to a file; what is wrong is told") {
+TEST_CASE("facet report: a topic as Markdown, CSV, JSON, to a file, what is wrong is told") {
   const test::Outcome markdown = test::runFacet({"report", "fresnel"});
   CHECK(markdown.status == 0);
   CHECK(markdown.text.find("### Schlick's approximation of dielectrics") == 0);
@@ -30,7 +30,7 @@ TEST_CASE("facet report: a topic as Markdown, CSV, JSON, to a file; what is wron
   CHECK(test::runFacet({"report", "fresnel", "-o", "/nowhere/at/all.md"}).status == 2);
 }
 
-TEST_CASE("facet normalmap: a flat picture becomes a level normal map; what is wrong is told") {
+TEST_CASE("facet normalmap: a flat picture becomes a level normal map, what is wrong is told") {
   test::TemporaryFolder folder;
   const std::string grey = folder.file("grey.png"), normal = folder.file("normal.png");
   REQUIRE(io::writePng(grey, {.width = 3, .height = 2, .channels = 1, .data = {9, 9, 9, 9, 9, 9}}).has_value());

@@ -104,7 +104,7 @@ TEST_CASE("Chosen models under a point light, against the double-precision surfa
   CHECK(worstError(studio, {}, {.distribution = NormalDistribution::beckmann}, nullptr, nullptr, 1) > 0.1);
 }
 
-TEST_CASE("EON keeps a white furnace white, in default and in sampled pictures; Burley's loses and gains") {
+TEST_CASE("EON keeps a white furnace white, in default and in sampled pictures, Burley's loses and gains") {
   const io::LoadedModel model = test::loadBuiltin("builtin:furnace");
   test::Studio studio;
   PictureSettings settings = test::bareSettings(220, 44);

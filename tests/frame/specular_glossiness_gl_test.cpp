@@ -50,7 +50,7 @@ TEST_CASE("Specular-glossiness: a white furnace shows what the surface in double
   CHECK(off <= 0.006f);
 }
 
-TEST_CASE("Specular-glossiness: the texture's alpha is linear, its colour is not; the debug views show them") {
+TEST_CASE("Specular-glossiness: the texture's alpha is linear, its colour is not, the debug views show them") {
   GltfBuilder builder = emptyScene();
   const std::vector<uint8_t> texel = {188, 188, 188, 64};
   builder.append("images", {{"uri", test::dataUri(test::pngBytes(1, 1, 4, 8, texel), "image/png")}});

@@ -136,8 +136,7 @@ TEST_CASE("A body of ior 1 only attenuates: neither reflection nor refraction no
   });
   const frame::Picture picture = test::Studio().render(model, frontSettings(8, 8));
   const glm::dvec3 expected = optics::volumeTransmittance(color, double(0.6f), 0.75);
-  for (int x = 0; x < 4; ++x)
-    checkPixel(test::pixel(picture.radiance, x, 4), glm::vec4(glm::vec3(expected), 1), 1e-3f);
+  for (int x = 0; x < 4; ++x) checkPixel(test::pixel(picture.radiance, x, 4), glm::vec4(glm::vec3(expected), 1), 1e-3f);
   checkPixel(test::pixel(picture.radiance, 4, 4), {0, 0, 0, 1 - float(expected.x + expected.y + expected.z) / 3});
 }
 
@@ -285,7 +284,7 @@ TEST_CASE("Blended surfaces behind glass shine through it, those before it are d
         std::vector<std::string>{"opaque", "blend behind", "copy behind", "transmit", "blend", "display"});
 }
 
-TEST_CASE("Glass that is blended too covers by its alpha; a back face shows only where it is double-sided") {
+TEST_CASE("Glass that is blended too covers by its alpha, a back face shows only where it is double-sided") {
   Glass scene;
   scene.paint({1, 1, 1, 1}, {-2, -2}, {2, 2}, -3);
   json turned = at(0, 0, 0);

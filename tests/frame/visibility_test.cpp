@@ -35,7 +35,7 @@ using Indices = std::vector<uint32_t>;
 
 }  // namespace
 
-TEST_CASE("Visibility: what lies outside the frustum is left out, what touches it stays; nearest first") {
+TEST_CASE("Visibility: what lies outside the frustum is left out, what touches it stays, nearest first") {
   const frame::DrawList list = boxes({{0, 0, 0},      // at 10 m
                                       {10.4, 0, 0},   // its left half within the right edge
                                       {11.1, 0, 0},   // beyond: the edge is at 10.5 where the box is farthest

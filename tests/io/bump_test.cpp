@@ -60,7 +60,7 @@ glm::dvec3 decoded(const io::Pixels& pixels, int x, int y) {
 
 }  // namespace
 
-TEST_CASE("Heights: 8 and 16 bit, black 0, white the scale; colours are refused") {
+TEST_CASE("Heights: 8 and 16 bit, black 0, white the scale, colours are refused") {
   test::TemporaryFolder folder;
   folder.write("8.png", greyPng(2, 1, 8, {0, 255}));
   folder.write("16.png", greyPng(2, 1, 16, {257, 65535}));
@@ -113,7 +113,7 @@ TEST_CASE("Normal map of a sphere's cap: 16-bit heights reach the stored normals
   CHECK(worst[0] < 8);
 }
 
-TEST_CASE("Bump: every material of a built-in scene gets the normal texture, and tangents; files keep theirs") {
+TEST_CASE("Bump: every material of a built-in scene gets the normal texture, and tangents, files keep theirs") {
   test::TemporaryFolder folder;
   folder.write("h.png", greyPng(2, 2, 8, {0, 255, 255, 0}));
   const auto loaded = io::loadModel("builtin:spheres", {}, {folder.file("h.png"), 0.1});

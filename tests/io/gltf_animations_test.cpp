@@ -69,7 +69,7 @@ TEST_CASE("A channel of translations", "[io][animations]") {
   CHECK(first(loaded(b)).interpolation == Interpolation::step);
 }
 
-TEST_CASE("Several channels share a sampler; what none uses is not read", "[io][animations]") {
+TEST_CASE("Several channels share a sampler, what none uses is not read", "[io][animations]") {
   GltfBuilder b = moved();
   b.append("nodes", Json::object());
   animation(b)["samplers"] = {Json{{"input", 77}, {"output", 99}}, sampler(b)};

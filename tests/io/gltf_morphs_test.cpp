@@ -72,7 +72,7 @@ TEST_CASE("Quantised and sparse morph targets", "[io][morphs]") {
   CHECK(primitive(model).targets[0].bounds.min.x == -1);
 }
 
-TEST_CASE("Any number of morph targets; those that change nothing remain", "[io][morphs]") {
+TEST_CASE("Any number of morph targets, those that change nothing remain", "[io][morphs]") {
   GltfBuilder b = lifted();
   const Json first = targets(b)[0];
   for (int i = 0; i < 298; ++i) targets(b).push_back(first);

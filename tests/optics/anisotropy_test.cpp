@@ -60,7 +60,7 @@ TEST_CASE("Anisotropic GGX: projected area and visible normals integrate to one"
   }
 }
 
-TEST_CASE("Anisotropic GGX: V is G2 / (4 NoV NoL) and reciprocal; the long axis shadows more") {
+TEST_CASE("Anisotropic GGX: V is G2 / (4 NoV NoL) and reciprocal, the long axis shadows more") {
   const AnisotropicAlpha a{0.9, 0.1};
   const glm::dvec3 V = direction(0.3, 0.2), L = direction(0.6, 2);
   const double G2 = 1 / (1 + Lambda_GGXAnisotropic(V, a) + Lambda_GGXAnisotropic(L, a));

@@ -98,7 +98,7 @@ TEST_CASE("F_Conductor: normal incidence, limits, dielectric for k = 0") {
   CHECK(F_ConductorAverage(glm::dvec3(1.5), glm::dvec3(0)).x == Approx(F_DielectricAverage(1.5)).epsilon(1e-8));
 }
 
-TEST_CASE("F_82Tint: through f0, the tinted 82 degrees and 1; its mean; never below 0") {
+TEST_CASE("F_82Tint: through f0, the tinted 82 degrees and 1, its mean, never below 0") {
   const glm::dvec3 f0(0.9, 0.5, 0.1), tint(0.7, 1, 0.8);
   const glm::dvec3 at82 = F_82Tint(1.0 / 7, f0, tint);
   for (int i = 0; i < 3; ++i) {

@@ -16,7 +16,7 @@ double largest(const glm::dvec3& v) {
 
 }  // namespace
 
-TEST_CASE("Airy: no film is the exact Fresnel; quarter and half wave in closed form; energy") {
+TEST_CASE("Airy: no film is the exact Fresnel, quarter and half wave in closed form, energy") {
   for (double mu : {0.2, 0.7, 1.0}) {
     CHECK(F_Airy(mu, 1, 1.4, 0, 1.8, 550) == Approx(F_Dielectric(mu, 1.8)).epsilon(1e-10));
     CHECK(F_Airy(mu, 1, 1.5, 333, 1.5, 550) == Approx(F_Dielectric(mu, 1.5)).epsilon(1e-10));

@@ -123,7 +123,7 @@ TEST_CASE("Layers: none of weight 0 changes a bit, a coat alone is its lobe") {
   CHECK(noLobe.f0 == glm::dvec3(0.2, 1, 1));
 }
 
-TEST_CASE("Layers: the coat has its own normal; finite at the ends") {
+TEST_CASE("Layers: the coat has its own normal, finite at the ends") {
   size_t bad = 0;
   for (const double v : {0.0, 1e-9, 0.3, 1.0})
     for (const double l : {0.0, 1e-9, 0.7, 1.0})

@@ -23,7 +23,7 @@ glm::dvec3 direction(double cosine, double phi) {
 
 }  // namespace
 
-TEST_CASE("Coat: none is none; the extension's factors; its lobe integrates to its albedo") {
+TEST_CASE("Coat: none is none, the extension's factors, its lobe integrates to its albedo") {
   CHECK(coatTransmittance(0, 0.1) == 1);
   CHECK(coatTransmittance(1, 1) == Approx(0.96));
   CHECK(coatTransmittance(1, 0) == 0);
@@ -36,7 +36,7 @@ TEST_CASE("Coat: none is none; the extension's factors; its lobe integrates to i
   CHECK(coatLobe({0, 0, 1}, V, direction(-0.1, 0), 0.4) == 0);
 }
 
-TEST_CASE("Coat over white: by albedo exactly white; by the extension's Fresnel term what it gains and loses") {
+TEST_CASE("Coat over white: by albedo exactly white, by the extension's Fresnel term what it gains and loses") {
   double gain = 0, loss = 0, smooth = 0, both = 0;
   for (double alpha : {0.0, 0.01, 0.1, 0.3, 0.6, 1.0})
     for (double NoV : {0.02, 0.1, 0.2, 0.4, 0.7, 1.0})

@@ -57,7 +57,7 @@ TEST_CASE("Fresnel of a dielectric: exact at its own index, Schlick elsewhere, w
     CHECK(fresnelDielectric(model, 0.3, glm::dvec3(f0), 1).y == F_Schlick(0.3, f0, 1));
 }
 
-TEST_CASE("Fresnel of a metal: the conductor's, scaled to the surface's own f0; without one Schlick") {
+TEST_CASE("Fresnel of a metal: the conductor's, scaled to the surface's own f0, without one Schlick") {
   const MetalPreset& gold = *findMetal("gold");
   const Conductor conductor{gold.eta, gold.k};
   const glm::dvec3 f0 = gold.f0(), truth = F_Conductor(0.2, gold.eta, gold.k);

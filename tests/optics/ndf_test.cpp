@@ -27,7 +27,7 @@ double projectedArea(const Distribution& D, double alpha) {
 
 }  // namespace
 
-TEST_CASE("Beckmann and Blinn: known values; the projected area of all facets is one") {
+TEST_CASE("Beckmann and Blinn: known values, the projected area of all facets is one") {
   for (double alpha : {0.01, 0.1, 0.5, 1.0}) {
     CHECK(D_Beckmann(1, alpha) == Approx(1 / (pi * alpha * alpha)));
     CHECK(D_Blinn(1, alpha) == Approx(1 / (pi * alpha * alpha)));
@@ -80,7 +80,7 @@ TEST_CASE("Approximations of G1: the errors that the comments state") {
   CHECK(blinn(1) == Approx(0.22).margin(0.005));
 }
 
-TEST_CASE("V-cavities: the visible area is right for any distribution; V is G / (4 NoV NoL)") {
+TEST_CASE("V-cavities: the visible area is right for any distribution, V is G / (4 NoV NoL)") {
   // Heitz 2014 section 4.2: G1 = min(1, 2 NoH NoV / VoH); int G1 max(VoH, 0) D dH = NoV.
   const double alpha = 0.4;
   for (double NoV : {0.2, 0.7}) {

@@ -82,7 +82,7 @@ TEST_CASE("Dielectrics: index and Abbe number from the sources' dispersion formu
   CHECK(findDielectric("glycerol")->ior == Approx(cauchy(1.45797, 0.00598, -0.00036)).margin(5e-5));
 }
 
-TEST_CASE("Presets: names are unique, figures possible, sources given; unknown names") {
+TEST_CASE("Presets: names are unique, figures possible, sources given, unknown names") {
   std::set<std::string_view> names;
   for (const MetalPreset& metal : metalPresets()) {
     CHECK(names.insert(metal.name).second);

@@ -39,7 +39,7 @@ TEST_CASE("Lambda_Charlie: table's numbers, one curve, and the fit against the v
   }
 }
 
-TEST_CASE("Sheen: where it gains; the table's ends; scaling leaves what the lobe takes") {
+TEST_CASE("Sheen: where it gains, the table's ends, scaling leaves what the lobe takes") {
   double highest = 0, highestSoft = 0;
   for (double r : {0.05, 0.1, 0.2, 0.26, 0.4, 0.6, 0.8, 1.0})
     for (double NoV : {0.0, 1e-3, 0.01, 0.02, 0.05, 0.1, 0.3, 0.7, 1.0}) {

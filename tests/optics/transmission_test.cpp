@@ -57,7 +57,7 @@ TEST_CASE("Rough dielectric: the lobes' integrals are the energy by visible norm
     }
 }
 
-TEST_CASE("Rough dielectric in a furnace: R + T = 1 less what is shadowed; smooth: exactly Fresnel's") {
+TEST_CASE("Rough dielectric in a furnace: R + T = 1 less what is shadowed, smooth: exactly Fresnel's") {
   double worst = 0;
   for (double eta : etas)
     for (double NoV : {0.02, 0.1, 0.5, 1.0}) {

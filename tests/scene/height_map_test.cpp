@@ -55,7 +55,7 @@ TEST_CASE("Normals from heights: a sphere's cap, to second order in the texel's 
   CHECK(coarse / fine == Approx(4).margin(0.6));
 }
 
-TEST_CASE("Normals from heights: a map that wraps looks across its borders; single rows are level") {
+TEST_CASE("Normals from heights: a map that wraps looks across its borders, single rows are level") {
   const auto wave = [](double x, double) { return 0.05 * std::sin(2 * 3.14159265358979 * x); };
   const HeightMap map = sampled(64, 2, wave);
   const std::vector<glm::vec3> wrapped = scene::normalsOf(map, true), cut = scene::normalsOf(map, false);

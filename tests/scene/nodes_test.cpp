@@ -191,7 +191,7 @@ TEST_CASE("A matrix taken apart gives the same transform, mirrored and flat ones
   CHECK(sheared.rotation == glm::dquat(1, 0, 0, 0));
 }
 
-TEST_CASE("Hidden nodes draw no meshes and lights, nor do those below; cameras stay") {
+TEST_CASE("Hidden nodes draw no meshes and lights, nor do those below, cameras stay") {
   Model model;
   model.meshes = {cubeMesh()};
   model.lights.resize(1);

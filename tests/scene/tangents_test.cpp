@@ -123,7 +123,7 @@ TEST_CASE("Corners are welded by what they are, not by their indices") {
   CHECK(out.positions.size() == 5);
 }
 
-TEST_CASE("Corners with other influences or morph targets stay apart and keep them; all coordinate sets do") {
+TEST_CASE("Corners with other influences or morph targets stay apart and keep them, all coordinate sets do") {
   Primitive soup;
   const Primitive indexed = quad();
   soup.influencesPerVertex = 2;

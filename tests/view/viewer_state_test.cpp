@@ -124,7 +124,7 @@ TEST_CASE("screenshot: the name tells the time and overwrites nothing") {
   CHECK(view::screenshotName(time, folder.path()) == folder.path() / "facet-20240229-070509-3.png");
 }
 
-TEST_CASE("Presets: a metal brings colour and conductor, a dielectric its index; sources are told") {
+TEST_CASE("Presets: a metal brings colour and conductor, a dielectric its index, sources are told") {
   view::ViewerState state;
   state.material.on = true;
   state.material.perceptualRoughness = 0.25f;
