@@ -57,6 +57,12 @@ inline std::string pointer(std::string_view path, size_t index) {
   return std::string(path) + "/" + std::to_string(index);
 }
 
+// Of an object; null where it is none or has no such member (tinygltf asserts that it is one).
+inline const tinygltf::Value& memberValue(const tinygltf::Value& value, const std::string& key) {
+  static const tinygltf::Value none;
+  return value.IsObject() ? value.Get(key) : none;
+}
+
 // The one check for every index in the file. what: "buffer view", "node" and so on.
 Result<void> checkIndex(const Document& doc, int index, size_t count, const std::string& place, const char* what);
 

@@ -212,7 +212,7 @@ Result<void> checkDraco(const Document& doc, const tinygltf::Primitive& primitiv
     return doc.error(at, "is for triangles and triangle strips only", remedy);
   }
   if (primitive.indices == -1) return doc.error(place, "has Draco data, but no accessor for indices", remedy);
-  const Value &view = extension.Get("bufferView"), &attributes = extension.Get("attributes");
+  const Value &view = memberValue(extension, "bufferView"), &attributes = memberValue(extension, "attributes");
   if (!view.IsInt()) return doc.error(at + "/bufferView", "is not a whole number", remedy);
   if (auto ok = checkIndex(doc, view.GetNumberAsInt(), doc.gltf.bufferViews.size(), at + "/bufferView", "buffer view");
       !ok) {
@@ -220,7 +220,7 @@ Result<void> checkDraco(const Document& doc, const tinygltf::Primitive& primitiv
   }
   if (!attributes.IsObject()) return doc.error(at + "/attributes", "is not an object", remedy);
   for (const std::string& name : attributes.Keys()) {
-    const Value& id = attributes.Get(name);
+    const Value& id = memberValue(attributes, name);
     if (!id.IsInt() || id.GetNumberAsInt() < 0) {
       return doc.error(at + "/attributes/" + name, "is not a whole number from 0 on", remedy);
     }

@@ -175,7 +175,7 @@ Result<void> readMeshWeights(Document& doc, size_t index) {
   scene::Mesh& mesh = doc.model.meshes[index];
   mesh.weights = std::move(*weights);
   if (!from.extras.IsObject() || !from.extras.Has("targetNames")) return {};
-  const auto& names = from.extras.Get("targetNames");
+  const auto& names = memberValue(from.extras, "targetNames");
   if (!names.IsArray()) return {};
   for (size_t i = 0; i < std::min(names.ArrayLen(), targets); ++i) {
     const auto& name = names.Get(static_cast<int>(i));

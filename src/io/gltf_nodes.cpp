@@ -71,7 +71,7 @@ Result<void> readNodeLight(const Document& doc, const tinygltf::Node& from, cons
   const auto extension = from.extensions.find("KHR_lights_punctual");
   if (extension == from.extensions.end()) return {};
   const std::string lightPlace = place + "/extensions/KHR_lights_punctual/light";
-  const auto& value = extension->second.Get("light");
+  const auto& value = memberValue(extension->second, "light");
   if (!value.IsInt()) return doc.error(lightPlace, "is not a whole number");
   node.light = value.GetNumberAsInt();
   return checkIndex(doc, node.light, doc.gltf.lights.size(), lightPlace, "light");
@@ -80,7 +80,7 @@ Result<void> readNodeLight(const Document& doc, const tinygltf::Node& from, cons
 void readVisibility(Document& doc, const tinygltf::Node& from, const std::string& place, scene::Node& node) {
   const auto extension = from.extensions.find("KHR_node_visibility");
   if (extension == from.extensions.end() || !extension->second.Has("visible")) return;
-  const auto& visible = extension->second.Get("visible");
+  const auto& visible = memberValue(extension->second, "visible");
   if (visible.IsBool()) {
     node.visible = visible.Get<bool>();
   } else {

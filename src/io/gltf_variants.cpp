@@ -21,9 +21,9 @@ Result<int> indexAt(const Document& doc, const Value& value, size_t count, const
 
 Result<void> readMapping(Document& doc, const Value& mapping, const std::string& place, std::vector<int>& materials) {
   const auto material =
-      indexAt(doc, mapping.Get("material"), doc.gltf.materials.size(), place + "/material", "material");
+      indexAt(doc, memberValue(mapping, "material"), doc.gltf.materials.size(), place + "/material", "material");
   if (!material) return tl::unexpected(material.error());
-  const Value& variants = mapping.Get("variants");
+  const Value& variants = memberValue(mapping, "variants");
   if (!variants.IsArray()) return doc.error(place + "/variants", "is not a list of variants");
   for (size_t i = 0; i < variants.ArrayLen(); ++i) {
     const std::string at = pointer(place + "/variants", i);
@@ -46,10 +46,10 @@ Result<void> readVariants(Document& doc) {
   const auto extension = doc.gltf.extensions.find(extensionName);
   if (extension == doc.gltf.extensions.end()) return {};
   const std::string place = std::string("/extensions/") + extensionName + "/variants";
-  const Value& variants = extension->second.Get("variants");
+  const Value& variants = memberValue(extension->second, "variants");
   if (!variants.IsArray()) return doc.error(place, "is not a list of variants");
   for (size_t i = 0; i < variants.ArrayLen(); ++i) {
-    const Value& name = variants.Get(static_cast<int>(i)).Get("name");
+    const Value& name = memberValue(variants.Get(static_cast<int>(i)), "name");
     if (!name.IsString()) doc.warning(pointer(place, i), "has no name: choose it by its index");
     doc.model.variants.push_back(name.IsString() ? name.Get<std::string>() : std::string());
   }
@@ -62,7 +62,7 @@ Result<std::vector<int>> variantMaterials(Document& doc, const tinygltf::Primiti
   const auto extension = primitive.extensions.find(extensionName);
   if (extension == primitive.extensions.end()) return materials;
   const std::string at = place + "/extensions/" + extensionName + "/mappings";
-  const Value& mappings = extension->second.Get("mappings");
+  const Value& mappings = memberValue(extension->second, "mappings");
   if (!mappings.IsArray()) return doc.error(at, "is not a list of mappings");
   for (size_t i = 0; i < mappings.ArrayLen(); ++i) {
     if (auto ok = readMapping(doc, mappings.Get(static_cast<int>(i)), pointer(at, i), materials); !ok)
