@@ -113,9 +113,9 @@ void issue(const FrameInput& in, const Draw& draw, FrameStatistics& statistics) 
   const GpuPrimitive& primitive = in.gpu.primitives.at(draw.primitive);
   glBindVertexArray(primitive.vertexArray.id());
   glFrontFace(draw.mirrored ? GL_CW : GL_CCW);
-  if (shading::usesFeature(draw.key, "HAS_SKIN"))
+  if (primitive.influences)
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::influenceBinding, primitive.influences.id());
-  if (shading::usesFeature(draw.key, "HAS_MORPH"))
+  if (primitive.morphTargets)
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::morphTargetBinding, primitive.morphTargets.id());
   const auto instances = static_cast<GLsizei>(draw.instanceCount);
   if (primitive.indexType == GL_NONE)

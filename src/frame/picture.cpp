@@ -1,25 +1,18 @@
 #include "frame/picture.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <set>
 #include <thread>
 
+#include "base/whole_number.hpp"
 #include "scene/animation.hpp"
 #include "scene/builtin_scenes.hpp"
 
 namespace facet::frame {
 
 namespace {
-
-std::optional<int> parseIndex(const std::string& text) {
-  int value = 0;
-  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (problem != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
 
 // The file's camera by name, else by index.
 Result<FileCamera> findCamera(const std::string& wanted, const scene::Model& model, const DrawList& list) {
@@ -30,7 +23,7 @@ Result<FileCamera> findCamera(const std::string& wanted, const scene::Model& mod
     known +=
         (known.empty() ? "" : ", ") + std::to_string(camera.placed.camera) + (name.empty() ? "" : " (" + name + ")");
   }
-  if (const std::optional<int> index = parseIndex(wanted))
+  if (const std::optional<int> index = wholeNumber(wanted))
     for (const FileCamera& camera : list.cameras)
       if (camera.placed.camera == *index) return camera;
   return fail(model.name, "", "the scene has no camera '" + wanted + "'",
@@ -166,7 +159,7 @@ Result<int> chooseVariant(const PictureSettings& settings, const scene::Model& m
     if (name == settings.variant) return i;
     known += (i == 0 ? "" : ", ") + std::to_string(i) + (name.empty() ? "" : " (" + name + ")");
   }
-  if (const std::optional<int> index = parseIndex(settings.variant); index && *index >= 0 && *index < count)
+  if (const std::optional<int> index = wholeNumber(settings.variant); index && *index >= 0 && *index < count)
     return *index;
   return fail(model.name, "", "the file has no material variant '" + settings.variant + "'",
               known.empty() ? "it has none at all: leave out --variant" : "it has " + known);
@@ -177,6 +170,8 @@ Result<scene::Pose> choosePose(const PictureSettings& settings, const scene::Mod
   if (!animations) return tl::unexpected(animations.error());
   return scene::poseAt(model, *animations, settings.timeSeconds);
 }
+
+namespace {
 
 // Evenly spread over the course, and as many of the keys: what moves far for a moment has one there.
 std::vector<double> framedMoments(const scene::Model& model, const std::vector<int>& animations, size_t count) {
@@ -194,6 +189,8 @@ std::vector<double> framedMoments(const scene::Model& model, const std::vector<i
     if (index++ % step == 0) moments.push_back(key);
   return moments;
 }
+
+}  // namespace
 
 scene::Bounds framingBounds(const PictureSettings& settings, const scene::Model& model, int scene,
                             const scene::Bounds& poseBounds) {
@@ -272,10 +269,6 @@ void decodeAndUpload(GpuScene& gpu, const scene::Model& model, const DrawList& l
     stages.mark("upload");
   }
 }
-
-}  // namespace
-
-namespace {
 
 // Once for all frames of an animation.
 scene::Bounds framingOf(SceneOnGpu& scene, const PictureSettings& settings, int index,
@@ -365,11 +358,7 @@ Result<Picture> drawPicture(const PictureSettings& settings, const PictureReques
   }
   statistics.textureBytes = scene.gpu.textureBytes();
   statistics.geometryBytes = scene.gpu.geometryBytes();
-  for (const gl::Texture* t : {&environment.tables.dfg, &environment.tables.sheen, &environment.tables.irradiance,
-                               &environment.tables.mirrorLayers, &environment.tables.roughLayers,
-                               &environment.tables.background, &environment.tables.cube})
-    if (*t) statistics.tableBytes += t->bytes();
-
+  statistics.tableBytes = environment.tables.bytes();
   if (request.radiance) countExtremes(picture.radiance, statistics);
   return picture;
 }

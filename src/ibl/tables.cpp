@@ -214,6 +214,13 @@ Result<void> computeLayer(const Layer& layer, const gl::Texture& target, const g
 
 }  // namespace
 
+size_t Tables::bytes() const {
+  size_t sum = 0;
+  for (const gl::Texture* texture : {&dfg, &sheen, &irradiance, &mirrorLayers, &roughLayers, &cube, &background})
+    if (*texture) sum += texture->bytes();
+  return sum;
+}
+
 scene::Environment reduceEquirect(const scene::Environment& environment, int maxWidth) {
   const int factor = (environment.width + maxWidth - 1) / maxWidth;
   if (factor <= 1) return environment;

@@ -54,6 +54,8 @@ struct Tables {
   gl::Texture background;    // RGBA16F equirectangular, full resolution
   float radianceScale = 1;   // radiance = stored value * radianceScale (a power of two, so that half floats hold it)
   std::vector<TableStatistics> statistics;
+
+  size_t bytes() const;  // of all that are there
 };
 
 // Computes what is needed and not in the tables yet; tables.statistics names what this call computed. The DFG and

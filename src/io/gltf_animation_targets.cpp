@@ -1,7 +1,6 @@
 #include "io/gltf_animation_targets.hpp"
 
-#include <charconv>
-
+#include "base/whole_number.hpp"
 #include "io/gltf_deformation.hpp"
 #include "io/uri.hpp"
 #include "scene/material_properties.hpp"
@@ -87,9 +86,7 @@ std::optional<AnimationTarget> findInMaterial(std::string_view path, int materia
 // The number before the next slash, which is taken off the path; -1 where it is not below count.
 int takeIndex(std::string_view& path, size_t count) {
   const std::string_view digits = path.substr(0, path.find('/'));
-  int index = -1;
-  const auto [end, code] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
-  if (code != std::errc() || end != digits.data() + digits.size()) return -1;
+  const int index = wholeNumber(digits).value_or(-1);
   if (index < 0 || static_cast<size_t>(index) >= count) return -1;
   path.remove_prefix(std::min(path.size(), digits.size() + 1));
   return index;

@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 
+#include "base/whole_number.hpp"
 #include "io/gltf_deformation.hpp"
 
 namespace facet::io {
@@ -19,10 +19,8 @@ struct Set {
 int setNumber(std::string_view name, std::string_view prefix) {
   if (!name.starts_with(prefix)) return -1;
   const std::string_view digits = name.substr(prefix.size());
-  int number = -1;
-  const auto [end, code] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  const bool whole = code == std::errc() && end == digits.data() + digits.size();
-  return whole && number >= 0 && std::to_string(number) == digits ? number : -1;
+  const int number = wholeNumber(digits).value_or(-1);
+  return number >= 0 && std::to_string(number) == digits ? number : -1;
 }
 
 std::map<int, Set> setsOf(const tinygltf::Primitive& primitive) {

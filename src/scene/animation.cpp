@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
-#include <charconv>
 #include <cmath>
 
+#include "base/whole_number.hpp"
 #include "scene/material_properties.hpp"
 #include "scene/nodes.hpp"
 #include "scene/usage.hpp"
@@ -230,10 +230,8 @@ Result<std::vector<int>> chooseAnimations(const Model& model, const std::string&
     for (size_t i = 0; i < all.size(); ++i) all[i] = int(i);
     return all;
   }
-  size_t index = 0;
-  const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
-  if (error == std::errc() && end == wanted.data() + wanted.size() && index < model.animations.size())
-    return std::vector{int(index)};
+  const std::optional<int> index = wholeNumber(wanted);
+  if (index && *index >= 0 && size_t(*index) < model.animations.size()) return std::vector{*index};
   if (model.animations.empty()) return fail(model.name, "", "there are no animations", "leave out \"" + wanted + "\"");
   return fail(model.name, "", "there is no animation \"" + wanted + "\"",
               "choose all or one of " + listed(model.animations));

@@ -61,10 +61,13 @@ template <bool (*has)(const scene::Material&)>
 bool effect(const FeatureInput& in) {
   return extended(in) && has(in.material);
 }
-template <TextureSlot slot>
-bool effectTexture(const FeatureInput& in) {
+bool samplesEffectSlot(const FeatureInput& in, TextureSlot slot) {
   if (slot == TextureSlot::clearcoatNormal && in.primitive.tangents.empty()) return false;
   return extended(in) && sampled(in, slot);
+}
+template <TextureSlot slot>
+bool effectTexture(const FeatureInput& in) {
+  return samplesEffectSlot(in, slot);
 }
 
 bool anisotropic(const FeatureInput& in) { return effect<scene::hasAnisotropy>(in) && !in.primitive.tangents.empty(); }
@@ -86,8 +89,7 @@ bool samplesSlotOf(const FeatureInput& in, TextureSlot slot) {
     case TextureSlot::emissive:
       return emissiveTexture(in);
     default:
-      if (slot == TextureSlot::clearcoatNormal && in.primitive.tangents.empty()) return false;
-      return extended(in) && sampled(in, slot);
+      return samplesEffectSlot(in, slot);
   }
 }
 
@@ -191,7 +193,6 @@ constexpr FeatureRow rows[] = {
     {"environment", "HAS_ENVIRONMENT",
      [](const FeatureInput& in) { return in.frame.environment && !unlit(in) && in.frame.channel == 0; }},
 };
-static_assert(std::size(rows) <= 64);
 
 constexpr uint64_t bit(size_t row) { return uint64_t{1} << row; }
 
@@ -312,9 +313,11 @@ uint64_t attributeBits(const VariantKey& key) {
   constexpr std::string_view attributes[] = {"HAS_NORMAL", "HAS_TANGENT", "HAS_TEXCOORD_", "HAS_VERTEX_COLOR",
                                              "HAS_SKIN",   "HAS_MORPH",   "MORPH_"};
   uint64_t bits = 0;
-  for (size_t i = 0; i < std::size(rows); ++i)
+  for (size_t i = 0; i < std::size(rows); ++i) {
+    const std::string_view define = rows[i].define;
     for (const std::string_view attribute : attributes)
-      if (std::string_view(rows[i].define).starts_with(attribute)) bits |= key.features & bit(i);
+      if (define.starts_with(attribute) && !define.ends_with("_TEXTURE")) bits |= key.features & bit(i);
+  }
   return bits;
 }
 

@@ -91,13 +91,11 @@ size_t bytesOf(std::initializer_list<const gl::Texture*> textures) {
 
 void measureMemory(const Viewport& viewport, ViewerStatistics& statistics) {
   const frame::GpuScene& gpu = viewport.scene->onGpu.gpu;
-  const ibl::Tables& tables = viewport.environment->onGpu.tables;
   const frame::Targets& t = viewport.targets;
   statistics.imagesDecoded = gpu.imagesDecoded;
   statistics.textureBytes = gpu.textureBytes();
   statistics.geometryBytes = gpu.geometryBytes();
-  statistics.tableBytes = bytesOf({&tables.dfg, &tables.sheen, &tables.irradiance, &tables.mirrorLayers,
-                                   &tables.roughLayers, &tables.background, &tables.cube});
+  statistics.tableBytes = viewport.environment->onGpu.tables.bytes();
   statistics.targetBytes = bytesOf({&t.multisample, &t.depth, &t.color, &t.sum, &t.display});
   statistics.programsCompiled = viewport.programs.statistics().compiled;
   statistics.programsFromDisk = viewport.programs.statistics().fromDisk;

@@ -70,6 +70,10 @@ TEST_CASE("Variants hold what material, vertices and frame use, and nothing else
   CHECK(defines.back().value == "DO(1) DO(7) ");
   // One bit each for the normals and the two sets.
   CHECK(std::popcount(shading::attributeBits(key)) == 3);
+  // A normal texture is no attribute, though its define begins like the normals'.
+  const auto bumped = shading::variantKey({fullMaterial(), full, lit});
+  REQUIRE(shading::usesFeature(bumped, "HAS_NORMAL_TEXTURE"));
+  CHECK(std::popcount(shading::attributeBits(bumped)) == 3);  // normals, tangents, uv0
 
   Material shiny = fullMaterial();
   shiny.specularGlossiness = true;
