@@ -1,68 +1,139 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "base/log.hpp"
 #include "base/nearest.hpp"
 #include "commands/commands.hpp"
 #include "commands/option_text.hpp"
-#include "report/models.hpp"
+#include "frame/session.hpp"
+#include "report/topics.hpp"
 
 namespace facet::commands {
 
 namespace {
 
 struct ReportArguments {
-  std::string topic, format = "markdown", output;
+  std::string topic, format, output, environment, model, shaderDir;
 };
 
 using Write = std::string (*)(const std::vector<report::Table>&);
-constexpr std::pair<std::string_view, Write> formats[] = {
-    {"markdown", report::markdown}, {"csv", report::csv}, {"json", report::json}};
+struct Format {
+  std::string_view name, extension;
+  Write write;
+};
+constexpr Format formats[] = {
+    {"markdown", ".md", report::markdown}, {"csv", ".csv", report::csv}, {"json", ".json", report::json}};
 
-int runReport(const ReportArguments& arguments) {
+// The topic of that name; none given: all of them.
+Result<std::vector<const report::Topic*>> chosenTopics(const std::string& wanted) {
+  std::vector<const report::Topic*> all;
   std::vector<std::string_view> names;
-  const report::Topic* topic = nullptr;
-  for (const report::Topic& candidate : report::reportTopics()) {
-    names.push_back(candidate.name);
-    if (candidate.name == arguments.topic) topic = &candidate;
+  for (const report::Topic& topic : report::reportTopics()) {
+    if (topic.name == wanted) return std::vector{&topic};
+    all.push_back(&topic);
+    names.push_back(topic.name);
   }
-  if (!topic)
-    return badInput({{}, inQuotes(arguments.topic), "there is no such topic", suggestion(arguments.topic, names)});
-  std::vector<std::string_view> formatNames;
-  Write write = nullptr;
-  for (const auto& [name, function] : formats) {
-    formatNames.push_back(name);
-    if (name == arguments.format) write = function;
+  if (wanted.empty()) return all;
+  return fail({}, inQuotes(wanted), "there is no such topic", suggestion(wanted, names));
+}
+
+// Of what goes to the terminal or into one file: by --format, else by the file's ending. Null: -o is a folder.
+Result<const Format*> chosenFormat(const ReportArguments& arguments) {
+  std::vector<std::string_view> names;
+  const std::string extension = std::filesystem::path(arguments.output).extension().string();
+  for (const Format& format : formats) {
+    if (arguments.format.empty() ? extension == format.extension : arguments.format == format.name) return &format;
+    names.push_back(format.name);
   }
-  if (!write)
-    return badInput(
-        {{}, "--format", inQuotes(arguments.format) + " is not known", suggestion(arguments.format, formatNames)});
-  const std::string text = write(topic->make());
-  if (arguments.output.empty()) {
-    std::cout << text << std::flush;
-    return exitGood;
-  }
-  std::ofstream file(arguments.output, std::ios::binary);
+  if (!arguments.format.empty())
+    return fail({}, "--format", inQuotes(arguments.format) + " is not known", suggestion(arguments.format, names));
+  return arguments.output.empty() ? formats : nullptr;
+}
+
+Result<void> writeFile(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary);
   file << text;
   file.close();
-  if (!file) return badInput({arguments.output, {}, "cannot be written", "choose a folder that exists and is yours"});
-  return exitGood;
+  if (!file) return fail(path.string(), {}, "cannot be written", "choose a folder that exists and is yours");
+  return {};
+}
+
+// report.md with the plots below the tables, report.csv, report.json, a file for each plot.
+Result<void> writeFolder(const std::filesystem::path& folder, const report::Report& made) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) return fail(folder.string(), {}, "cannot be made: " + error.message(), "choose another folder");
+  for (const Format& format : formats) {
+    std::string text = format.write(made.tables);
+    if (format.write == report::markdown)
+      for (const report::NamedPlot& plot : made.plots)
+        text += "\n### " + plot.title + "\n\n![" + plot.title + "](" + plot.name + ".svg)\n";
+    if (Result<void> r = writeFile(folder / ("report" + std::string(format.extension)), text); !r) return r;
+  }
+  for (const report::NamedPlot& plot : made.plots)
+    if (Result<void> r = writeFile(folder / (plot.name + ".svg"), plot.svg); !r) return r;
+  return {};
+}
+
+int runReport(const ReportArguments& arguments) {
+  const auto topics = chosenTopics(arguments.topic);
+  if (!topics) return badInput(topics.error());
+  const Result<const Format*> format = chosenFormat(arguments);
+  if (!format) return badInput(format.error());
+  report::ReportInput input;
+  if (!arguments.environment.empty()) input.environment = arguments.environment;
+  if (!arguments.model.empty()) input.model = arguments.model;
+  input.shaderDir = arguments.shaderDir;
+  input.progress = [](const std::string& what) { log::info(what); };
+  std::unique_ptr<frame::Session> session;
+  if (std::ranges::any_of(*topics, &report::Topic::needsOpenGL)) {
+    Result<std::unique_ptr<frame::Session>> made = frame::Session::create({.shaderDir = arguments.shaderDir});
+    if (!made) {
+      log::error(describe(made.error()));
+      return exitNoOpenGL;
+    }
+    session = std::move(*made);
+    input.session = session.get();
+  }
+  report::Report whole;
+  for (const report::Topic* topic : *topics) {
+    Result<report::Report> made = topic->make(input);
+    if (!made) return badInput(made.error());
+    std::ranges::move(made->tables, std::back_inserter(whole.tables));
+    std::ranges::move(made->plots, std::back_inserter(whole.plots));
+  }
+  if (*format && arguments.output.empty()) {
+    std::cout << (*format)->write(whole.tables) << std::flush;
+    return exitGood;
+  }
+  const Result<void> written =
+      *format ? writeFile(arguments.output, (*format)->write(whole.tables)) : writeFolder(arguments.output, whole);
+  return written ? exitGood : badInput(written.error());
 }
 
 }  // namespace
 
 std::function<int()> addReport(CLI::App& app) {
   auto arguments = std::make_shared<ReportArguments>();
-  std::string topics = "what it is about:";
+  std::string topics = "what it is about (all):";
   for (const report::Topic& topic : report::reportTopics())
     topics += (topics.back() == ':' ? " " : "; ") + std::string(topic.name) + " (" + std::string(topic.summary) + ")";
-  app.add_option("topic", arguments->topic, topics)->required()->type_name("TOPIC");
-  app.add_option("--format", arguments->format, "markdown, csv or json (markdown)")->type_name("NAME");
-  app.add_option("-o,--output", arguments->output, "a file in the place of the terminal")->type_name("FILE");
+  app.add_option("topic", arguments->topic, topics)->type_name("TOPIC");
+  app.add_option("--env", arguments->environment, "the environment to measure with (builtin:studio)")->type_name("ENV");
+  app.add_option("--model", arguments->model, "the model of the pictures that are compared (builtin:spheres)")
+      ->type_name("MODEL");
+  app.add_option("--format", arguments->format, "markdown, csv or json (by the file's ending, else markdown)")
+      ->type_name("NAME");
+  app.add_option("-o,--output", arguments->output,
+                 "a file (.md, .csv, .json) in the place of the terminal, or a folder for all of them and the plots")
+      ->type_name("PATH");
+  app.add_option("--shader-dir", arguments->shaderDir, "read the shaders from here")->type_name("DIR");
   return [arguments] { return runReport(*arguments); };
 }
 

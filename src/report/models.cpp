@@ -203,15 +203,7 @@ Table lobeTable() {
   return table;
 }
 
-constexpr Topic topics[] = {
-    {"fresnel", "Schlick's approximation and F82-tint against Fresnel's equations", fresnelTables},
-    {"diffuse", "energy of the diffuse models", diffuseTables},
-    {"ndf", "shadowing terms and energy of GGX, Beckmann and Blinn", ndfTables},
-};
-
 }  // namespace
-
-std::span<const Topic> reportTopics() { return topics; }
 
 std::vector<Table> fresnelTables() { return {dielectricTable(), metalTable()}; }
 std::vector<Table> diffuseTables() { return {diffuseTable()}; }

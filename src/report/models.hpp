@@ -3,19 +3,11 @@
 // How far each approximate formula is from its truth: the figures of `facet report`. All of them come from
 // src/optics/.
 
-#include <span>
-#include <string_view>
+#include <vector>
 
 #include "report/table.hpp"
 
 namespace facet::report {
-
-struct Topic {
-  std::string_view name;  // as `facet report` takes it
-  std::string_view summary;
-  std::vector<Table> (*make)();
-};
-std::span<const Topic> reportTopics();
 
 // Schlick's approximation and F82-tint against Fresnel's equations.
 std::vector<Table> fresnelTables();

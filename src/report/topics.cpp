@@ -1,0 +1,24 @@
+#include "report/topics.hpp"
+
+#include "report/models.hpp"
+
+namespace facet::report {
+
+namespace {
+
+template <std::vector<Table> (*tables)()>
+Result<Report> computed(const ReportInput&) {
+  return Report{tables(), {}};
+}
+
+constexpr Topic topics[] = {
+    {"fresnel", "Schlick's approximation and F82-tint against Fresnel's equations", false, computed<fresnelTables>},
+    {"diffuse", "energy of the diffuse models", false, computed<diffuseTables>},
+    {"ndf", "shadowing terms and energy of GGX, Beckmann and Blinn", false, computed<ndfTables>},
+};
+
+}  // namespace
+
+std::span<const Topic> reportTopics() { return topics; }
+
+}  // namespace facet::report

@@ -1,0 +1,48 @@
+#pragma once
+
+// What `facet report` is about: tables and plots by topic, all of them measured or computed when asked for.
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/error.hpp"
+#include "report/table.hpp"
+
+namespace facet::frame {
+class Session;
+}
+
+namespace facet::report {
+
+// An SVG picture.
+struct NamedPlot {
+  std::string name;   // of its file, without .svg
+  std::string title;  // a line above it
+  std::string svg;
+};
+
+struct Report {
+  std::vector<Table> tables;
+  std::vector<NamedPlot> plots;
+};
+
+struct ReportInput {
+  std::string environment = "builtin:studio";                                    // a file, or "builtin:NAME"
+  std::string model = "builtin:spheres";                                         // drawn where pictures are compared
+  frame::Session* session = nullptr;                                             // of topics that need OpenGL
+  std::string shaderDir;                                                         // empty: the embedded shaders
+  std::function<void(const std::string&)> progress = [](const std::string&) {};  // what is measured now
+};
+
+struct Topic {
+  std::string_view name;  // as `facet report` takes it
+  std::string_view summary;
+  bool needsOpenGL = false;
+  Result<Report> (*make)(const ReportInput& input);
+};
+std::span<const Topic> reportTopics();
+
+}  // namespace facet::report
