@@ -21,6 +21,7 @@ int runViewer(const WindowArguments& arguments) {
   view::WindowOptions options;
   options.settings.width = 1280;
   options.settings.height = 800;
+  options.settings.samples = 256;  // a resting picture converges
   if (Result<void> r = apply(arguments.picture, options.settings); !r) return badInput(r.error());
   if (!arguments.model.empty()) options.model = arguments.model;
   options.diskCache = !arguments.noCache;

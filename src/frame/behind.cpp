@@ -41,11 +41,7 @@ void prepareBehind(Targets& targets, const DrawList& list) {
   targets.behind.depth.filterLinear();
 }
 
-Result<void> prepareBehindPrograms(shading::ProgramStore& programs) {
-  const auto program = levelProgram(programs);
-  if (!program) return tl::unexpected(program.error());
-  return {};
-}
+Result<const gl::Program*> behindProgram(shading::ProgramStore& programs) { return levelProgram(programs); }
 
 Result<void> copyBehind(const Targets& targets, shading::ProgramStore& programs) {
   const auto base = baseProgram(programs, targets.samples);

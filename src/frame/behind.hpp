@@ -6,8 +6,8 @@
 
 namespace facet::frame {
 
-// Compiles what copyBehind needs. Its program for several samples a pixel is compiled where it is first used.
-Result<void> prepareBehindPrograms(shading::ProgramStore& programs);
+// What copyBehind needs. Its program for the first level is compiled where it is first used.
+Result<const gl::Program*> behindProgram(shading::ProgramStore& programs);
 
 // targets.drawn, several samples a pixel averaged, into targets.behind, all levels; binds it for the draws to come.
 Result<void> copyBehind(const Targets& targets, shading::ProgramStore& programs);

@@ -1,6 +1,7 @@
 #include "frame/draw_list.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -162,6 +163,11 @@ void addMaterials(DrawList& list, const scene::Model& model, const DrawOptions& 
   list.materials.emplace_back();
 }
 
+void sortByProgram(DrawList& list) {
+  for (std::vector<Draw>* draws : {&list.opaque, &list.transmitting})
+    std::ranges::stable_sort(*draws, {}, [](const Draw& d) { return std::tuple(d.key, d.material); });
+}
+
 }  // namespace
 
 ibl::Needs DrawList::needs(bool environmentVisible) const {
@@ -206,9 +212,22 @@ DrawList buildDrawList(const scene::Model& model, int scene, const DrawOptions& 
   const std::vector<int> firstJoints = addJoints(list, flat);
   for (const auto& [key, placed] : groups)
     addInstances(list, model.meshes[static_cast<size_t>(std::get<0>(key))], placed, firstJoints, options);
-  for (std::vector<Draw>* draws : {&list.opaque, &list.transmitting})
-    std::ranges::stable_sort(*draws, {}, [](const Draw& d) { return std::tuple(d.key, d.material); });
+  sortByProgram(list);
   return list;
+}
+
+void setFeatures(DrawList& list, shading::FrameFeatures features) {
+  assert(features.channel == list.features.channel);
+  features.punctualLights = list.features.punctualLights;
+  list.features = features;
+  for (std::vector<Draw>* draws : {&list.opaque, &list.transmitting, &list.blended})
+    for (Draw& draw : *draws) {
+      const scene::Material& material = list.materials[static_cast<size_t>(draw.material)];
+      const shading::Deformation deformation{shading::usesFeature(draw.key, "HAS_SKIN"),
+                                             shading::usesFeature(draw.key, "HAS_MORPH")};
+      draw.key = shading::variantKey({material, *draw.primitive, list.features, deformation});
+    }
+  sortByProgram(list);
 }
 
 }  // namespace facet::frame

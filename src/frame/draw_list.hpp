@@ -69,4 +69,8 @@ struct DrawList {
 
 DrawList buildDrawList(const scene::Model& model, int scene, const DrawOptions& options, const scene::Pose& pose = {});
 
+// Other features for the same draws, as buildDrawList would have made them: programs, and the order by program. What
+// the list has on the GPU serves both. The channel must stay, and whether there are punctual lights does.
+void setFeatures(DrawList& list, shading::FrameFeatures features);
+
 }  // namespace facet::frame

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/gtc/matrix_transform.hpp>
 #include <set>
 #include <span>
 
 #include "frame/behind.hpp"
-#include "frame/visibility.hpp"
+#include "frame/scene_pass.hpp"
 #include "scene/geometry.hpp"
 
 namespace facet::frame {
@@ -23,28 +24,8 @@ Result<const gl::Program*> meshProgram(const shading::VariantKey& key, ProgramSt
 Result<const gl::Program*> skyProgram(ProgramStore& programs) {
   return programs.render("passes/fullscreen.vert.glsl", "passes/sky.frag.glsl");
 }
-Result<const gl::Program*> displayProgram(ProgramStore& programs) {
-  return programs.render("passes/fullscreen.vert.glsl", "passes/display.frag.glsl");
-}
-Result<const gl::Program*> gatherProgram(ProgramStore& programs) {
-  return programs.render("passes/fullscreen.vert.glsl", "passes/gather.frag.glsl");
-}
-
 bool skyVisible(const FrameInput& in) {
   return in.settings.background == Background::environment && in.tables.background && in.list.features.channel == 0;
-}
-
-// Offsets within the pixel: the R2 sequence (Roberts 2018), which fills the square evenly for any count, shifted so
-// that the offsets' mean is the pixel's centre.
-std::vector<glm::dvec2> jitter(int count) {
-  std::vector<glm::dvec2> offsets;
-  glm::dvec2 mean(0);
-  for (int i = 0; i < count; ++i) {
-    offsets.push_back(glm::fract(0.5 + static_cast<double>(i) * glm::dvec2(0.7548776662466927, 0.5698402909980532)));
-    mean += offsets.back() / static_cast<double>(count);
-  }
-  for (glm::dvec2& offset : offsets) offset -= mean;
-  return offsets;
 }
 
 layout::FrameUniforms frameUniforms(const FrameInput& in, int draw, int draws, const glm::dvec2& offsetPixels) {
@@ -219,14 +200,6 @@ Result<void> drawTransmitting(const FrameInput& in, const VisibleDraws& visible,
   return drawSorted(in, visible.transmitting, false, programs, statistics);
 }
 
-// What lies in the rows that the targets hold.
-VisibleDraws visibleRows(const FrameInput& in, const Targets& targets) {
-  const auto clip = [&](int row) { return 2.0 * row / in.settings.height - 1; };
-  constexpr double marginPixels = 2;  // offsets within the pixel; lines and points are one pixel wide
-  return visibleDraws(in.list, in.view, {clip(in.firstRow), clip(in.firstRow + targets.height)},
-                      2 * marginPixels / std::min(in.settings.width, in.settings.height));
-}
-
 void clearTargets(const FrameInput& in, const Targets& targets) {
   glm::vec4 clear(0, 0, 0, 1);
   // A colour is put behind the finished picture, so that neither exposure nor tone mapping changes it.
@@ -237,7 +210,12 @@ void clearTargets(const FrameInput& in, const Targets& targets) {
   glClearNamedFramebufferfv(targets.drawn.id(), GL_DEPTH, 0, &far);
 }
 
-// One draw of the scene into targets.color.
+}  // namespace
+
+Result<const gl::Program*> displayProgram(ProgramStore& programs) {
+  return programs.render("passes/fullscreen.vert.glsl", "passes/display.frag.glsl");
+}
+
 Result<FrameStatistics> drawScene(const FrameInput& in, const VisibleDraws& visible, const Targets& targets, int draw,
                                   int draws, const glm::dvec2& offsetPixels, ProgramStore& programs) {
   FrameStatistics statistics;
@@ -270,87 +248,38 @@ Result<FrameStatistics> drawScene(const FrameInput& in, const VisibleDraws& visi
   return statistics;
 }
 
-void drawFullscreen(const gl::Framebuffer& target, const Targets& targets, const gl::Texture& source,
-                    const gl::Program& program) {
-  glBindFramebuffer(GL_FRAMEBUFFER, target.id());
-  glBindVertexArray(targets.noAttributes.id());
-  glViewport(0, 0, targets.width, targets.height);
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_CULL_FACE);
-  source.bind(layout::sourceUnit);
-  glUseProgram(program.id());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
-}
+namespace {
 
-Result<void> drawDisplay(const FrameInput& in, const Targets& targets, ProgramStore& programs) {
-  const auto program = displayProgram(programs);
-  if (!program) return tl::unexpected(program.error());
-  const int channel = in.list.features.channel;
-  const bool shaded = channel == 0;
-  const bool encode = shading::channelIsColor(channel);
-  (*program)->set(0, glm::vec4(shaded ? std::exp2(in.settings.exposureStops) : 1.0f,
-                               shaded ? static_cast<float>(in.settings.toneMapper) : 0.0f, encode ? 1.0f : 0.0f, 0));
-  (*program)->set(1, glm::vec4(in.settings.backgroundColor, in.settings.background == Background::color ? 1.0f : 0.0f));
-  drawFullscreen(targets.shown, targets, targets.sum ? targets.sum : targets.color, **program);
-  return {};
-}
+using ProgramGetter = std::function<Result<const gl::Program*>()>;
 
-// Adds targets.color / draws to the sum.
-Result<void> gather(const Targets& targets, int draws, ProgramStore& programs) {
-  const auto program = gatherProgram(programs);
-  if (!program) return tl::unexpected(program.error());
-  (*program)->set(0, 1.0f / static_cast<float>(draws));
-  glEnable(GL_BLEND);
-  glBlendFunc(GL_ONE, GL_ONE);
-  drawFullscreen(targets.gathered, targets, targets.color, **program);
-  glDisable(GL_BLEND);
-  return {};
+std::vector<ProgramGetter> neededPrograms(const FrameInput& in, ProgramStore& programs) {
+  std::set<shading::VariantKey> keys;
+  for (const std::vector<Draw>* draws : in.list.classes())
+    for (const Draw& draw : *draws) keys.insert(draw.key);
+  std::vector<ProgramGetter> needed;
+  for (const shading::VariantKey& key : keys) needed.push_back([&, key] { return meshProgram(key, programs); });
+  if (!in.list.transmitting.empty()) needed.push_back([&] { return behindProgram(programs); });
+  if (skyVisible(in)) needed.push_back([&] { return skyProgram(programs); });
+  needed.push_back([&] { return displayProgram(programs); });
+  return needed;
 }
 
 }  // namespace
 
-int gatheredDraws(const PictureSettings& settings, const Targets& targets) {
-  return targets.sum ? settings.samples : 1;
-}
-
 Result<void> preparePrograms(const FrameInput& in, ProgramStore& programs) {
-  std::set<shading::VariantKey> keys;
-  for (const std::vector<Draw>* draws : in.list.classes())
-    for (const Draw& draw : *draws) keys.insert(draw.key);
-  for (const shading::VariantKey& key : keys)
-    if (const auto program = meshProgram(key, programs); !program) return tl::unexpected(program.error());
-  if (!in.list.transmitting.empty())
-    if (Result<void> prepared = prepareBehindPrograms(programs); !prepared) return prepared;
-  if (skyVisible(in))
-    if (const auto program = skyProgram(programs); !program) return tl::unexpected(program.error());
-  const auto program = displayProgram(programs);
-  if (!program) return tl::unexpected(program.error());
+  for (const ProgramGetter& get : neededPrograms(in, programs))
+    if (const auto program = get(); !program) return tl::unexpected(program.error());
   return {};
 }
 
-Result<FrameStatistics> drawFrame(const FrameInput& in, const Targets& targets, ProgramStore& programs) {
-  const int draws = gatheredDraws(in.settings, targets);
-  FrameStatistics statistics;
-  if (targets.sum) {
-    const glm::vec4 zero(0);
-    glClearNamedFramebufferfv(targets.gathered.id(), GL_COLOR, 0, &zero.x);
+Result<bool> prepareNextProgram(const FrameInput& in, ProgramStore& programs) {
+  const auto built = [&] { return programs.statistics().compiled + programs.statistics().fromDisk; };
+  const int before = built();
+  for (const ProgramGetter& get : neededPrograms(in, programs)) {
+    if (const auto program = get(); !program) return tl::unexpected(program.error());
+    if (built() != before) return false;
   }
-  const VisibleDraws visible = visibleRows(in, targets);
-  const gl::Buffer visibleBuffer = gl::Buffer::of(visible.instances, "visible instances");
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::visibleBinding, visibleBuffer.id());
-  const std::vector<glm::dvec2> offsets = jitter(draws);
-  for (int i = 0; i < draws; ++i) {
-    Result<FrameStatistics> drawn =
-        drawScene(in, visible, targets, i, draws, offsets[static_cast<size_t>(i)], programs);
-    if (!drawn) return drawn;
-    if (i == 0) statistics = std::move(*drawn), statistics.culled = visible.culled;
-    if (targets.sum)
-      if (Result<void> result = gather(targets, draws, programs); !result) return tl::unexpected(result.error());
-  }
-  if (targets.sum) statistics.passes.push_back("gather x " + std::to_string(draws));
-  statistics.passes.emplace_back("display");
-  if (Result<void> result = drawDisplay(in, targets, programs); !result) return tl::unexpected(result.error());
-  return statistics;
+  return true;
 }
 
 }  // namespace facet::frame

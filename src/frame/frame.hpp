@@ -33,12 +33,15 @@ struct Targets {
   gl::Texture depth;        // 32F, reversed: 1 near, 0 far
   gl::Texture color;        // RGBA16F, scene-linear, associated alpha
   gl::Texture sum;          // RGBA32F, only while several draws are gathered
+  gl::Texture before;       // RGBA32F, the sum as it was; only where the error is wanted
   gl::Texture display;      // RGBA8, sRGB-encoded, straight alpha
   Behind behind;            // only for scenes with transmitting surfaces
   gl::Framebuffer drawn, resolved, gathered, shown;
   gl::VertexArray noAttributes;  // core profile draws nothing without a vertex array, full-screen passes too
 };
 Targets createTargets(int width, int height, int samples, bool gather);
+// For gathering a picture that is shown in others' display picture: with what its error is estimated from.
+Targets createGatherTargets(int width, int height);
 // Adds the copy of what is behind where the list has transmitting surfaces and the targets have none yet; frees it
 // where the list has none.
 void prepareBehind(Targets& targets, const DrawList& list);
@@ -66,6 +69,9 @@ int gatheredDraws(const PictureSettings& settings, const Targets& targets);
 // Compiles what the draw list needs and is not there yet. Errors: a shader does not compile (a driver's or a user's
 // file).
 Result<void> preparePrograms(const FrameInput& in, shading::ProgramStore& programs);
+
+// Compiles one of them at most. True where none was missing.
+Result<bool> prepareNextProgram(const FrameInput& in, shading::ProgramStore& programs);
 
 // Draws settings.samples samples a pixel into targets.color (or targets.sum) and the display picture into
 // targets.display. All programs are ready (preparePrograms).

@@ -4,7 +4,10 @@
 
 namespace facet::frame {
 
-Targets createTargets(int width, int height, int samples, bool gather) {
+namespace {
+
+// Without the display picture.
+Targets createDrawTargets(int width, int height, int samples, bool gather) {
   Targets t;
   t.width = width;
   t.height = height;
@@ -14,7 +17,6 @@ Targets createTargets(int width, int height, int samples, bool gather) {
   t.color = gl::Texture({.format = GL_RGBA16F, .width = width, .height = height}, "scene-linear");
   t.depth = gl::Texture(
       {.target = target, .format = GL_DEPTH_COMPONENT32F, .width = width, .height = height, .samples = count}, "depth");
-  t.display = gl::Texture({.format = GL_RGBA8, .width = width, .height = height}, "display");
   t.resolved = gl::Framebuffer("resolved");
   t.resolved.attach(GL_COLOR_ATTACHMENT0, t.color);
   t.drawn = gl::Framebuffer("drawn");
@@ -31,8 +33,22 @@ Targets createTargets(int width, int height, int samples, bool gather) {
     t.gathered = gl::Framebuffer("gathered");
     t.gathered.attach(GL_COLOR_ATTACHMENT0, t.sum);
   }
+  return t;
+}
+
+}  // namespace
+
+Targets createTargets(int width, int height, int samples, bool gather) {
+  Targets t = createDrawTargets(width, height, samples, gather);
+  t.display = gl::Texture({.format = GL_RGBA8, .width = width, .height = height}, "display");
   t.shown = gl::Framebuffer("shown");
   t.shown.attach(GL_COLOR_ATTACHMENT0, t.display);
+  return t;
+}
+
+Targets createGatherTargets(int width, int height) {
+  Targets t = createDrawTargets(width, height, 1, true);
+  t.before = gl::Texture({.format = GL_RGBA32F, .width = width, .height = height}, "first samples");
   return t;
 }
 

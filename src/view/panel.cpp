@@ -87,9 +87,11 @@ void pictureSection(ViewerState& state) {
     ImGui::EndCombo();
   }
   if (beginList("samples", std::to_string(settings.samples))) {
-    for (const int samples : {1, 2, 4, 16, 64})
+    for (const int samples : {1, 2, 4, 16, 64, 256, 1024})
       if (ImGui::Selectable(std::to_string(samples).c_str(), samples == settings.samples)) settings.samples = samples;
     ImGui::EndCombo();
+  } else if (ImGui::IsItemHovered()) {
+    ImGui::SetTooltip("a pixel; more than 4 are gathered while the picture rests, until it has converged");
   }
 }
 
@@ -272,6 +274,11 @@ void statusLine(const ViewerState& state, PanelResult& result) {
       ImGui::TextUnformatted(state.status.text.c_str());
       if (state.status.isError) ImGui::PopStyleColor();
       if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", state.status.text.c_str());
+    }
+    const std::string refined = refinementText(state.refinement);
+    if (!refined.empty()) {
+      ImGui::SameLine(std::max(0.0f, screen.x - ImGui::CalcTextSize(refined.c_str()).x - 12));
+      ImGui::TextDisabled("%s", refined.c_str());
     }
     result.areas.push_back(windowArea());
   }

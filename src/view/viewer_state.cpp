@@ -56,15 +56,31 @@ std::string presetText(std::string_view name) {
   return std::string(figures) + "\n" + std::string(source);
 }
 
+std::string refinementText(const RefinementStatus& status) {
+  if (status.wanted == 0 || status.gathered == 0) return {};
+  std::string text = std::to_string(status.gathered) + " of " + std::to_string(status.wanted) + " samples";
+  if (status.gathered == status.wanted) text = std::to_string(status.wanted) + " samples";
+  if (status.error < 0) return text;
+  char error[48];
+  std::snprintf(error, sizeof error, ", error about %.*f/255", status.error < 1 ? 2 : 1, status.error);
+  return text + error;
+}
+
+frame::PictureSettings movingSettings(const frame::PictureSettings& settings) {
+  frame::PictureSettings moving = settings;
+  moving.samples = std::min(settings.samples, frame::convergedAbove);
+  return moving;
+}
+
 frame::DrawOptions drawOptions(const ViewerState& state, int variant, bool hasEnvironment) {
-  frame::DrawOptions options = frame::drawOptions(state.settings, hasEnvironment);
+  frame::DrawOptions options = frame::drawOptions(movingSettings(state.settings), hasEnvironment);
   options.variant = variant;
   if (state.material.on) options.material = overriding(state.material);
   return options;
 }
 
 ListRequest listRequest(const ViewerState& state, int scene, int variant, bool hasEnvironment) {
-  const frame::DrawOptions options = frame::drawOptions(state.settings, hasEnvironment);
+  const frame::DrawOptions options = frame::drawOptions(movingSettings(state.settings), hasEnvironment);
   ListRequest request;
   request.scene = scene;
   request.variant = variant;

@@ -62,6 +62,16 @@ struct Playback {
   double speed = 1;  // seconds of the animation per second; negative: backwards
 };
 
+// How far a resting picture has converged.
+struct RefinementStatus {
+  int wanted = 0;     // samples a pixel; 0: the picture is not refined
+  int gathered = 0;   // of them
+  int shown = 0;      // of them, on the screen; 0: the cheap picture still is
+  double error = -1;  // of the picture on the screen, estimated: root mean square in 1/255; below 0: not known yet
+};
+// "37 of 256 samples, error about 1.2/255"; empty where there is nothing to say.
+std::string refinementText(const RefinementStatus& status);
+
 // What is on the screen now.
 struct ShownScene {
   std::string model;        // source: a path or "builtin:NAME"
@@ -90,10 +100,14 @@ struct ViewerState {
 
   ShownScene shown;
   Status status;
+  RefinementStatus refinement;
   std::string loading;  // what is being loaded; empty: nothing
   std::string openGL;   // version and renderer
   bool panelVisible = true;
 };
+
+// The settings of the picture that is drawn while something changes: of few samples. At rest it is refined.
+frame::PictureSettings movingSettings(const frame::PictureSettings& settings);
 
 // What a draw list is made of; where it is unchanged, the draw list is still good.
 struct ListRequest {

@@ -75,6 +75,7 @@ void describeShown(const Viewport& viewport, ViewerState& state) {
 
 // Of one pose to the next of what is shown: same programs and tables, nothing to be told.
 void move(Viewport& viewport, ViewerState& state, frame::DrawList list, const ListRequest& request) {
+  stopRefinement(viewport, state);
   viewport.list = std::move(list);
   viewport.built = request;
   viewport.asked.reset();
@@ -96,7 +97,9 @@ void measureMemory(const Viewport& viewport, ViewerStatistics& statistics) {
   statistics.textureBytes = gpu.textureBytes();
   statistics.geometryBytes = gpu.geometryBytes();
   statistics.tableBytes = viewport.environment->onGpu.tables.bytes();
-  statistics.targetBytes = bytesOf({&t.multisample, &t.depth, &t.color, &t.sum, &t.display});
+  const frame::Targets& g = viewport.refinement.targets;
+  statistics.targetBytes = bytesOf({&t.multisample, &t.depth, &t.color, &t.display, &t.behind.color, &t.behind.depth});
+  statistics.targetBytes += bytesOf({&g.depth, &g.color, &g.sum, &g.before, &g.behind.color, &g.behind.depth});
   statistics.programsCompiled = viewport.programs.statistics().compiled;
   statistics.programsFromDisk = viewport.programs.statistics().fromDisk;
 }
@@ -127,6 +130,7 @@ Result<void> putOnGpu(Viewport& viewport, SceneSlot& scene, EnvironmentSlot& env
 
 void show(Viewport& viewport, ViewerState& state, EnvironmentSlot* environment, frame::DrawList list,
           const ListRequest& request) {
+  stopRefinement(viewport, state);
   const bool newScene = viewport.next != nullptr;
   const bool otherScene = newScene || viewport.built.scene != request.scene;
   const bool otherEnvironment = viewport.environment != environment;
@@ -309,6 +313,7 @@ std::optional<scene::View> currentView(const Viewport& viewport, ViewerState& st
 }
 
 void reloadShaders(Viewport& viewport, ViewerState& state) {
+  stopRefinement(viewport, state);
   glUseProgram(0);  // else the one in use lives on as a name that can no longer be used
   viewport.programs.reload();
   viewport.failed.reset();
@@ -332,16 +337,16 @@ bool drawViewport(Viewport& viewport, ViewerState& state) {
   wanted.settings.environment.clear();  // the list's number stands for what is loaded
   wanted.settings.scene = -1;
   wanted.settings.variant.clear();
-  if (viewport.drawn == wanted) return false;
-  const frame::PictureSettings& s = state.settings;
+  if (viewport.drawn == wanted) return refine(viewport, state, *view);
+  stopRefinement(viewport, state);
+  const frame::PictureSettings s = movingSettings(state.settings);
   frame::Targets& targets = viewport.targets;
-  if (!viewport.drawn || viewport.drawn->settings.width != s.width || viewport.drawn->settings.height != s.height ||
-      viewport.drawn->settings.samples != s.samples) {
+  if (targets.width != s.width || targets.height != s.height || targets.samples != s.samples) {
     targets = {};  // the old ones go first
     targets = frame::createTargets(s, viewport.context);
   }
   frame::prepareBehind(targets, viewport.list);
-  frame::setTextureDetail(viewport.scene->onGpu.gpu, frame::gatheredDraws(s, targets), viewport.context);
+  frame::setTextureDetail(viewport.scene->onGpu.gpu, 1, viewport.context);
   const scene::Model& model = viewport.scene->loaded->model;
   const frame::FrameInput input{
       model, viewport.list, viewport.scene->onGpu.gpu, viewport.environment->onGpu.tables, *view, s};

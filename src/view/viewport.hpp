@@ -13,6 +13,7 @@
 #include "gl/context.hpp"
 #include "gl/timer.hpp"
 #include "view/loader.hpp"
+#include "view/refinement.hpp"
 #include "view/viewer_state.hpp"
 
 namespace facet::view {
@@ -74,6 +75,7 @@ struct Viewport {
   frame::Targets targets;
   std::optional<DrawnFrame> drawn;
   FrameClock clock;
+  Refinement refinement;
   bool shadersBroken = false;  // as they are in the file now; the last good frame stays
 };
 
@@ -91,7 +93,8 @@ void reloadShaders(Viewport& viewport, ViewerState& state);
 // The view of what is shown now; nothing where nothing is shown yet or the file has no such camera (which is told).
 std::optional<scene::View> currentView(const Viewport& viewport, ViewerState& state);
 
-// Draws into the targets where anything has changed since the last time. True where it drew.
+// Draws into the targets where anything has changed since the last time, else refines what is there. True where the
+// display picture is new.
 bool drawViewport(Viewport& viewport, ViewerState& state);
 
 }  // namespace facet::view

@@ -48,7 +48,7 @@ struct ImGuiSession {
 
 // After something has happened ImGui needs a few frames until hovering, clicks and sizes have settled.
 constexpr int settlingFrames = 3;
-constexpr double busyWait = 0.05, timerWait = 0.02, idleWait = 10;  // seconds
+constexpr double busyWait = 0.05, timerWait = 0.02, stepWait = 0.004, idleWait = 10;  // seconds
 
 // The loop's own data; what it shows is in ViewerState and Viewport.
 struct Loop {
@@ -74,12 +74,15 @@ glm::dvec3 flightDirection(const Loop& loop) {
 }
 
 // Sleeps until there is something to do; seconds since the last time, at most a quarter, for flight.
-double waitForEvents(Loop& loop, const Loader& loader, const FrameClock& clock) {
+double waitForEvents(Loop& loop, const Loader& loader, const Viewport& viewport, const ViewerState& state) {
   const double idle = loop.shaders.folder.empty() ? idleWait : shaderWatchSeconds;
   if (loop.framesToDraw > 0 || flightDirection(loop) != glm::dvec3(0))
     glfwPollEvents();
   else
-    glfwWaitEventsTimeout(loader.running() ? busyWait : clock.waiting() ? timerWait : idle);
+    glfwWaitEventsTimeout(refining(viewport, state)  ? stepWait
+                          : loader.running()         ? busyWait
+                          : viewport.clock.waiting() ? timerWait
+                                                     : idle);
   const auto now = std::chrono::steady_clock::now();
   const double seconds = std::chrono::duration<double>(now - loop.last).count();
   loop.last = now;
@@ -168,9 +171,15 @@ void takeScreenshot(const Viewport& viewport, ViewerState& state) {
   written ? log::info("screenshot written: " + *written) : log::error(state.status.text);
 }
 
+// How long the window did not answer, where that could be felt.
+void noteSlowTurn(std::chrono::steady_clock::time_point start) {
+  const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
+  if (spent.count() > 50) log::debug("turn of " + std::to_string(std::lround(spent.count())) + " ms");
+}
+
 // One turn of the loop. True while the window stays.
 bool turn(Loop& loop, Viewport& viewport, ViewerState& state, Loader& loader, std::string& model) {
-  const double seconds = waitForEvents(loop, loader, viewport.clock);
+  const double seconds = waitForEvents(loop, loader, viewport, state);
   const Input input = takeInput(loop.input);
   followFramebuffer(loop.window, state.settings);
   int width = 1, height = 1;
@@ -199,12 +208,13 @@ bool turn(Loop& loop, Viewport& viewport, ViewerState& state, Loader& loader, st
   }
   if (bringUp(viewport, state, loader)) loop.framesToDraw = settlingFrames + 1;
   nameWhatLoads(loader, viewport, model, state);
-  drawViewport(viewport, state);
+  if (drawViewport(viewport, state)) loop.framesToDraw = std::max(loop.framesToDraw, 1);
   if (actions.screenshot) takeScreenshot(viewport, state);
   if (loop.framesToDraw > 0) {
     drawWindow(loop, viewport, state);
     --loop.framesToDraw;
   }
+  noteSlowTurn(loop.last);
   return !actions.quit && !glfwWindowShouldClose(loop.window);
 }
 

@@ -1,53 +1,14 @@
 #include <catch2/catch.hpp>
-#include <thread>
 
 #include "support/gltf_builder.hpp"
-#include "support/gpu.hpp"
 #include "support/temporary_folder.hpp"
-#include "view/viewport.hpp"
+#include "view/viewer.hpp"
 
 using namespace facet;
 
 namespace {
 
-struct Viewer {
-  view::Loader loader;
-  view::ViewerState state;
-  view::Viewport viewport{test::contextInfo(), test::makeProgramStore()};
-
-  Viewer() {
-    state.settings.width = 64;
-    state.settings.height = 48;
-    state.settings.samples = 1;
-    state.environments = view::builtinEnvironmentSources();
-  }
-
-  // As the window's loop until nothing is under way.
-  void settle() {
-    for (int i = 0; i < 2000; ++i) {
-      if (auto model = loader.model.take()) view::takeModel(viewport, state, std::move(*model));
-      if (auto map = loader.environment.take()) view::takeEnvironment(viewport, state, std::move(*map));
-      if (auto images = loader.images.take()) view::takeImages(viewport, state, std::move(*images));
-      view::bringUp(viewport, state, loader);
-      if (!loader.running()) break;
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    REQUIRE_FALSE(loader.running());
-  }
-  void load(const std::string& source) {
-    view::startModel(loader, source);
-    settle();
-  }
-  // The channel of a pixel in the middle of the triangle, 8 bit.
-  glm::ivec3 middle() {
-    view::drawViewport(viewport, state);
-    const io::Pixels pixels = frame::readDisplay(viewport.targets, false);
-    const size_t at = (static_cast<size_t>(pixels.height / 2) * static_cast<size_t>(pixels.width) +
-                       static_cast<size_t>(pixels.width / 2)) *
-                      3;
-    return {pixels.data[at], pixels.data[at + 1], pixels.data[at + 2]};
-  }
-};
+using test::Viewer;
 
 // A triangle that covers the middle of the picture, unlit, with this texture.
 std::vector<uint8_t> texturedTriangle(const std::vector<uint8_t>& rgb) {

@@ -1,0 +1,207 @@
+#include "frame/gather.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "frame/scene_pass.hpp"
+
+namespace facet::frame {
+
+namespace {
+
+using shading::ProgramStore;
+
+Result<const gl::Program*> gatherProgram(ProgramStore& programs) {
+  return programs.render("passes/fullscreen.vert.glsl", "passes/gather.frag.glsl");
+}
+Result<const gl::Program*> errorProgram(ProgramStore& programs) {
+  return programs.compute("passes/picture_error.comp.glsl");
+}
+
+// Offsets within the pixel: the R2 sequence (Roberts 2018), which fills the square evenly for any count, shifted so
+// that the offsets' mean is the pixel's centre.
+std::vector<glm::dvec2> jitter(int count) {
+  std::vector<glm::dvec2> offsets;
+  glm::dvec2 mean(0);
+  for (int i = 0; i < count; ++i) {
+    offsets.push_back(glm::fract(0.5 + static_cast<double>(i) * glm::dvec2(0.7548776662466927, 0.5698402909980532)));
+    mean += offsets.back() / static_cast<double>(count);
+  }
+  for (glm::dvec2& offset : offsets) offset -= mean;
+  return offsets;
+}
+
+// What lies in the rows that the targets hold.
+VisibleDraws visibleRows(const FrameInput& in, const Targets& targets) {
+  const auto clip = [&](int row) { return 2.0 * row / in.settings.height - 1; };
+  constexpr double marginPixels = 2;  // offsets within the pixel; lines and points are one pixel wide
+  return visibleDraws(in.list, in.view, {clip(in.firstRow), clip(in.firstRow + targets.height)},
+                      2 * marginPixels / std::min(in.settings.width, in.settings.height));
+}
+
+void drawFullscreen(const gl::Framebuffer& target, const Targets& targets, const gl::Texture& source,
+                    const gl::Program& program) {
+  glBindFramebuffer(GL_FRAMEBUFFER, target.id());
+  glBindVertexArray(targets.noAttributes.id());
+  glViewport(0, 0, targets.width, targets.height);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  source.bind(layout::sourceUnit);
+  glUseProgram(program.id());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+// What displayed() in shaders/display.glsl takes; scale: on what is read.
+struct DisplayParameters {
+  glm::vec4 parameters, backdrop;
+};
+DisplayParameters displayParameters(const FrameInput& in, float scale) {
+  const PictureSettings& s = in.settings;
+  const int channel = in.list.features.channel;
+  const bool shaded = channel == 0;
+  return {{shaded ? std::exp2(s.exposureStops) : 1.0f, shaded ? static_cast<float>(s.toneMapper) : 0.0f,
+           shading::channelIsColor(channel) ? 1.0f : 0.0f, scale},
+          {s.backgroundColor, s.background == Background::color ? 1.0f : 0.0f}};
+}
+
+// Adds targets.color / draws to the sum.
+Result<void> addToSum(const Targets& targets, const Gathering& gathering, ProgramStore& programs) {
+  const auto program = gatherProgram(programs);
+  if (!program) return tl::unexpected(program.error());
+  (*program)->set(0, 1.0f / static_cast<float>(gathering.draws()));
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE);
+  drawFullscreen(targets.gathered, targets, targets.color, **program);
+  glDisable(GL_BLEND);
+  return {};
+}
+
+// What is gathered so far times this is the mean of the draws that are done; exactly 1 at the end.
+float meanScale(const Gathering& gathering) {
+  return static_cast<float>(gathering.draws()) / static_cast<float>(gathering.done);
+}
+
+}  // namespace
+
+int gatheredDraws(const PictureSettings& settings, const Targets& targets) {
+  return targets.sum ? settings.samples : 1;
+}
+
+Gathering beginGathering(const FrameInput& in, const Targets& targets) {
+  Gathering gathering;
+  gathering.offsets = jitter(gatheredDraws(in.settings, targets));
+  gathering.visible = visibleRows(in, targets);
+  gathering.visibleBuffer = gl::Buffer::of(gathering.visible.instances, "visible instances");
+  const glm::vec4 zero(0);
+  if (targets.sum) glClearNamedFramebufferfv(targets.gathered.id(), GL_COLOR, 0, &zero.x);
+  return gathering;
+}
+
+Result<void> gatherRows(const FrameInput& in, const Targets& targets, Gathering& gathering, int64_t rows,
+                        ProgramStore& programs) {
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::visibleBinding, gathering.visibleBuffer.id());
+  const int draws = gathering.draws();
+  while (rows > 0 && !gathering.complete()) {
+    const bool whole = !in.list.transmitting.empty() || !targets.sum;
+    const int left = targets.height - gathering.rows;
+    const int band = whole ? left : static_cast<int>(std::min<int64_t>(rows, left));
+    if (band < targets.height) {
+      glEnable(GL_SCISSOR_TEST);
+      glScissor(0, gathering.rows, targets.width, band);
+    }
+    const auto index = static_cast<size_t>(gathering.done);
+    Result<FrameStatistics> drawn =
+        drawScene(in, gathering.visible, targets, gathering.done, draws, gathering.offsets[index], programs);
+    Result<void> added;
+    if (drawn && targets.sum) added = addToSum(targets, gathering, programs);
+    glDisable(GL_SCISSOR_TEST);
+    if (!drawn) return tl::unexpected(drawn.error());
+    if (!added) return added;
+    if (index == 0 && gathering.rows == 0)
+      gathering.statistics = std::move(*drawn), gathering.statistics.culled = gathering.visible.culled;
+    rows -= band;
+    gathering.rows += band;
+    if (gathering.rows == targets.height) gathering.rows = 0, ++gathering.done;
+  }
+  return {};
+}
+
+Result<void> drawDisplay(const FrameInput& in, const Targets& targets, const Gathering& gathering, const Targets& shown,
+                         ProgramStore& programs) {
+  assert(gathering.done > 0 && gathering.rows == 0);
+  const auto program = displayProgram(programs);
+  if (!program) return tl::unexpected(program.error());
+  const DisplayParameters display = displayParameters(in, meanScale(gathering));
+  (*program)->set(0, display.parameters);
+  (*program)->set(1, display.backdrop);
+  drawFullscreen(shown.shown, targets, targets.sum ? targets.sum : targets.color, **program);
+  return {};
+}
+
+void markBefore(const Targets& targets, Gathering& gathering) {
+  assert(gathering.rows == 0);
+  glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+  glCopyImageSubData(targets.sum.id(), GL_TEXTURE_2D, 0, 0, 0, 0, targets.before.id(), GL_TEXTURE_2D, 0, 0, 0, 0,
+                     targets.width, targets.height, 1);
+  gathering.before = gathering.done;
+}
+
+Result<ErrorSums> sumErrors(const FrameInput& in, const Targets& targets, const Gathering& gathering,
+                            const Targets& shown, ProgramStore& programs) {
+  assert(targets.before && gathering.done > gathering.before && gathering.before > 0 && gathering.rows == 0);
+  constexpr int tile = 64;  // of picture_error.comp.glsl
+  const auto program = errorProgram(programs);
+  if (!program) return tl::unexpected(program.error());
+  const DisplayParameters display = displayParameters(in, meanScale(gathering));
+  (*program)->set(0, display.parameters);
+  (*program)->set(1, display.backdrop);
+  const double before = gathering.before, after = gathering.done - gathering.before, all = gathering.done;
+  (*program)->set(2, glm::vec4(all / before, all / after, 0, 0));
+  const int columns = (targets.width + tile - 1) / tile, rows = (targets.height + tile - 1) / tile;
+  ErrorSums out;
+  out.tiles = static_cast<size_t>(columns) * static_cast<size_t>(rows);
+  out.values = static_cast<size_t>(targets.width) * static_cast<size_t>(targets.height) * 3;
+  out.share = std::sqrt(before * after) / all;
+  out.sums = gl::Buffer(out.tiles * sizeof(glm::vec2), "errors");
+  glBindImageTexture(0, targets.sum.id(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA32F);
+  glBindImageTexture(1, targets.before.id(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA32F);
+  glBindImageTexture(2, shown.display.id(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA8);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeOutputBinding, out.sums.id());
+  glUseProgram((*program)->id());
+  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+  glDispatchCompute(static_cast<GLuint>(columns), static_cast<GLuint>(rows), 1);
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  return out;
+}
+
+PictureErrors readErrors(const ErrorSums& sums) {
+  double parts = 0, shown = 0;
+  for (const glm::vec2& tile : sums.sums.read<glm::vec2>(sums.tiles)) {
+    parts += static_cast<double>(tile.x);
+    shown += static_cast<double>(tile.y);
+  }
+  const auto rms = [&](double sum) { return 255 * std::sqrt(sum / static_cast<double>(sums.values)); };
+  return {sums.share * rms(parts), rms(shown)};
+}
+
+Result<void> prepareGatherPrograms(ProgramStore& programs) {
+  if (const auto program = gatherProgram(programs); !program) return tl::unexpected(program.error());
+  if (const auto program = errorProgram(programs); !program) return tl::unexpected(program.error());
+  return {};
+}
+
+Result<FrameStatistics> drawFrame(const FrameInput& in, const Targets& targets, ProgramStore& programs) {
+  Gathering gathering = beginGathering(in, targets);
+  const int64_t rows = static_cast<int64_t>(gathering.draws()) * targets.height;
+  if (Result<void> drawn = gatherRows(in, targets, gathering, rows, programs); !drawn)
+    return tl::unexpected(drawn.error());
+  FrameStatistics& statistics = gathering.statistics;
+  if (targets.sum) statistics.passes.push_back("gather x " + std::to_string(gathering.draws()));
+  statistics.passes.emplace_back("display");
+  if (Result<void> result = drawDisplay(in, targets, gathering, targets, programs); !result)
+    return tl::unexpected(result.error());
+  return statistics;
+}
+
+}  // namespace facet::frame

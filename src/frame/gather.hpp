@@ -1,0 +1,66 @@
+#pragma once
+
+// A picture of many draws, gathered a few at a time: what comes out does not depend on how the work was cut.
+
+#include <vector>
+
+#include "frame/frame.hpp"
+#include "frame/visibility.hpp"
+#include "gl/buffer.hpp"
+
+namespace facet::frame {
+
+// How far a picture has come. The camera, the list and the targets must stay while it lasts.
+struct Gathering {
+  VisibleDraws visible;
+  gl::Buffer visibleBuffer;
+  std::vector<glm::dvec2> offsets;  // of each draw within its pixel
+  int done = 0;                     // draws that are in the targets completely
+  int rows = 0;                     // of the next draw, from the bottom
+  int before = 0;                   // draws that were done at the mark
+  FrameStatistics statistics;       // of the first draw
+
+  int draws() const { return static_cast<int>(offsets.size()); }
+  bool complete() const { return done == draws(); }
+};
+
+Gathering beginGathering(const FrameInput& in, const Targets& targets);
+
+// Draws so many rows (a draw has targets.height) as there are left, at most. A scene with transmitting surfaces is only
+// drawn whole, because what shines through may come from any row.
+Result<void> gatherRows(const FrameInput& in, const Targets& targets, Gathering& gathering, int64_t rows,
+                        shading::ProgramStore& programs);
+
+// What has been gathered by now into the display picture of `shown`, which may be that of the same targets. At least
+// one draw is done, none is under way.
+Result<void> drawDisplay(const FrameInput& in, const Targets& targets, const Gathering& gathering, const Targets& shown,
+                         shading::ProgramStore& programs);
+
+// Root mean squared differences of display pictures over all pixels and colour channels, in 1/255.
+struct PictureErrors {
+  // What the picture of all draws is off by, from the pictures A of its first m draws and B of the other n: were the
+  // draws independent, RMS(A - B) sqrt(m n) / (m + n). They are spread more evenly than that, so it errs on the safe
+  // side (by what factor is in tests/view/refinement_gl_test.cpp). What all draws have in common it does not see.
+  double parts = 0;
+  double shown = 0;  // between what has been gathered and the display picture of `shown`
+};
+
+// The errors, to be read when the GPU has come so far.
+struct ErrorSums {
+  gl::Buffer sums;
+  size_t tiles = 0, values = 0;
+  double share = 0;
+};
+
+// Remembers the draws that are done as the first part.
+void markBefore(const Targets& targets, Gathering& gathering);
+
+// More draws are done than at the mark, and none is under way.
+Result<ErrorSums> sumErrors(const FrameInput& in, const Targets& targets, const Gathering& gathering,
+                            const Targets& shown, shading::ProgramStore& programs);
+PictureErrors readErrors(const ErrorSums& sums);  // waits for the GPU
+
+// Errors: a shader does not compile.
+Result<void> prepareGatherPrograms(shading::ProgramStore& programs);
+
+}  // namespace facet::frame

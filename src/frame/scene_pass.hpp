@@ -1,0 +1,17 @@
+#pragma once
+
+// One draw of the scene, of those that a picture gathers (gather.hpp).
+
+#include "frame/frame.hpp"
+#include "frame/visibility.hpp"
+
+namespace facet::frame {
+
+Result<const gl::Program*> displayProgram(shading::ProgramStore& programs);
+
+// Draw number `draw` of `draws` into targets.color, offset within the pixel; keeps to the scissor where that is on. The
+// visible instances are bound.
+Result<FrameStatistics> drawScene(const FrameInput& in, const VisibleDraws& visible, const Targets& targets, int draw,
+                                  int draws, const glm::dvec2& offsetPixels, shading::ProgramStore& programs);
+
+}  // namespace facet::frame

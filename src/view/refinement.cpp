@@ -1,0 +1,193 @@
+#include "view/refinement.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/log.hpp"
+#include "view/viewport.hpp"
+
+namespace facet::view {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double stepMs = 25;       // GPU time of a step
+constexpr int64_t fewestRows = 32;  // a draw's fixed costs count more in thinner bands
+
+bool wantsRefinement(const frame::PictureSettings& settings) { return settings.samples > frame::convergedAbove; }
+
+frame::FrameInput frameInput(const Viewport& viewport, const ViewerState& state, const scene::View& view) {
+  return {viewport.scene->loaded->model,      viewport.list, viewport.scene->onGpu.gpu,
+          viewport.environment->onGpu.tables, view,          state.settings};
+}
+
+void giveUp(Refinement& refinement, ViewerState& state, const Error& error) {
+  state.status = {describe(error), true};
+  log::error(state.status.text);
+  state.refinement = {};
+  refinement.ended = true;
+}
+
+// What the sampled picture needs and the cheap one does not; a little each time. True where all is there.
+Result<bool> prepare(Viewport& viewport, const ViewerState& state, const scene::View& view) {
+  Refinement& r = viewport.refinement;
+  if (!r.movingFeatures) {
+    r.movingFeatures = viewport.list.features;
+    shading::FrameFeatures resting = viewport.list.features;
+    resting.imageLightSamples = frame::drawOptions(state.settings, resting.environment).features.imageLightSamples;
+    frame::setFeatures(viewport.list, resting);
+  }
+  EnvironmentSlot& environment = *viewport.environment;
+  const ibl::Needs needs = viewport.list.needs(viewport.built.skyVisible);
+  if (Result<void> computed =
+          ibl::computeTables(environment.onGpu.tables, environment.onGpu.environment, needs, viewport.programs);
+      !computed)
+    return tl::unexpected(computed.error());
+  const Result<bool> compiled = frame::prepareNextProgram(frameInput(viewport, state, view), viewport.programs);
+  if (!compiled || !*compiled) return compiled;
+  if (Result<void> gather = frame::prepareGatherPrograms(viewport.programs); !gather)
+    return tl::unexpected(gather.error());
+  return true;
+}
+
+void begin(Viewport& viewport, ViewerState& state, const scene::View& view) {
+  Refinement& r = viewport.refinement;
+  const frame::PictureSettings& s = state.settings;
+  if (r.targets.width != s.width || r.targets.height != s.height) {
+    r.targets = {};  // the old ones go first
+    r.targets = frame::createGatherTargets(s.width, s.height);
+  }
+  frame::prepareBehind(r.targets, viewport.list);
+  r.gathering = frame::beginGathering(frameInput(viewport, state, view), r.targets);
+  r.estimateAt = 1;
+  // A guess from the cheap frame: a sampled draw takes about as long per coverage sample. The steps adapt.
+  const double guessMs = state.shown.statistics.gpuMs;
+  r.rows = guessMs > 0 ? static_cast<int64_t>(s.height * stepMs / (2 * guessMs)) : s.height / 8;
+  r.rows = std::max(r.rows, fewestRows);
+}
+
+int64_t height(const Refinement& r) { return r.targets.height; }
+
+// Rows of the next step: whole draws where one fits, up to the next estimate at most.
+int64_t stepRows(const Refinement& r) {
+  const frame::Gathering& g = *r.gathering;
+  const int until = std::min(std::max(r.estimateAt, g.done + 1), g.draws());
+  int64_t end = g.rows + r.rows;
+  if (end > height(r)) end -= end % height(r);
+  return std::min(end, (until - g.done) * height(r)) - g.rows;
+}
+
+// After a step: as many rows as fit into the time, as far as it is known.
+void adapt(Refinement& r) {
+  const double ms = std::max({r.timer.milliseconds(), r.issueMs, 0.01});
+  const auto fitting = static_cast<int64_t>(static_cast<double>(r.issuedRows) * stepMs / ms);
+  r.rows = std::clamp(fitting, fewestRows, std::max(fewestRows, 2 * std::max(r.rows, r.issuedRows)));
+}
+
+// The step has passed the GPU: its estimate decides which picture is shown. True where that is to change.
+bool takeErrors(Refinement& r, ViewerState& state) {
+  if (!r.errors) return false;
+  const frame::PictureErrors errors = frame::readErrors(*r.errors);
+  r.errors.reset();
+  // Of the cheap picture and the gathered one, whose errors are independent.
+  const double cheap = std::sqrt(std::max(0.0, errors.shown * errors.shown - errors.parts * errors.parts));
+  const bool change = !r.shown && (errors.parts < cheap || r.gathering->complete());
+  r.shown |= change;
+  state.refinement.error = r.shown ? errors.parts : cheap;
+  return change;
+}
+
+// The first half of the draws against the second; twice as many the next time.
+Result<void> estimate(Viewport& viewport, const frame::FrameInput& in) {
+  Refinement& r = viewport.refinement;
+  frame::Gathering& gathering = *r.gathering;
+  if (gathering.before > 0) {
+    Result<frame::ErrorSums> errors = frame::sumErrors(in, r.targets, gathering, viewport.targets, viewport.programs);
+    if (!errors) return tl::unexpected(errors.error());
+    r.errors = std::move(*errors);
+  }
+  if (!gathering.complete()) frame::markBefore(r.targets, gathering);
+  // A last part of one draw would say little: the last two estimates are put together then.
+  const int next = 2 * gathering.done;
+  r.estimateAt = 3 * next / 2 > gathering.draws() ? gathering.draws() : next;
+  return {};
+}
+
+Result<void> step(Viewport& viewport, ViewerState& state, const frame::FrameInput& in, bool& drew) {
+  Refinement& r = viewport.refinement;
+  const auto start = Clock::now();
+  if (!r.timer) r.timer = gl::Timer::create();
+  r.issuedRows = stepRows(r);
+  r.timer.begin();
+  Result<void> done = frame::gatherRows(in, r.targets, *r.gathering, r.issuedRows, viewport.programs);
+  const frame::Gathering& gathering = *r.gathering;
+  const bool whole = gathering.rows == 0 && gathering.done > 0;
+  if (done && whole && gathering.done == r.estimateAt) done = estimate(viewport, in);
+  if (done && whole && r.shown) {
+    done = frame::drawDisplay(in, r.targets, gathering, viewport.targets, viewport.programs);
+    state.refinement.shown = gathering.done;
+    drew = true;
+  }
+  r.timer.end();
+  glFlush();
+  r.pending = true;
+  r.issueMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  state.refinement.gathered = gathering.done;
+  return done;
+}
+
+}  // namespace
+
+void stopRefinement(Viewport& viewport, ViewerState& state) {
+  Refinement& r = viewport.refinement;
+  r.gathering.reset();
+  r.errors.reset();
+  r.pending = r.ended = r.shown = false;
+  r.since = Clock::now();
+  if (r.movingFeatures) frame::setFeatures(viewport.list, *r.movingFeatures);
+  r.movingFeatures.reset();
+  if (!wantsRefinement(state.settings)) r.targets = {};
+  state.refinement = {};
+  if (wantsRefinement(state.settings)) state.refinement.wanted = state.settings.samples;
+}
+
+bool refining(const Viewport& viewport, const ViewerState& state) {
+  return viewport.drawn && !viewport.refinement.ended && wantsRefinement(state.settings) && !viewport.shadersBroken;
+}
+
+bool refine(Viewport& viewport, ViewerState& state, const scene::View& view) {
+  Refinement& r = viewport.refinement;
+  if (!refining(viewport, state) || (r.pending && !r.timer.ready())) return false;
+  if (!r.gathering) {
+    if (Clock::now() - r.since < r.restDelay) return false;
+    const Result<bool> ready = prepare(viewport, state, view);
+    if (!ready) return giveUp(r, state, ready.error()), true;
+    if (!*ready) return false;
+    begin(viewport, state, view);
+  }
+  bool drew = false;
+  const frame::FrameInput in = frameInput(viewport, state, view);
+  frame::setTextureDetail(viewport.scene->onGpu.gpu, r.gathering->draws(), viewport.context);
+  if (r.pending) {
+    r.pending = false;
+    adapt(r);
+    const bool last = r.gathering->complete();
+    if (takeErrors(r, state) || (last && !r.shown)) {
+      r.shown = drew = true;
+      if (Result<void> shown = frame::drawDisplay(in, r.targets, *r.gathering, viewport.targets, viewport.programs);
+          !shown)
+        return giveUp(r, state, shown.error()), true;
+      state.refinement.shown = r.gathering->done;
+    }
+    if (last) {
+      r.ended = true;
+      log::debug("picture converged: " + std::to_string(r.gathering->draws()) + " samples");
+    }
+  }
+  if (!r.ended)
+    if (Result<void> done = step(viewport, state, in, drew); !done) return giveUp(r, state, done.error()), true;
+  return drew || r.ended;
+}
+
+}  // namespace facet::view

@@ -1,0 +1,65 @@
+#pragma once
+
+// The window's loop without a window.
+
+#include <catch2/catch.hpp>
+#include <thread>
+
+#include "support/gpu.hpp"
+#include "view/viewport.hpp"
+
+namespace facet::test {
+
+struct Viewer {
+  view::Loader loader;
+  view::ViewerState state;
+  view::Viewport viewport{contextInfo(), makeProgramStore()};
+
+  Viewer() {
+    state.settings.width = 64;
+    state.settings.height = 48;
+    state.settings.samples = 1;
+    state.environments = view::builtinEnvironmentSources();
+    viewport.refinement.restDelay = {};
+  }
+
+  // Until nothing is under way.
+  void settle() {
+    for (int i = 0; i < 2000; ++i) {
+      if (auto model = loader.model.take()) view::takeModel(viewport, state, std::move(*model));
+      if (auto map = loader.environment.take()) view::takeEnvironment(viewport, state, std::move(*map));
+      if (auto images = loader.images.take()) view::takeImages(viewport, state, std::move(*images));
+      view::bringUp(viewport, state, loader);
+      if (!loader.running()) break;
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    REQUIRE_FALSE(loader.running());
+  }
+  void load(const std::string& source) {
+    view::startModel(loader, source);
+    settle();
+  }
+  io::Pixels display() const { return frame::readDisplay(viewport.targets, false); }
+  // Draws and refines until the picture has converged; turns that it took.
+  int converge() {
+    view::drawViewport(viewport, state);
+    int turns = 0;
+    for (; view::refining(viewport, state) && turns < 100'000; ++turns) {
+      view::drawViewport(viewport, state);
+      if (viewport.refinement.pending) glFinish();
+    }
+    REQUIRE_FALSE(view::refining(viewport, state));
+    return turns;
+  }
+  // The channel of a pixel in the middle of the picture, 8 bit.
+  glm::ivec3 middle() {
+    view::drawViewport(viewport, state);
+    const io::Pixels pixels = display();
+    const size_t at = (static_cast<size_t>(pixels.height / 2) * static_cast<size_t>(pixels.width) +
+                       static_cast<size_t>(pixels.width / 2)) *
+                      3;
+    return {pixels.data[at], pixels.data[at + 1], pixels.data[at + 2]};
+  }
+};
+
+}  // namespace facet::test
