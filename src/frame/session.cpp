@@ -16,10 +16,9 @@ std::string driverName(const gl::ContextInfo& info) { return info.vendor + "\n" 
 
 Session::Session(gl::HeadlessContext context, const SessionOptions& options)
     : context_(std::move(context)),
-      programs_(
-          shading::shaderReader(options.shaderDir),
-          options.diskCache && context_.info().programBinaries ? shading::userCacheFolder() : std::filesystem::path(),
-          driverName(context_.info())) {}
+      programs_(shading::shaderReader(options.shaderDir),
+                options.diskCache && context_.info().programBinaries ? userCacheFolder() : std::filesystem::path(),
+                driverName(context_.info())) {}
 
 Result<std::unique_ptr<Session>> Session::create(const SessionOptions& options) {
   Result<gl::HeadlessContext> context = gl::HeadlessContext::create(options.debug);

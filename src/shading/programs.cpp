@@ -1,12 +1,8 @@
 #include "shading/programs.hpp"
 
-#include <unistd.h>
-
 #include <chrono>
-#include <cstdio>
-#include <cstdlib>
 #include <cstring>
-#include <fstream>
+#include <span>
 
 namespace facet::shading {
 
@@ -14,64 +10,31 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// FNV-1a, 64 bit: names cache files only; the stored source is compared on reading.
-uint64_t hash(std::string_view text) {
-  uint64_t h = 14695981039346656037ull;
-  for (const char c : text) h = (h ^ static_cast<uint8_t>(c)) * 1099511628211ull;
-  return h;
-}
+constexpr uintmax_t cachedBytes = 64 << 20;
 
-std::string hex(uint64_t value) {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
-  return text;
-}
-
-// File: length of the key, the key (driver and sources), format, binary.
-gl::ProgramBinary readBinary(const std::filesystem::path& path, const std::string& key) {
-  std::ifstream file(path, std::ios::binary);
-  uint64_t keyLength = 0;
+// A cached program: format, binary.
+gl::ProgramBinary unpacked(std::span<const std::byte> bytes) {
   gl::ProgramBinary binary;
-  if (!file.read(reinterpret_cast<char*>(&keyLength), sizeof keyLength) || keyLength != key.size()) return {};
-  std::string stored(key.size(), '\0');
-  if (!file.read(stored.data(), static_cast<std::streamsize>(stored.size())) || stored != key) return {};
-  if (!file.read(reinterpret_cast<char*>(&binary.format), sizeof binary.format)) return {};
-  binary.bytes.assign(std::istreambuf_iterator<char>(file), {});
+  if (bytes.size() <= sizeof binary.format) return {};
+  std::memcpy(&binary.format, bytes.data(), sizeof binary.format);
+  binary.bytes.resize(bytes.size() - sizeof binary.format);
+  std::memcpy(binary.bytes.data(), bytes.data() + sizeof binary.format, binary.bytes.size());
   return binary;
 }
 
-// Written aside and renamed, so that a reader in another process never sees half a file. Failing to write is no error.
-void writeBinary(const std::filesystem::path& path, const std::string& key, const gl::ProgramBinary& binary) {
-  std::error_code ignored;
-  std::filesystem::create_directories(path.parent_path(), ignored);
-  const std::filesystem::path temporary = path.string() + "." + std::to_string(getpid());
-  {
-    std::ofstream file(temporary, std::ios::binary);
-    const uint64_t keyLength = key.size();
-    file.write(reinterpret_cast<const char*>(&keyLength), sizeof keyLength);
-    file.write(key.data(), static_cast<std::streamsize>(key.size()));
-    file.write(reinterpret_cast<const char*>(&binary.format), sizeof binary.format);
-    file.write(reinterpret_cast<const char*>(binary.bytes.data()), static_cast<std::streamsize>(binary.bytes.size()));
-    file.close();
-    if (!file) {
-      std::filesystem::remove(temporary, ignored);
-      return;
-    }
-  }
-  std::filesystem::rename(temporary, path, ignored);
+std::vector<std::byte> packed(const gl::ProgramBinary& binary) {
+  std::vector<std::byte> bytes(sizeof binary.format + binary.bytes.size());
+  std::memcpy(bytes.data(), &binary.format, sizeof binary.format);
+  std::memcpy(bytes.data() + sizeof binary.format, binary.bytes.data(), binary.bytes.size());
+  return bytes;
 }
 
 }  // namespace
 
-std::filesystem::path userCacheFolder() {
-  if (const char* xdg = std::getenv("XDG_CACHE_HOME"); xdg && *xdg == '/') return std::filesystem::path(xdg) / "facet";
-  if (const char* home = std::getenv("HOME"); home && *home == '/')
-    return std::filesystem::path(home) / ".cache" / "facet";
-  return {};
-}
-
 ProgramStore::ProgramStore(ShaderReader reader, std::filesystem::path cacheFolder, std::string driver)
-    : reader_(std::move(reader)), cacheFolder_(std::move(cacheFolder)), driver_(std::move(driver)) {}
+    : reader_(std::move(reader)),
+      cache_{cacheFolder.empty() ? cacheFolder : cacheFolder / "programs", cachedBytes},
+      driver_(std::move(driver)) {}
 
 Result<const gl::Program*> ProgramStore::render(const std::string& vertex, const std::string& fragment,
                                                 const std::vector<Define>& defines) {
@@ -109,16 +72,11 @@ Result<gl::Program> ProgramStore::build(const std::vector<Stage>& stages, const 
     key += shader->text;
     assembled.push_back(std::move(*shader));
   }
-  const std::filesystem::path file =
-      cacheFolder_.empty() ? std::filesystem::path() : cacheFolder_ / "programs" / (hex(hash(key)) + ".bin");
-  if (!file.empty()) {
-    const gl::ProgramBinary binary = readBinary(file, key);
-    if (!binary.bytes.empty())
-      if (gl::Program program = gl::Program::fromBinary(binary, label)) {
-        count(statistics_.fromDisk);
-        return program;
-      }
-  }
+  if (const auto cached = readCached(cache_, key))
+    if (gl::Program program = gl::Program::fromBinary(unpacked(*cached), label)) {
+      count(statistics_.fromDisk);
+      return program;
+    }
   Result<gl::Program> program = gl::Program::build(sources, label);
   if (!program) {
     Error error = program.error();
@@ -129,8 +87,9 @@ Result<gl::Program> ProgramStore::build(const std::vector<Stage>& stages, const 
     return tl::unexpected(error);
   }
   count(statistics_.compiled);
-  if (!file.empty())
-    if (const gl::ProgramBinary binary = program->binary(); !binary.bytes.empty()) writeBinary(file, key, binary);
+  if (!cache_.folder.empty())
+    if (const gl::ProgramBinary binary = program->binary(); !binary.bytes.empty())
+      writeCached(cache_, key, packed(binary));
   return program;
 }
 

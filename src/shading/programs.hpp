@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/disk_cache.hpp"
 #include "base/error.hpp"
 #include "gl/program.hpp"
 #include "shading/assembler.hpp"
@@ -42,13 +43,10 @@ class ProgramStore {
                             const std::string& label);
 
   ShaderReader reader_;
-  std::filesystem::path cacheFolder_;
+  DiskCache cache_;
   std::string driver_;
   std::map<std::string, gl::Program> programs_;
   ProgramStatistics statistics_;
 };
-
-// $XDG_CACHE_HOME/facet, else ~/.cache/facet; empty where neither is known.
-std::filesystem::path userCacheFolder();
 
 }  // namespace facet::shading

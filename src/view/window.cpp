@@ -226,7 +226,7 @@ std::string openGLText(const gl::ContextInfo& info) {
 Viewport createViewport(const gl::ContextInfo& info, const WindowOptions& options) {
   const bool cached = options.diskCache && info.programBinaries;
   return Viewport(info, shading::ProgramStore(shading::shaderReader(options.settings.shaderDir),
-                                              cached ? shading::userCacheFolder() : std::filesystem::path(),
+                                              cached ? userCacheFolder() : std::filesystem::path(),
                                               info.vendor + "\n" + info.renderer + "\n" + info.version));
 }
 
