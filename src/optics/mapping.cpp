@@ -33,6 +33,22 @@ double equirectTexelSolidAngle(int row, int width, int height) {
   return 2 * pi / width * 2 * std::sin(pi * (row + 0.5) / height) * std::sin(pi / (2.0 * height));
 }
 
+double equirectTentSolidAngle(int row, int width, int height) {
+  // One flank of the tent, of length s, from theta = a on: int_0^s (1 - t / s) sin(a + t) dt = cos a - (sin(a + s) -
+  // sin a) / s, without the cancellation for small s; the flank towards smaller angles likewise with s < 0.
+  const double s = pi / height, middle = s * (row + 0.5);
+  const auto flank = [&](double side) {
+    // cos a (1 - sin s / s) + sin a (1 - cos s) / s
+    const double half = std::sin(s / 2);
+    const double gap = s < 0.1 ? s * s / 6 * (1 - s * s / 20 * (1 - s * s / 42)) : 1 - std::sin(s) / s;
+    return side * std::cos(middle) * gap + std::sin(middle) * 2 * half * half / s;
+  };
+  const double pole = 2 * std::sin(middle / 2) * std::sin(middle / 2);  // from the pole to the first row's centre
+  const double above = row == 0 ? pole : flank(-1);
+  const double below = row == height - 1 ? 2 * std::pow(std::sin((pi - middle) / 2), 2) : flank(1);
+  return 2 * pi / width * (above + below);
+}
+
 CubePoint cubeFromDirection(const glm::dvec3& d) {
   const glm::dvec3 size = glm::abs(d);
   CubePoint point;

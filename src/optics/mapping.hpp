@@ -15,6 +15,9 @@ glm::dvec3 directionFromEquirect(const glm::dvec2& uv);
 glm::dvec2 equirectTexelCentre(int column, int row, int width, int height);
 // Solid angle [sr] of any texel of a row: 2pi / width times the difference of cosines. All texels add up to 4 pi.
 double equirectTexelSolidAngle(int row, int width, int height);
+// The same under bilinear interpolation: the integral of the texel's tent, constant from the outermost rows to the
+// poles. These add up to 4 pi as well.
+double equirectTentSolidAngle(int row, int width, int height);
 
 // OpenGL 4.6 table 8.19. Faces 0..5: +X -X +Y -Y +Z -Z; uv in [0, 1]^2, v growing with the row of the face's data.
 struct CubePoint {

@@ -37,7 +37,20 @@ TEST_CASE("Equirectangular map: solid angles") {
     double sum = 0;
     for (int row = 0; row < height; ++row) sum += width * equirectTexelSolidAngle(row, width, height);
     CHECK(sum == Approx(4 * pi).epsilon(1e-13));
+    double tents = 0;
+    for (int row = 0; row < height; ++row) tents += width * equirectTentSolidAngle(row, width, height);
+    CHECK(tents == Approx(4 * pi).epsilon(1e-13));
   }
+  // Away from the poles the tent in latitude takes sin(d / 2) / (d / 2), d = pi / height, of what the box takes.
+  for (const int height : {4, 30, 31, 32, 512}) {
+    const double half = pi / height / 2;
+    CHECK(equirectTentSolidAngle(height / 2 - 1, 8, height) / equirectTexelSolidAngle(height / 2 - 1, 8, height) ==
+          Approx(std::sin(half) / half).epsilon(1e-12));
+  }
+  // At a pole, with the row's d small: (1/8 + 5/12) d^2 against d^2 / 2.
+  CHECK(equirectTentSolidAngle(0, 1024, 512) / equirectTexelSolidAngle(0, 1024, 512) ==
+        Approx(13.0 / 12).epsilon(1e-4));
+  CHECK(equirectTentSolidAngle(511, 1024, 512) == Approx(equirectTentSolidAngle(0, 1024, 512)).epsilon(1e-12));
   CHECK(equirectTexelSolidAngle(0, 1, 1) == Approx(4 * pi).epsilon(1e-15));
   // A pole texel of 512 rows against one at the equator: 1 / 325.9
   CHECK(equirectTexelSolidAngle(255, 1024, 512) / equirectTexelSolidAngle(0, 1024, 512) == Approx(325.9).epsilon(1e-3));
