@@ -199,7 +199,7 @@ std::function<int()> addRender(CLI::App& app) {
       ->check(CLI::Range(1, maxFrames));
   app.add_option("--fps", arguments->fps, "frames per second (30)")->type_name("F")->check(CLI::Range(1e-3, 1e6));
   app.add_flag("--strict", arguments->strict, "any warning makes the exit status 2");
-  app.add_flag("--no-cache", arguments->noCache, "neither read nor write the cache of compiled shaders");
+  app.add_flag("--no-cache", arguments->noCache, "neither read nor write the caches of compiled shaders and of light tables");
   app.add_flag("--gl-debug", arguments->glDebug, "log OpenGL's debug messages");
   addPictureOptions(app, arguments->picture);
   return [arguments] { return runRender(*arguments); };

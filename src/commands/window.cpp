@@ -41,7 +41,7 @@ std::function<int()> addWindow(CLI::App& app) {
   auto arguments = std::make_shared<WindowArguments>();
   app.add_option("model", arguments->model, "a .gltf or .glb file, or builtin:NAME (builtin:poster)")
       ->type_name("MODEL");
-  app.add_flag("--no-cache", arguments->noCache, "neither read nor write the cache of compiled shaders");
+  app.add_flag("--no-cache", arguments->noCache, "neither read nor write the caches of compiled shaders and of light tables");
   app.add_flag("--gl-debug", arguments->glDebug, "log OpenGL's debug messages");
   addPictureOptions(app, arguments->picture);
   return [arguments] { return runViewer(*arguments); };

@@ -243,6 +243,11 @@ std::string chooseEnvironment(const PictureSettings& settings, const std::string
   return shaded && scene::anythingLit(model, scene) ? "builtin:studio" : "none";
 }
 
+Result<void> prepareTables(EnvironmentOnGpu& environment, const ibl::Needs& needs, shading::ProgramStore& programs) {
+  return ibl::prepareTables(environment.tables, environment.environment, environment.content, needs, programs,
+                            environment.cache);
+}
+
 Targets createTargets(const PictureSettings& settings, const gl::ContextInfo& context, int rows) {
   const bool gather = settings.samples > convergedAbove;
   return createTargets(settings.width, rows > 0 ? rows : settings.height,
@@ -311,8 +316,7 @@ Result<PreparedPicture> preparePicture(const PictureSettings& settings, SceneOnG
 
   const shading::ProgramStatistics before = programs.statistics();
   PictureStatistics& statistics = prepared.statistics;
-  if (Result<void> r = ibl::computeTables(environment.tables, environment.environment, needs, programs); !r)
-    return tl::unexpected(r.error());
+  if (Result<void> r = prepareTables(environment, needs, programs); !r) return tl::unexpected(r.error());
   statistics.tables = environment.tables.statistics;
   stages.mark("precompute");
 

@@ -7,6 +7,7 @@
 
 #include "base/stages.hpp"
 #include "frame/frame.hpp"
+#include "ibl/cache.hpp"
 
 namespace facet::frame {
 
@@ -28,7 +29,12 @@ struct SceneOnGpu {
 struct EnvironmentOnGpu {
   const scene::Environment* environment = nullptr;
   ibl::Tables tables;
+  ibl::TableCache cache = {};  // the default: none
+  std::string content = {};    // ibl::contentKey, where it is known
 };
+
+// What of them is not there yet, from the cache or computed.
+Result<void> prepareTables(EnvironmentOnGpu& environment, const ibl::Needs& needs, shading::ProgramStore& programs);
 
 // More samples a pixel than this: each is a draw of its own and samples the environment instead of reading the split
 // sum's tables, so that its specular part converges to the true integral, not to the approximation.

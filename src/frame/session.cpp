@@ -18,7 +18,10 @@ Session::Session(gl::HeadlessContext context, const SessionOptions& options)
     : context_(std::move(context)),
       programs_(shading::shaderReader(options.shaderDir),
                 options.diskCache && context_.info().programBinaries ? userCacheFolder() : std::filesystem::path(),
-                driverName(context_.info())) {}
+                driverName(context_.info())) {
+  // Shaders of the user's may make other tables.
+  if (options.diskCache && options.shaderDir.empty()) tableCache_ = ibl::userTableCache(driverName(context_.info()));
+}
 
 Result<std::unique_ptr<Session>> Session::create(const SessionOptions& options) {
   Result<gl::HeadlessContext> context = gl::HeadlessContext::create(options.debug);
@@ -48,6 +51,7 @@ Result<LoadedEnvironment*> Session::findEnvironment(const std::string& source, N
     made->environment = std::move(*loaded);
     made->onGpu.environment = &made->environment;
   }
+  made->onGpu.cache = tableCache_;
   entry = std::move(made);
   LoadedEnvironment* const found = entry.get();
   // A suite that goes through many maps should not keep them all.

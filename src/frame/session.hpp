@@ -28,7 +28,7 @@ struct LoadedScene {
 
 struct SessionOptions {
   std::string shaderDir;  // empty: the embedded shaders
-  bool diskCache = true;  // program binaries
+  bool diskCache = true;  // program binaries, tables
   bool debug = false;     // KHR_debug
 };
 
@@ -54,6 +54,7 @@ class Session {
 
   gl::HeadlessContext context_;  // first: everything below is freed before it
   shading::ProgramStore programs_;
+  ibl::TableCache tableCache_;
   std::map<std::string, std::unique_ptr<LoadedEnvironment>> environments_;
   std::unique_ptr<LoadedScene> scene_;
   std::string environmentName_;

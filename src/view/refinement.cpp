@@ -40,9 +40,7 @@ Result<bool> prepare(Viewport& viewport, const ViewerState& state, const scene::
   }
   EnvironmentSlot& environment = *viewport.environment;
   const ibl::Needs needs = viewport.list.needs(viewport.built.skyVisible);
-  if (Result<void> computed =
-          ibl::computeTables(environment.onGpu.tables, environment.onGpu.environment, needs, viewport.programs);
-      !computed)
+  if (Result<void> computed = frame::prepareTables(environment.onGpu, needs, viewport.programs); !computed)
     return tl::unexpected(computed.error());
   const Result<bool> compiled = frame::prepareNextProgram(frameInput(viewport, state, view), viewport.programs);
   if (!compiled || !*compiled) return compiled;

@@ -120,10 +120,9 @@ Result<void> putOnGpu(Viewport& viewport, SceneSlot& scene, EnvironmentSlot& env
   frame::uploadImages(scene.onGpu.gpu, model, frame::textureUses(model, list), std::exchange(scene.pixels, {}));
   ibl::Tables& tables = environment.onGpu.tables;
   const ibl::Needs needs = list.needs(request.skyVisible);
-  if (Result<void> r = ibl::computeTables(tables, environment.onGpu.environment, needs, viewport.programs); !r)
-    return r;
+  if (Result<void> r = frame::prepareTables(environment.onGpu, needs, viewport.programs); !r) return r;
   for (const ibl::TableStatistics& table : tables.statistics)
-    log::debug("table computed: " + table.name + ", " + std::to_string(std::lround(table.milliseconds)) + " ms");
+    log::debug("table: " + table.name + ", " + std::to_string(std::lround(table.milliseconds)) + " ms");
   const scene::View view = scene::orbitView(state.camera, 1, list.bounds);
   return frame::preparePrograms({model, list, scene.onGpu.gpu, tables, view, state.settings}, viewport.programs);
 }
@@ -245,6 +244,7 @@ void takeEnvironment(Viewport& viewport, ViewerState& state, EnvironmentLoaded l
   slot->source = loaded.source;
   slot->environment = *loaded.environment;
   slot->onGpu.environment = slot->environment.get();
+  slot->onGpu.cache = viewport.tableCache;
   slot->notes = std::move(loaded.notes);
   viewport.environments.push_back(std::move(slot));
 }

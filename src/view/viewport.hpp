@@ -62,6 +62,7 @@ struct Viewport {
 
   gl::ContextInfo context;
   shading::ProgramStore programs;
+  ibl::TableCache tableCache;                                  // the default: none
   std::unique_ptr<SceneSlot> scene;                            // shown
   std::unique_ptr<SceneSlot> next;                             // read, waits for what it needs
   std::vector<std::unique_ptr<EnvironmentSlot>> environments;  // most recently shown first

@@ -225,9 +225,12 @@ std::string openGLText(const gl::ContextInfo& info) {
 
 Viewport createViewport(const gl::ContextInfo& info, const WindowOptions& options) {
   const bool cached = options.diskCache && info.programBinaries;
-  return Viewport(info, shading::ProgramStore(shading::shaderReader(options.settings.shaderDir),
-                                              cached ? userCacheFolder() : std::filesystem::path(),
-                                              info.vendor + "\n" + info.renderer + "\n" + info.version));
+  const std::string driver = info.vendor + "\n" + info.renderer + "\n" + info.version;
+  Viewport viewport(info, shading::ProgramStore(shading::shaderReader(options.settings.shaderDir),
+                                                cached ? userCacheFolder() : std::filesystem::path(), driver));
+  // Shaders of the user's may make other tables.
+  if (options.diskCache && options.settings.shaderDir.empty()) viewport.tableCache = ibl::userTableCache(driver);
+  return viewport;
 }
 
 }  // namespace

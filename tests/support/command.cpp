@@ -22,6 +22,8 @@ Outcome runShell(const std::string& line) {
   return outcome;
 }
 
+std::string facetPath() { return FACET_EXECUTABLE; }
+
 Outcome runFacet(const std::vector<std::string>& words) {
   std::string line = commands::shellWord(FACET_EXECUTABLE);
   for (const std::string& word : words) line.append(" ").append(commands::shellWord(word));

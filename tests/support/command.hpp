@@ -15,6 +15,9 @@ struct Outcome {
 // Runs the built facet with these words.
 Outcome runFacet(const std::vector<std::string>& words);
 
+// The built facet.
+std::string facetPath();
+
 // Runs a line of shell.
 Outcome runShell(const std::string& line);
 
