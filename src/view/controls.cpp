@@ -53,6 +53,18 @@ void takeKey(const KeyPress& press, const std::optional<scene::View>& view, View
     case GLFW_KEY_TAB:
       state.panelVisible = !state.panelVisible;
       break;
+    case GLFW_KEY_B:
+      state.browserVisible = !state.browserVisible;
+      state.panelVisible = true;
+      break;
+    case GLFW_KEY_N:
+      state.settingsVisible = !state.settingsVisible;
+      state.panelVisible = true;
+      break;
+    case GLFW_KEY_T:
+      state.timelineVisible = !state.timelineVisible;
+      state.panelVisible = true;
+      break;
     case GLFW_KEY_ESCAPE:
       actions.quit = true;
       break;
@@ -89,7 +101,8 @@ const std::vector<Shortcut> shortcuts = {
     {"E", "next built-in environment"},
     {"Space", "play, pause"},
     {"P, F12", "screenshot"},
-    {"H, Tab", "hide or show the panel"},
+    {"H, Tab", "hide or show all panels"},
+    {"B, N, T", "browser, settings, timeline"},
     {"Esc, Ctrl+Q", "quit"},
     {"drop a file", ".glb .gltf .hdr .exr"},
 };

@@ -10,6 +10,7 @@
 #include "commands/picture_options.hpp"
 #include "optics/presets.hpp"
 #include "shading/features.hpp"
+#include "view/layout.hpp"
 #include "view/panel_window.hpp"
 #include "view/statistics_panel.hpp"
 #include "view/style.hpp"
@@ -261,7 +262,7 @@ void statusLine(const ViewerState& state, PanelResult& result) {
   const bool loading = !state.loading.empty();
   if (!loading && !state.status.isError && !state.panelVisible) return;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const float height = ImGui::GetFrameHeight() + 6;
+  const float height = statusHeight();
   ImGui::SetNextWindowPos({0, screen.y - height});
   ImGui::SetNextWindowSize({screen.x, height});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12, 6});
@@ -293,14 +294,9 @@ Area windowArea() {
   return {{at.x, at.y}, {at.x + size.x, at.y + size.y}};
 }
 
-PanelResult drawPanel(ViewerState& state) {
-  PanelResult result;
-  if (state.panelVisible) {
-    const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    const float below = ImGui::GetFrameHeight() + 6;
-    ImGui::SetNextWindowPos({0, 0});
-    ImGui::SetNextWindowSize({std::min(panelEms * ImGui::GetFontSize(), screen.x), screen.y - below});
-    if (ImGui::Begin("panel", nullptr, fixedWindow)) {
+void drawPanel(ViewerState& state, PanelResult& result) {
+  if (state.panelVisible && state.settingsVisible) {
+    if (beginSide("settings", Side::right, panelEms, result)) {
       ImGui::PushItemWidth(-7.5f * ImGui::GetFontSize());
       header(state, result);
       environmentSection(state);
@@ -313,13 +309,11 @@ PanelResult drawPanel(ViewerState& state) {
       notesSection(state.shown);
       keysSection();
       ImGui::PopItemWidth();
-      result.areas.push_back(windowArea());
     }
     ImGui::End();
   }
   drawTimeline(state, result);
   statusLine(state, result);
-  return result;
 }
 
 }  // namespace facet::view

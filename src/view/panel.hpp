@@ -1,7 +1,8 @@
 #pragma once
 
-// The panel at the window's left and the status line below: Dear ImGui widgets on the viewer's state.
+// The settings at the window's right, timeline and status line below: Dear ImGui widgets on the viewer's state.
 
+#include <string>
 #include <vector>
 
 #include "view/controls.hpp"
@@ -13,10 +14,12 @@ namespace facet::view {
 struct PanelResult {
   bool screenshot = false, frameAll = false, resetCamera = false;
   bool leaveFileCamera = false;  // the orbit was chosen in place of the file's camera
-  std::vector<Area> areas;       // what it covers, window coordinates
+  std::string model;             // to be loaded; empty: none
+  std::vector<Area> areas;       // what the panels cover, window coordinates
+  float left = 0, right = 0;     // widths of what is shown at the sides
 };
 
-// Between ImGui::NewFrame and ImGui::Render.
-PanelResult drawPanel(ViewerState& state);
+// Between ImGui::NewFrame and ImGui::Render. result: of what was drawn before, the browser.
+void drawPanel(ViewerState& state, PanelResult& result);
 
 }  // namespace facet::view

@@ -12,7 +12,9 @@ namespace facet::view {
 inline constexpr ImGuiWindowFlags fixedWindow = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                                 ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                                                 ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNavFocus;
-inline constexpr float panelEms = 21;  // the panel's width in font sizes
+inline constexpr float panelEms = 21;  // the settings' width in font sizes, at first
+// Of the status line.
+inline float statusHeight() { return ImGui::GetFrameHeight() + 6; }
 
 // What the current ImGui window covers.
 Area windowArea();

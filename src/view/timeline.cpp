@@ -23,12 +23,11 @@ void animationCombo(ViewerState& state) {
 }  // namespace
 
 void drawTimeline(ViewerState& state, PanelResult& result) {
-  if (state.shown.animations.empty() || !state.panelVisible) return;
+  if (state.shown.animations.empty() || !state.panelVisible || !state.timelineVisible) return;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const float row = ImGui::GetFrameHeight();
-  const float left = std::min(panelEms * ImGui::GetFontSize(), screen.x), height = row + 14;
-  ImGui::SetNextWindowPos({left, screen.y - (row + 6) - height});
-  ImGui::SetNextWindowSize({std::max(screen.x - left, 1.0f), height});
+  const float height = ImGui::GetFrameHeight() + 14;
+  ImGui::SetNextWindowPos({result.left, screen.y - statusHeight() - height});
+  ImGui::SetNextWindowSize({std::max(screen.x - result.left - result.right, 1.0f), height});
   if (ImGui::Begin("timeline", nullptr, fixedWindow | ImGuiWindowFlags_NoScrollbar)) {
     if (ImGui::Button(state.playback.playing ? "pause" : "play", {4.5f * ImGui::GetFontSize(), 0}))
       togglePlaying(state);

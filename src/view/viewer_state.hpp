@@ -101,9 +101,10 @@ struct ViewerState {
   ShownScene shown;
   Status status;
   RefinementStatus refinement;
-  std::string loading;  // what is being loaded; empty: nothing
-  std::string openGL;   // version and renderer
-  bool panelVisible = true;
+  std::string loading;       // what is being loaded; empty: nothing
+  std::string openGL;        // version and renderer
+  bool panelVisible = true;  // the panels that are chosen to be shown; one key hides all
+  bool browserVisible = true, settingsVisible = true, timelineVisible = true;
 };
 
 // The settings of the picture that is drawn while something changes: of few samples. At rest it is refined.

@@ -13,9 +13,11 @@
 
 #include "base/log.hpp"
 #include "gl/context.hpp"
+#include "view/browser.hpp"
 #include "view/camera_control.hpp"
 #include "view/controls.hpp"
 #include "view/input.hpp"
+#include "view/layout.hpp"
 #include "view/panel.hpp"
 #include "view/playback.hpp"
 #include "view/screenshot.hpp"
@@ -29,10 +31,18 @@ namespace {
 
 // Dear ImGui's context and backends, which end in the reverse order.
 struct ImGuiSession {
-  ImGuiSession(GLFWwindow* window, float scale) {
+  std::string layoutFile;  // read by the first frame, written now and then and at the end
+
+  ImGuiSession(GLFWwindow* window, float scale, ViewerState& state) {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
-    ImGui::GetIO().IniFilename = nullptr;  // leaves no file behind
+    if (const std::filesystem::path folder = userConfigFolder(); !folder.empty()) {
+      std::error_code ignored;
+      std::filesystem::create_directories(folder, ignored);
+      layoutFile = (folder / "imgui.ini").string();
+    }
+    ImGui::GetIO().IniFilename = layoutFile.empty() ? nullptr : layoutFile.c_str();
+    rememberLayout(state);
     applyStyle(scale);
     ImGui_ImplGlfw_InitForOpenGL(window, true);
     ImGui_ImplOpenGL3_Init("#version 450 core");
@@ -142,6 +152,7 @@ void applyPanel(const PanelResult& panel, Viewport& viewport, ViewerState& state
   if (panel.frameAll) state.camera = framedAll(state.camera, state.shown.bounds, aspect);
   if (panel.resetCamera) state.settings.camera.clear(), state.camera = state.startCamera;
   actions.screenshot |= panel.screenshot;
+  if (!panel.model.empty()) actions.model = panel.model;
   input.panels = panel.areas;
   const ImGuiIO& io = ImGui::GetIO();
   input.mouseTaken = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
@@ -186,10 +197,6 @@ bool turn(Loop& loop, Viewport& viewport, ViewerState& state, Loader& loader, st
   glfwGetWindowSize(loop.window, &width, &height);
   const Flight flight{flightDirection(loop) * seconds, isDown(loop.window, GLFW_KEY_LEFT_SHIFT)};
   Actions actions = control(input, flight, currentView(viewport, state), height, state);
-  if (!actions.model.empty()) {
-    state.settings.bump.clear();  // it belonged to the scene before
-    startModel(loader, model = actions.model);
-  }
   const bool wasLoading = loader.running() || viewport.clock.waiting();
   takeLoaded(viewport, state, loader);
   const bool reloaded = shadersChanged(loop.shaders, loop.last);
@@ -203,8 +210,14 @@ bool turn(Loop& loop, Viewport& viewport, ViewerState& state, Loader& loader, st
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
-    const PanelResult panel = drawPanel(state);
+    PanelResult panel;
+    drawBrowser(state, panel);
+    drawPanel(state, panel);
     applyPanel(panel, viewport, state, loop.input, actions);
+  }
+  if (!actions.model.empty()) {
+    state.settings.bump.clear();  // it belonged to the scene before
+    startModel(loader, model = actions.model);
   }
   if (bringUp(viewport, state, loader)) loop.framesToDraw = settlingFrames + 1;
   nameWhatLoads(loader, viewport, model, state);
@@ -270,9 +283,8 @@ Result<void> runWindow(const WindowOptions& options, Start start) {
   loop.window = context->window();
   loop.shaders = watchShaders(options.settings.shaderDir);
   listen(loop.window, loop.input);
-  const ImGuiSession imgui(loop.window, contentScale(loop.window));
-
   ViewerState state;
+  const ImGuiSession imgui(loop.window, contentScale(loop.window), state);
   state.settings = options.settings;
   state.playback.playing = !state.settings.animation.empty();
   state.environments = builtinEnvironmentSources();

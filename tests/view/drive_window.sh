@@ -9,7 +9,7 @@ for tool in Xvfb xdotool; do
 done
 folder=$(mktemp -d) || exit 1
 cd "$folder" || exit 1
-export XDG_CACHE_HOME=$folder/cache
+export XDG_CACHE_HOME=$folder/cache XDG_CONFIG_HOME=$folder/config
 server= viewer=
 finish() {
   [ -n "$viewer" ] && kill "$viewer" 2>/dev/null
