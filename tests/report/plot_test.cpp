@@ -1,0 +1,109 @@
+#include "report/plot.hpp"
+
+#include <catch2/catch.hpp>
+#include <limits>
+#include <regex>
+
+using namespace facet::report;
+
+namespace {
+
+// Well-formed as far as a picture needs it: tags nest, attributes are quoted, text holds no bare & or <.
+bool wellFormed(const std::string& xml) {
+  std::vector<std::string> open;
+  static const std::regex tag(R"(<(/?)([A-Za-z]+)((?:\s+[A-Za-z0-9:-]+="[^"<]*")*)\s*(/?)>)");
+  size_t at = 0;
+  for (auto i = std::sregex_iterator(xml.begin(), xml.end(), tag); i != std::sregex_iterator(); ++i) {
+    const std::string between = xml.substr(at, static_cast<size_t>(i->position()) - at);
+    if (between.find('<') != std::string::npos) return false;
+    at = static_cast<size_t>(i->position() + i->length());
+    if ((*i)[1].length() > 0) {
+      if (open.empty() || open.back() != (*i)[2]) return false;
+      open.pop_back();
+    } else if ((*i)[4].length() == 0) {
+      open.push_back((*i)[2]);
+    }
+  }
+  static const std::regex bare("&(?!(amp|lt|gt|quot);)");
+  return open.empty() && xml.find('<', at) == std::string::npos && !std::regex_search(xml, bare);
+}
+
+size_t count(const std::string& text, const std::string& part) {
+  size_t n = 0;
+  for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+}  // namespace
+
+TEST_CASE("plot: ticks at 1, 2, 5 and at powers of ten") {
+  CHECK(ticks(0, 1, false, 5) == std::vector<double>{0, 0.2, 0.4, 0.6000000000000001, 0.8, 1});
+  CHECK(ticks(-3, 17, false, 4) == std::vector<double>{0, 5, 10, 15});
+  CHECK(ticks(1, 1000, true) == std::vector<double>{1, 10, 100, 1000});
+  CHECK(ticks(1, 10, true) == std::vector<double>{1, 2, 5, 10});
+  CHECK(ticks(1e-30, 1e30, true, 5).size() <= 12);
+  CHECK(ticks(1, 1, false).empty());
+  CHECK(ticks(0, 1, true).empty());
+  CHECK(ticks(0, std::numeric_limits<double>::infinity(), false).empty());
+  CHECK(tickText(0.05) == "0.05");
+  CHECK(tickText(1e-6) == "1e-6");
+  CHECK(tickText(2e7) == "2e7");
+  CHECK(tickText(-200) == "-200");
+}
+
+TEST_CASE("plot: points stand where they must, linear and logarithmic") {
+  const Plot plot{
+      .title = "a < b & \"c\"",
+      .x = {.label = "x", .logarithmic = true},
+      .y = {.label = "y"},
+      .series = {{.name = "one", .x = {1, 10, 100}, .y = {0, 1, 2}, .dots = true, .marked = {1}},
+                 {.name = "two", .x = {1, 100}, .y = {2, 0}, .labels = {"first"}}},
+      .zones = {{10, 100, "zone"}}};
+  const PlotFrame frame = frameOf(plot);
+  CHECK(frame.xFrom == 1);
+  CHECK(frame.xTo == 100);
+  CHECK(frame.yFrom == 0);
+  CHECK(frame.yTo == 2);
+  CHECK(frame.x(10, true) == Approx((frame.left + frame.right) / 2));
+  CHECK(frame.y(1, false) == Approx((frame.top + frame.bottom) / 2));
+  CHECK(frame.y(2, false) == frame.top);
+  const std::string picture = svg(plot);
+  CHECK(wellFormed(picture));
+  CHECK(count(picture, "<polyline") == 2);
+  char middle[64];
+  std::snprintf(middle, sizeof middle, "cx=\"%.2f\" cy=\"%.2f\"", frame.x(10, true), frame.y(1, false));
+  CHECK(count(picture, middle) == 2);  // the dot and its ring
+  CHECK(count(picture, "a &lt; b &amp; &quot;c&quot;") == 2);
+  CHECK(count(picture, ">first</text>") == 1);
+  CHECK(count(picture, ">zone</text>") == 1);
+  CHECK(count(picture, ">two</text>") == 1);
+}
+
+TEST_CASE("plot: what cannot be drawn parts the line, nothing at all is said") {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const Plot gap{.title = "t",
+                 .y = {.logarithmic = true},
+                 .series = {{.name = "s", .x = {0, 1, 2, 3, 4}, .y = {1, 2, 0, nan, 5}}}};
+  const std::string parted = svg(gap);
+  CHECK(count(parted, "<polyline") == 2);
+  CHECK(wellFormed(parted));
+  CHECK(parted.find("nan") == std::string::npos);
+  const std::string nothing = svg({.title = "t", .x = {}, .y = {.logarithmic = true}, .series = {}, .zones = {}});
+  CHECK(wellFormed(nothing));
+  CHECK(count(nothing, "no data") == 1);
+  const std::string single = svg({.title = "t", .series = {{.name = "s", .x = {3}, .y = {3}, .dots = true}}});
+  CHECK(wellFormed(single));
+  CHECK(single.find("nan") == std::string::npos);
+  CHECK(single.find("inf") == std::string::npos);
+}
+
+TEST_CASE("plot: a range that is given is kept, and what lies outside is cut off") {
+  const Plot plot{.title = "t",
+                  .x = {.from = 0, .to = 90},
+                  .y = {.from = 0, .to = 1},
+                  .series = {{.name = "s", .x = {0, 90}, .y = {0, 5}}},
+                  .zones = {}};
+  CHECK(frameOf(plot).xTo == 90);
+  CHECK(frameOf(plot).yTo == 1);
+  CHECK(svg(plot).find("clip-path=\"url(#axes)\"") != std::string::npos);
+}
