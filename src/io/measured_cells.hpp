@@ -1,0 +1,40 @@
+#pragma once
+
+// What both readers of measured BRDFs do with the values of a file.
+
+#include <cmath>
+#include <limits>
+
+#include "base/error.hpp"
+#include "optics/measured.hpp"
+
+namespace facet::io {
+
+// brdf.values[i] = value(i), or missing where a channel is no finite, non-negative number; counts those.
+template <class Value>
+void storeCells(optics::MeasuredBrdf& brdf, const Value& value) {
+  constexpr double largest = std::numeric_limits<float>::max();
+  for (size_t i = 0; i < brdf.values.size(); ++i) {
+    const glm::dvec3 v = value(i);
+    // One comparison for what nearly every cell is; NaN fails it, too.
+    const bool valid = v.x >= 0 && v.y >= 0 && v.z >= 0 && v.x <= largest && v.y <= largest && v.z <= largest;
+    brdf.values[i] = valid ? glm::vec3(v) : glm::vec3(optics::missingValue);
+    if (valid) continue;
+    if (std::isnan(v.x) || std::isnan(v.y) || std::isnan(v.z)) {
+      ++brdf.counts.notANumber;
+    } else if (std::abs(v.x) > largest || std::abs(v.y) > largest || std::abs(v.z) > largest) {
+      ++brdf.counts.infinite;
+    } else {
+      ++brdf.counts.negative;
+    }
+  }
+}
+
+inline tl::unexpected<Error> noValidCell(const std::string& file, const optics::MeasuredCounts& counts) {
+  return fail(file, "",
+              "holds no valid value: of its cells " + std::to_string(counts.notANumber) + " are NaN, " +
+                  std::to_string(counts.infinite) + " infinite, " + std::to_string(counts.negative) + " negative",
+              "copy or download it again");
+}
+
+}  // namespace facet::io
