@@ -168,21 +168,55 @@ void sortByProgram(DrawList& list) {
     std::ranges::stable_sort(*draws, {}, [](const Draw& d) { return std::tuple(d.key, d.material); });
 }
 
+// Of the layer that every sheen lobe reads (shaders/image_light_sheen.glsl).
+constexpr float sheenLayerRoughness = 0.4f;
+
+struct RoughnessRange {
+  float lowest = 1, highest = 0;
+  void add(float from, float to) { lowest = std::min(lowest, from), highest = std::max(highest, to); }
+};
+
+// Of a material's lobes that look LD up. A texture's texels lie within [0, 1] and scale their factor.
+void addLobes(RoughnessRange& range, const scene::Material& material, const shading::VariantKey& key) {
+  const bool textured = shading::usesFeature(key, "HAS_METALLIC_ROUGHNESS_TEXTURE");
+  RoughnessRange base;
+  if (material.specularGlossiness) {
+    base.add(1 - material.glossinessFactor, textured ? 1 : 1 - material.glossinessFactor);
+  } else {
+    base.add(textured ? 0 : material.perceptualRoughnessFactor, material.perceptualRoughnessFactor);
+  }
+  // A long lobe is a sum of round ones that are at least as wide as it is across its grain.
+  if (shading::usesFeature(key, "HAS_ANISOTROPY")) base.highest = 1;
+  range.add(base.lowest, base.highest);
+  if (shading::usesFeature(key, "HAS_CLEARCOAT")) {
+    const float coat = material.clearcoatRoughnessFactor;
+    range.add(shading::usesFeature(key, "HAS_CLEARCOAT_ROUGHNESS_TEXTURE") ? 0 : coat, coat);
+  }
+  if (shading::usesFeature(key, "HAS_SHEEN")) range.add(sheenLayerRoughness, sheenLayerRoughness);
+}
+
 }  // namespace
 
 ibl::Needs DrawList::needs(bool environmentVisible) const {
   ibl::Needs needs;
+  RoughnessRange range;
   needs.background = environmentVisible;
   for (const std::vector<Draw>* draws : classes())
     for (const Draw& draw : *draws) {
       const bool imageLight = shading::usesFeature(draw.key, "HAS_ENVIRONMENT");
       needs.irradiance |= imageLight;
       (draw.key.imageLightSamples == 0 ? needs.layers : needs.cube) |= imageLight;
+      if (imageLight && draw.key.imageLightSamples == 0)
+        addLobes(range, materials[static_cast<size_t>(draw.material)], draw.key);
       const bool lit = imageLight || shading::usesFeature(draw.key, "HAS_PUNCTUAL_LIGHTS") ||
                        shading::usesFeature(draw.key, "HAS_TRANSMISSION");
       needs.dfg |= lit;
       needs.sheen |= lit && shading::usesFeature(draw.key, "HAS_SHEEN");
     }
+  if (needs.layers) {
+    needs.lowestRoughness = std::clamp(range.lowest, 0.0f, 1.0f);
+    needs.highestRoughness = std::clamp(range.highest, 0.0f, 1.0f);
+  }
   return needs;
 }
 

@@ -17,6 +17,8 @@ struct Needs {
   bool dfg = false;         // anything lit
   bool irradiance = false;  // lit by the environment
   bool layers = false;      // LD, for the split sum
+  // Perceptual roughness of the lobes that look LD up.
+  float lowestRoughness = 0, highestRoughness = 1;
   bool cube = false;        // the environment as a cube map with levels, for sampling it per pixel
   bool sheen = false;       // a sheen that anything lights
   bool background = false;  // the environment itself is visible

@@ -123,6 +123,59 @@ TEST_CASE("Draw list: what the draws need of the tables") {
   CHECK_FALSE(view.irradiance);
 }
 
+TEST_CASE("Draw list: the range of roughness in which lobes look the environment's layers up") {
+  const frame::DrawOptions lit{.features = {.environment = true}};
+  const json texture = {{"index", 0}};
+  const auto range = [&](const std::vector<json>& materials, const frame::DrawOptions& options) {
+    test::GltfBuilder builder = test::triangle();
+    const int texCoords = builder.add(std::vector<float>{0, 0, 1, 0, 0, 1}, test::floatType, "VEC2");
+    builder.json["images"] = {{{"uri", "data:image/png;base64,"}}};
+    builder.json["textures"] = {{{"source", 0}}};
+    builder.json["meshes"] = json::array();
+    builder.json["scenes"][0]["nodes"] = json::array();
+    builder.json["nodes"] = json::array();
+    builder.json["materials"] = materials;
+    json used = json::array();
+    for (const char* name : {"clearcoat", "sheen", "anisotropy", "pbrSpecularGlossiness"})
+      used.push_back("KHR_materials_" + std::string(name));
+    builder.json["extensionsUsed"] = used;
+    for (size_t i = 0; i < materials.size(); ++i) {
+      builder.append("meshes", {{"primitives",
+                                 {{{"attributes", {{"POSITION", 0}, {"TEXCOORD_0", texCoords}}}, {"material", i}}}}});
+      builder.json["scenes"][0]["nodes"].push_back(builder.append("nodes", {{"mesh", i}}));
+    }
+    const ibl::Needs needs = frame::buildDrawList(load(builder), 0, options).needs(false);
+    return glm::vec2(needs.lowestRoughness, needs.highestRoughness);
+  };
+  const auto rough = [](double r) { return json{{"pbrMetallicRoughness", {{"roughnessFactor", r}}}}; };
+  const auto with = [](json material, const char* extension, json value) {
+    material["extensions"]["KHR_materials_" + std::string(extension)] = std::move(value);
+    return material;
+  };
+  CHECK(range({rough(0.5)}, lit) == glm::vec2(0.5f));
+  CHECK(range({rough(0.7), rough(0.6), rough(0.9)}, lit) == glm::vec2(0.6f, 0.9f));
+  CHECK(range({json::object()}, lit) == glm::vec2(1));
+  CHECK(range({with(rough(0.8), "clearcoat", {{"clearcoatFactor", 1}, {"clearcoatRoughnessFactor", 0.1}})}, lit) ==
+        glm::vec2(0.1f, 0.8f));
+  CHECK(range({with(rough(0.8), "clearcoat", {{"clearcoatFactor", 0}})}, lit) == glm::vec2(0.8f));
+  CHECK(range({with(rough(0.8), "sheen", {{"sheenColorFactor", {1, 1, 1}}})}, lit) == glm::vec2(0.4f, 0.8f));
+  CHECK(range({with(rough(0.3), "anisotropy", {{"anisotropyStrength", 0.5}})}, lit) == glm::vec2(0.3f, 1));
+  CHECK(range({with({}, "pbrSpecularGlossiness", {{"glossinessFactor", 0.75}})}, lit) == glm::vec2(0.25f));
+  // What converges samples the environment itself, and what is unlit needs nothing: the range says nothing there.
+  CHECK(range({rough(0.5)}, {.features = {.environment = true, .imageLightSamples = 4}}) == glm::vec2(0, 1));
+  CHECK(range({rough(0.5)}, {}) == glm::vec2(0, 1));
+  // A texture takes its factor down to 0, a glossiness texture the roughness up to 1.
+  json textured = rough(0.6);
+  textured["pbrMetallicRoughness"]["metallicRoughnessTexture"] = texture;
+  CHECK(range({textured}, lit) == glm::vec2(0, 0.6f));
+  CHECK(range({with({}, "pbrSpecularGlossiness", {{"glossinessFactor", 0.75}, {"specularGlossinessTexture", texture}})},
+              lit) == glm::vec2(0.25f, 1));
+  CHECK(
+      range({with(rough(0.8), "clearcoat",
+                  {{"clearcoatFactor", 1}, {"clearcoatRoughnessFactor", 0.5}, {"clearcoatRoughnessTexture", texture}})},
+            lit) == glm::vec2(0, 0.8f));
+}
+
 TEST_CASE("Draw list: lights relative to the origin, cones and ranges as the shader takes them") {
   test::GltfBuilder builder = placed({{{"translation", {1e7, 0, 0}}}});
   builder.json["extensionsUsed"] = {"KHR_lights_punctual"};
