@@ -39,12 +39,20 @@ constexpr SyntheticBrdf table[] = {
      AnalyticBrdf{.f0 = glm::dvec3(0.06), .albedo = blue, .alpha = {0.8, 0.4}}},
 };
 
+// Both directions are above the horizon where tan(theta_d) tan(theta_h) |cos(phi_d)| < 1: of a cell first at its least
+// angles, at the end nearer to phi_d = pi / 2.
+bool reachesAbove(int x, int y, int z) {
+  const HalfDifference least = merlAngles({x, y, z + 0.5 < merlPhiSteps / 2 ? z + 1 : z});
+  return std::tan(least.thetaD) * std::tan(least.thetaH) * std::abs(std::cos(least.phiD)) < 1;
+}
+
 glm::dvec3 merlCell(const AnalyticBrdf& formula, int x, int y, int z) {
+  if (!reachesAbove(x, y, z)) return glm::dvec3(missingValue);
   const auto at = [&](double u, double v, double w) { return directionsFrom(merlAngles({x + u, y + v, z + w})); };
   const auto above = [](const Directions& pair) { return pair.V.z > 0 && pair.L.z > 0; };
   const Directions centre = at(0.5, 0.5, 0.5);
   if (above(centre)) return analyticBrdf(formula, centre.V, centre.L);
-  constexpr int n = 5;
+  constexpr int n = 3;
   glm::dvec3 sum{0};
   int count = 0;
   for (int i = 0; i < n * n * n; ++i) {
@@ -104,6 +112,39 @@ MeasuredBrdf makeMeasured(const AnalyticBrdf& formula, MeasuredKind kind, std::s
   brdf.counts.negative =
       static_cast<size_t>(std::count_if(brdf.values.begin(), brdf.values.end(), [](const auto& v) { return v.x < 0; }));
   return brdf;
+}
+
+std::vector<Directions> testPairs(size_t n) {
+  const double lowest = std::cos(utiaLastTheta * pi / 180);
+  const auto halton = [](size_t i, size_t base) {
+    double value = 0, digit = 1;
+    for (; i > 0; i /= base) value += static_cast<double>(i % base) * (digit /= static_cast<double>(base));
+    return value;
+  };
+  std::vector<Directions> pairs;
+  pairs.reserve(n);
+  for (size_t i = 1; pairs.size() < n; ++i) {
+    const Directions pair = directionsFrom(
+        merlAngles({merlThetaSteps * halton(i, 2), merlThetaSteps * halton(i, 3), 2 * merlPhiSteps * halton(i, 5)}));
+    if (pair.V.z <= lowest || pair.L.z <= lowest) continue;
+    const double phi = 2 * pi * halton(i, 7), c = std::cos(phi), s = std::sin(phi);
+    const auto turn = [&](const glm::dvec3& d) { return glm::dvec3(c * d.x - s * d.y, s * d.x + c * d.y, d.z); };
+    pairs.push_back({turn(pair.V), turn(pair.L)});
+  }
+  return pairs;
+}
+
+GridError gridError(const MeasuredBrdf& brdf, const AnalyticBrdf& formula, LookUp lookUp,
+                    const std::vector<Directions>& pairs) {
+  double relative = 0, off = 0, whole = 0;
+  for (const Directions& pair : pairs) {
+    const glm::dvec3 f = analyticBrdf(formula, pair.V, pair.L);
+    const glm::dvec3 d = measuredBrdf(brdf, pair.V, pair.L, lookUp) - f;
+    relative += glm::dot(d / f, d / f) / 3;
+    off += glm::dot(d, d) * pair.L.z * pair.L.z;
+    whole += glm::dot(f, f) * pair.L.z * pair.L.z;
+  }
+  return {std::sqrt(relative / static_cast<double>(pairs.size())), std::sqrt(off / whole)};
 }
 
 }  // namespace facet::optics
