@@ -1,0 +1,111 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "frame/session.hpp"
+#include "report/compare.hpp"
+#include "report/error_figures.hpp"
+#include "report/light.hpp"
+
+namespace facet::report {
+
+namespace {
+
+constexpr int pictureSize = 128;       // pixels along an edge: software OpenGL draws them too
+constexpr int referenceSamples = 512;  // a pixel
+constexpr int timedFrames = 4;
+
+struct Way {
+  std::string name;
+  frame::PictureSettings settings;
+};
+
+frame::PictureSettings common(const ReportInput& input) {
+  frame::PictureSettings settings;
+  settings.width = settings.height = pictureSize;
+  settings.environment = input.environment;
+  settings.background = frame::Background::transparent;  // only surfaces are judged
+  settings.lights = frame::Lights::none;                 // and only the environment's light
+  return settings;
+}
+
+std::vector<Way> ways(const ReportInput& input) {
+  std::vector<Way> list;
+  const auto add = [&](const std::string& name, int samples) -> frame::PictureSettings& {
+    list.push_back({name, common(input)});
+    list.back().settings.samples = samples;
+    return list.back().settings;
+  };
+  add("default", 4);
+  for (const int samples : {8, 16, 32, 64, 256}) add("sampled", samples);
+  return list;
+}
+
+double median(std::vector<double> values) {
+  std::ranges::nth_element(values, values.begin() + static_cast<ptrdiff_t>(values.size() / 2));
+  return values[values.size() / 2];
+}
+
+Result<frame::Picture> draw(const ReportInput& input, const frame::PictureSettings& settings, int repeat) {
+  Notes notes;
+  Stages stages;
+  return input.session->render(input.model, settings, {.radiance = true, .repeat = repeat}, notes, stages);
+}
+
+}  // namespace
+
+Result<Report> lightPictures(const ReportInput& input) {
+  frame::PictureSettings converged = common(input);
+  converged.samples = referenceSamples / 2;
+  input.progress("pictures: the converged one");
+  const Result<frame::Picture> half = draw(input, converged, 0);
+  if (!half) return tl::unexpected(half.error());
+  converged.samples = referenceSamples;
+  const Result<frame::Picture> reference = draw(input, converged, 0);
+  if (!reference) return tl::unexpected(reference.error());
+  const CompareOptions options{.maskFromAlpha = true};
+  const Result<Comparison> moved = compare(reference->radiance, half->radiance, options);
+  if (!moved) return tl::unexpected(moved.error());
+  char note[256];
+  std::snprintf(note, sizeof note,
+                "%s under %s, %d x %d. Error: of the sRGB picture in 1/255 (dRMSE), against %d samples a pixel, which "
+                "moved by %.3f from half as many. Frame: median of %d. * on the Pareto front.",
+                input.model.c_str(), input.environment.c_str(), pictureSize, pictureSize, referenceSamples,
+                moved->displayRmse, timedFrames);
+  Table table{"light-pictures",
+              "Pictures by each run-time model",
+              note,
+              {"light", "samples", "dRMSE", "relative RMSE", "bias", "frame ms", "front"},
+              {}};
+  std::vector<CostAndError> figures;
+  for (const Way& way : ways(input)) {
+    input.progress("pictures: " + way.name + ", " + std::to_string(way.settings.samples) + " samples");
+    const Result<frame::Picture> picture = draw(input, way.settings, timedFrames);
+    if (!picture) return tl::unexpected(picture.error());
+    const Result<Comparison> c = compare(reference->radiance, picture->radiance, options);
+    if (!c) return tl::unexpected(c.error());
+    const std::vector<double>& times = picture->statistics.frameMs;
+    const double ms = median({times.begin() + 1, times.end()});
+    const double bias = *std::ranges::max_element(c->bias, {}, [](double b) { return std::abs(b); });
+    table.rows.push_back(
+        {way.name, static_cast<double>(way.settings.samples), c->displayRmse, c->relRmse, bias, ms, std::string()});
+    figures.push_back({ms, c->displayRmse});
+  }
+  const std::vector<bool> front = paretoFront(figures);
+  for (size_t i = 0; i < front.size(); ++i)
+    if (front[i]) table.rows[i].back() = std::string("*");
+  return Report{{table}, {}};
+}
+
+Result<Report> lightReport(const ReportInput& input) {
+  Report report;
+  for (const auto part : {lightPictures}) {
+    Result<Report> made = part(input);
+    if (!made) return made;
+    std::ranges::move(made->tables, std::back_inserter(report.tables));
+    std::ranges::move(made->plots, std::back_inserter(report.plots));
+  }
+  return report;
+}
+
+}  // namespace facet::report
