@@ -8,6 +8,7 @@
 #include "base/log.hpp"
 #include "commands/commands.hpp"
 #include "gl/context.hpp"
+#include "report/corners.hpp"
 #include "report/numerics.hpp"
 
 namespace facet::commands {
@@ -48,15 +49,16 @@ void printJson(const gl::ContextInfo& context, const std::vector<CheckResult>& r
 }
 
 void printTable(const gl::ContextInfo& context, const std::vector<CheckResult>& results) {
-  std::cout << context.renderer << ", OpenGL " << context.version << " (" << context.platform << ")\n"
-            << "Shader functions against double precision; the input shown is where the error comes nearest to what is "
-               "allowed.\n\n";
+  std::cout
+      << context.renderer << ", OpenGL " << context.version << " (" << context.platform << ")\n"
+      << "Shader functions against double precision, tables of awkward environments against what is known of them; the "
+         "input shown is where the error comes nearest to what is allowed.\n\n";
   char line[256];
-  std::snprintf(line, sizeof line, "%-30s %7s %-8s %9s %9s %10s  %s\n", "function", "inputs", "kind", "error",
+  std::snprintf(line, sizeof line, "%-44s %7s %-8s %9s %9s %10s  %s\n", "function", "inputs", "kind", "error",
                 "allowed", "not finite", "at");
   std::cout << line;
   for (const CheckResult& r : results) {
-    std::snprintf(line, sizeof line, "%-30s %7zu %-8s %9.2e %9.2e %10zu  ", r.name.c_str(), r.evaluations,
+    std::snprintf(line, sizeof line, "%-44s %7zu %-8s %9.2e %9.2e %10zu  ", r.name.c_str(), r.evaluations,
                   r.relative ? "relative" : "absolute", r.error, r.allowed, r.nonFinite);
     std::cout << line << r.input << (r.passed ? "" : "  FAILED") << "\n";
   }
@@ -69,7 +71,7 @@ void printTable(const gl::ContextInfo& context, const std::vector<CheckResult>& 
     std::cout << "\n";
   }
   const auto failed = std::ranges::count_if(results, [](const CheckResult& r) { return !r.passed; });
-  std::cout << "\n" << results.size() << " functions, " << failed << " failed" << std::endl;
+  std::cout << "\n" << results.size() << " checks, " << failed << " failed" << std::endl;
 }
 
 int runSelftest(const SelftestArguments& arguments) {
@@ -85,6 +87,10 @@ int runSelftest(const SelftestArguments& arguments) {
     if (!result) return badInput(result.error());
     results.push_back(std::move(*result));
   }
+  shading::ProgramStore programs(reader, {}, {});
+  Result<std::vector<CheckResult>> corners = report::tableCorners(programs, reader);
+  if (!corners) return badInput(corners.error());
+  std::ranges::move(*corners, std::back_inserter(results));
   const bool passed = std::ranges::all_of(results, &CheckResult::passed);
   if (arguments.asJson)
     printJson(context->info(), results, passed);
