@@ -56,15 +56,6 @@ layout::FrameUniforms frameUniforms(const FrameInput& in, int draw, int draws, c
   return u;
 }
 
-void bindTables(const ibl::Tables& tables) {
-  if (tables.dfg) tables.dfg.bind(layout::dfgUnit);
-  if (tables.sheen) tables.sheen.bind(layout::sheenAlbedoUnit);
-  if (tables.irradiance) tables.irradiance.bind(layout::irradianceUnit);
-  if (tables.mirrorLayers) tables.mirrorLayers.bind(layout::mirrorLayersUnit);
-  if (tables.roughLayers) tables.roughLayers.bind(layout::roughLayersUnit);
-  if (tables.cube) tables.cube.bind(layout::environmentCubeUnit);
-}
-
 void bindMaterial(const FrameInput& in, const Draw& draw) {
   const auto index = static_cast<size_t>(draw.material);
   const scene::Material& material = in.list.materials[index];
@@ -265,6 +256,15 @@ std::vector<ProgramGetter> neededPrograms(const FrameInput& in, ProgramStore& pr
 }
 
 }  // namespace
+
+void bindTables(const ibl::Tables& tables) {
+  if (tables.dfg) tables.dfg.bind(layout::dfgUnit);
+  if (tables.sheen) tables.sheen.bind(layout::sheenAlbedoUnit);
+  if (tables.irradiance) tables.irradiance.bind(layout::irradianceUnit);
+  if (tables.mirrorLayers) tables.mirrorLayers.bind(layout::mirrorLayersUnit);
+  if (tables.roughLayers) tables.roughLayers.bind(layout::roughLayersUnit);
+  if (tables.cube) tables.cube.bind(layout::environmentCubeUnit);
+}
 
 Result<void> preparePrograms(const FrameInput& in, ProgramStore& programs) {
   for (const ProgramGetter& get : neededPrograms(in, programs))

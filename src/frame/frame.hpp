@@ -63,6 +63,9 @@ struct FrameInput {
   int firstRow = 0;  // the targets hold the picture's rows from here on, counted from the bottom
 };
 
+// Binds the tables that are there to the units of their names.
+void bindTables(const ibl::Tables& tables);
+
 // How many draws a picture gathers: one, or one for each sample.
 int gatheredDraws(const PictureSettings& settings, const Targets& targets);
 

@@ -5,14 +5,13 @@
 #include <functional>
 #include <limits>
 
-#include "gl/buffer.hpp"
 #include "ibl/layers.hpp"
 #include "ibl/tables.hpp"
-#include "layout.h"
 #include "optics/mapping.hpp"
 #include "optics/quadrature.hpp"
 #include "optics/reference.hpp"
 #include "report/error_figures.hpp"
+#include "report/light_probe.hpp"
 
 namespace facet::report {
 
@@ -89,24 +88,6 @@ double flux(const ibl::Tables& tables, int level) {
   return sum * static_cast<double>(tables.radianceScale);
 }
 
-// The shading chunks of distant light with these tables bound and an environment that is not turned.
-Result<std::vector<glm::vec4>> probeLight(Context& context, const ibl::Tables& tables, const std::string& body,
-                                          const std::vector<glm::vec4>& inputs, int width = 1) {
-  layout::FrameUniforms frame{};
-  frame.environmentRotation = glm::vec4(1, 0, 0, 0);
-  frame.environmentScale = glm::vec4(tables.radianceScale, tables.radianceScale, 0, 0);
-  frame.options = glm::vec4(1, 0, 1, 0);
-  const gl::Buffer uniforms = gl::Buffer::of(std::vector{frame}, "frame");
-  glBindBufferBase(GL_UNIFORM_BUFFER, layout::frameBinding, uniforms.id());
-  const std::pair<const gl::Texture*, GLuint> units[] = {{&tables.dfg, layout::dfgUnit},
-                                                         {&tables.irradiance, layout::irradianceUnit},
-                                                         {&tables.mirrorLayers, layout::mirrorLayersUnit},
-                                                         {&tables.roughLayers, layout::roughLayersUnit}};
-  for (const auto& [texture, unit] : units)
-    if (*texture) texture->bind(unit);
-  return runProbe({{"image_light.glsl", "dfg_table.glsl"}, body, width}, inputs, context.reader);
-}
-
 // ---- A sun of one texel -----------------------------------------------------------------------------------------
 
 struct Place {
@@ -144,7 +125,7 @@ Result<void> sunCorners(Context& context) {
         optics::directionFromEquirect(optics::equirectTexelCentre(place.column, place.row, 1024, 512));
     std::vector<glm::vec4> inputs;
     for (const glm::dvec3& d : capDirections(towards, 0.4, 6)) inputs.emplace_back(glm::vec3(d), 0.5f);
-    const auto got = probeLight(context, *tables, "out0.rgb = fetchLd(in0.xyz, in0.w);", inputs);
+    const auto got = probeLight(*tables, context.reader, {}, "out0.rgb = fetchLd(in0.xyz, in0.w);", inputs);
     if (!got) return tl::unexpected(got.error());
     for (size_t i = 0; i < inputs.size(); ++i)
       lobe.add(static_cast<double>((*got)[i].y) * static_cast<double>(tables->radianceScale),
@@ -186,8 +167,8 @@ Result<void> constantCorners(Context& context) {
       for (const glm::vec4& texel : readLevel(tables->cube, level))
         cube.add(static_cast<double>(texel.y), static_cast<double>(0.7f), name);
     const auto got = probeLight(
-        context, *tables, "out0.x = fetchLd(in0.xyz, in0.w).y; out0.y = textureLod(irradianceOverPi, in0.xyz, 0.0).y;",
-        inputs);
+        *tables, context.reader, {},
+        "out0.x = fetchLd(in0.xyz, in0.w).y; out0.y = textureLod(irradianceOverPi, in0.xyz, 0.0).y;", inputs);
     if (!got) return tl::unexpected(got.error());
     for (const glm::vec4& value : *got) {
       read.add(static_cast<double>(value.x), 0.7, name);
@@ -206,7 +187,8 @@ Result<void> blackCorners(Context& context) {
   if (!tables) return tl::unexpected(tables.error());
   std::vector<glm::vec4> inputs;
   for (size_t i = 0; i < 100; ++i) inputs.emplace_back(glm::vec3(optics::goldenSpiral(i, 100)), 0);
-  const auto got = probeLight(context, *tables, "out0.x = textureLod(irradianceOverPi, in0.xyz, 0.0).y;", inputs);
+  const auto got =
+      probeLight(*tables, context.reader, {}, "out0.x = textureLod(irradianceOverPi, in0.xyz, 0.0).y;", inputs);
   if (!got) return tl::unexpected(got.error());
   for (size_t i = 0; i < inputs.size(); ++i) {
     const double value = static_cast<double>((*got)[i].x), y = static_cast<double>(inputs[i].y);
@@ -233,7 +215,7 @@ Result<void> mendedCorners(Context& context) {
   std::vector<glm::vec4> inputs;
   for (size_t i = 0; i < 60; ++i) inputs.emplace_back(glm::vec3(optics::goldenSpiral(i, 60)), 0.6f);
   const auto got =
-      probeLight(context, *tables,
+      probeLight(*tables, context.reader, {},
                  "out0.x = fetchLd(in0.xyz, in0.w).y; out0.y = textureLod(irradianceOverPi, in0.xyz, 0.0).y;", inputs);
   if (!got) return tl::unexpected(got.error());
   for (const glm::vec4& value : *got) {
@@ -253,8 +235,9 @@ Result<void> dfgCorners(Context& context) {
   const std::vector<double> cosines = {0, 1e-4, 1e-3, 0.02, 0.1, 0.3, 0.5, 0.8, 1};
   std::vector<glm::vec4> inputs;
   for (const double NoV : cosines) inputs.emplace_back(NoV, 0, 0, 0);
-  const auto got = probeLight(
-      context, *tables, "out0.xyz = lookUpDfg(in0.x, 0.0); out0.w = dot(lookUpDfg(in0.x, 1.0).xy, vec2(1.0));", inputs);
+  const auto got =
+      probeLight(*tables, context.reader, {},
+                 "out0.xyz = lookUpDfg(in0.x, 0.0); out0.w = dot(lookUpDfg(in0.x, 1.0).xy, vec2(1.0));", inputs);
   if (!got) return tl::unexpected(got.error());
   for (size_t i = 0; i < cosines.size(); ++i) {
     const double NoV = cosines[i], grazing = std::pow(1 - NoV, 5);
@@ -276,7 +259,7 @@ Result<void> furnaceCorners(Context& context) {
   for (const float NoV : {-0.5f, 0.0f, 1e-4f, 0.02f, 0.3f, 0.7f, 1.0f})
     for (const float r : {0.0f, 0.02f, 0.1f, 0.3f, 0.5f, 0.8f, 1.0f})
       for (const float metallic : {0.0f, 0.5f, 1.0f}) inputs.emplace_back(NoV, r, metallic, 0);
-  const auto got = probeLight(context, *tables,
+  const auto got = probeLight(*tables, context.reader, {},
                               "vec3 V = vec3(sqrt(1.0 - in0.x * in0.x), 0.0, in0.x);"
                               "Surface s = makeSurface(vec3(0.0, 0.0, 1.0), V, vec3(1.0), in0.z, in0.y, 1.0);"
                               "s.dfg = lookUpDfg(s.NoV, s.perceptualRoughness);"

@@ -1,0 +1,114 @@
+// The specular look-up of a frame against the integral that it stands for.
+
+#include <cmath>
+#include <cstdio>
+
+#include "base/parallel.hpp"
+#include "frame/session.hpp"
+#include "io/sources.hpp"
+#include "optics/quadrature.hpp"
+#include "optics/reference.hpp"
+#include "report/error_figures.hpp"
+#include "report/light.hpp"
+#include "report/light_probe.hpp"
+
+namespace facet::report {
+
+namespace {
+
+constexpr double roughnesses[] = {0.1, 0.2, 0.3, 0.5, 0.7, 1};
+constexpr double cosines[] = {0.1, 0.25, 0.5, 0.75, 1};
+constexpr size_t normals = 16;  // for each pair
+
+struct Case {
+  double perceptualRoughness, NoV;
+  glm::dvec3 N, V;
+  glm::dvec3 metal, dielectric;  // truth for F = 1 and for f0 = 0.04
+};
+
+std::vector<Case> cases(const scene::Environment& environment) {
+  std::vector<Case> list;
+  for (const double r : roughnesses)
+    for (const double NoV : cosines)
+      for (size_t i = 0; i < normals; ++i) {
+        // V lies around N at an azimuth of its own.
+        const glm::dvec3 N = optics::goldenSpiral(i, normals);
+        const glm::dvec3 V = capDirections(N, std::acos(NoV), normals)[normals - 1];
+        const glm::dvec3 tangent = glm::normalize(V - glm::dot(V, N) * N);
+        list.push_back({r, NoV, N, NoV < 1 ? NoV * N + std::sqrt(1 - NoV * NoV) * tangent : N, {}, {}});
+      }
+  parallelFor(list.size(), [&](size_t i) {
+    Case& c = list[i];
+    const optics::SpecularReference truth =
+        optics::specular(environment, c.N, c.V, c.perceptualRoughness * c.perceptualRoughness);
+    c.metal = truth.a + truth.b;
+    c.dielectric = 0.04 * truth.a + truth.b;
+  });
+  return list;
+}
+
+struct Model {
+  std::string name;
+  std::vector<shading::Define> defines;
+  double fetches;
+};
+std::vector<Model> models() { return {{"mean direction", {}, 2}}; }
+
+}  // namespace
+
+Result<Report> lightLobes(const ReportInput& input) {
+  Notes notes;
+  const Result<scene::Environment> environment = io::loadEnvironmentSource(input.environment, notes);
+  if (!environment) return tl::unexpected(environment.error());
+  input.progress("lobes: the integrals");
+  const std::vector<Case> list = cases(*environment);
+  shading::ProgramStore programs(shading::shaderReader(input.shaderDir), {}, {});
+  ibl::Tables tables;
+  if (Result<void> r =
+          ibl::computeTables(tables, &*environment, {.dfg = true, .irradiance = true, .layers = true}, programs);
+      !r)
+    return tl::unexpected(r.error());
+  std::vector<glm::vec4> inputs;
+  for (const Case& c : list) {
+    inputs.emplace_back(glm::vec3(c.N), static_cast<float>(c.perceptualRoughness));
+    inputs.emplace_back(glm::vec3(c.V), 0);
+  }
+  Table table{"light-lobes",
+              "Specular light of the environment by run-time model, against the integral",
+              "Relative RMSE over 16 normals for each of r 0.1, 0.2, 0.3, 0.5, 0.7, 1 and NoV 0.1, 0.25, 0.5, 0.75, 1; "
+              "single scattering. F = 1 is a metal of f0 1, F0 = 0.04 a dielectric.",
+              {"model", "fetches", "F = 1", "F0 = 0.04", "bias", "r 0.1", "r 0.3", "r 0.5", "r 1", "NoV 0.1", "NoV 0.5",
+               "NoV 1"},
+              {}};
+  for (const Model& model : models()) {
+    const auto got = probeLight(tables, shading::shaderReader(input.shaderDir), model.defines,
+                                "Surface s = makeSurface(in0.xyz, in1.xyz, vec3(1.0), 1.0, in0.w, 1.0);"
+                                "s.dfg = lookUpDfg(s.NoV, s.perceptualRoughness);"
+                                "out0.rgb = specularRadiance(s) * prefilteredAlbedo(s);"
+                                "s.metallic = 0.0;"
+                                "out1.rgb = specularRadiance(s) * prefilteredAlbedo(s);",
+                                inputs, 2, 2);
+    if (!got) return tl::unexpected(got.error());
+    const auto figures = [&](auto keep, bool metal) {
+      std::vector<glm::dvec3> values, truths;
+      for (size_t i = 0; i < list.size(); ++i) {
+        if (!keep(list[i])) continue;
+        values.push_back(glm::dvec3((*got)[2 * i + (metal ? 0 : 1)]) * static_cast<double>(tables.radianceScale));
+        truths.push_back(metal ? list[i].metal : list[i].dielectric);
+      }
+      return errorFigures(values, truths);
+    };
+    const auto all = [](const Case&) { return true; };
+    const ErrorFigures metal = figures(all, true);
+    std::vector<Cell> row = {model.name, model.fetches, metal.relativeRmse, figures(all, false).relativeRmse,
+                             metal.bias};
+    for (const double r : {0.1, 0.3, 0.5, 1.0})
+      row.emplace_back(figures([&](const Case& c) { return c.perceptualRoughness == r; }, true).relativeRmse);
+    for (const double NoV : {0.1, 0.5, 1.0})
+      row.emplace_back(figures([&](const Case& c) { return c.NoV == NoV; }, true).relativeRmse);
+    table.rows.push_back(std::move(row));
+  }
+  return Report{{table}, {}};
+}
+
+}  // namespace facet::report

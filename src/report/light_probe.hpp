@@ -1,0 +1,16 @@
+#pragma once
+
+// Shading chunks of distant light run over an array, with an environment's tables bound.
+
+#include "ibl/tables.hpp"
+#include "report/shader_probe.hpp"
+
+namespace facet::report {
+
+// body: as Probe's, with image_light.glsl and dfg_table.glsl at hand; the environment is not turned, radiance is in
+// stored values (times tables.radianceScale it is the map's), imageLight() in the map's.
+Result<std::vector<glm::vec4>> probeLight(const ibl::Tables& tables, const shading::ShaderReader& reader,
+                                          const std::vector<shading::Define>& defines, const std::string& body,
+                                          std::span<const glm::vec4> inputs, int width = 1, int outputs = 1);
+
+}  // namespace facet::report
