@@ -1,4 +1,5 @@
-// One level of a cube map from the finer one, each of the four texels weighted by its solid angle.
+// One level of a cube map from the finer one. Alpha holds the texel's solid angle, by which it counts: what is summed
+// over any level is the same.
 #include "mapping.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -9,14 +10,11 @@ void main() {
   int size = imageSize(coarse).x;
   ivec3 texel = ivec3(gl_GlobalInvocationID);
   if (texel.x >= size || texel.y >= size) return;
-  vec3 sum = vec3(0.0);
-  float weights = 0.0;
+  vec4 sum = vec4(0.0);
   for (int j = 0; j < 2; ++j)
     for (int i = 0; i < 2; ++i) {
-      ivec2 child = texel.xy * 2 + ivec2(i, j);
-      float w = cubeSolidAngleDensity((vec2(child) + 0.5) / float(size) - 1.0);
-      sum += w * imageLoad(fine, ivec3(child, texel.z)).rgb;
-      weights += w;
+      vec4 child = imageLoad(fine, ivec3(texel.xy * 2 + ivec2(i, j), texel.z));
+      sum += vec4(child.rgb * child.a, child.a);
     }
-  imageStore(coarse, texel, vec4(sum / weights, 1.0));
+  imageStore(coarse, texel, vec4(sum.rgb / sum.a, sum.a));
 }

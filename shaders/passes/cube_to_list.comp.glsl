@@ -12,7 +12,7 @@ void main() {
   if (texel.x >= size || texel.y >= size) return;
   vec2 st = (vec2(texel.xy) + 0.5) * (2.0 / float(size)) - 1.0;
   int index = (texel.z * size + texel.y) * size + texel.x;
-  float texelArea = 4.0 / float(size * size);
-  list[2 * index] = vec4(normalize(directionFromCube(texel.z, st)), cubeSolidAngleDensity(st) * texelArea);
-  list[2 * index + 1] = vec4(imageLoad(cube, texel).rgb, 0.0);
+  vec4 value = imageLoad(cube, texel);
+  list[2 * index] = vec4(normalize(directionFromCube(texel.z, st)), value.a);
+  list[2 * index + 1] = vec4(value.rgb, 0.0);
 }

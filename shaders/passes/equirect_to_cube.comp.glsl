@@ -1,6 +1,6 @@
 // Equirectangular map -> cube map: each texel is the mean radiance over its solid angle, from taps x taps samples.
 // Where they differ by more than `steep` in a channel, from steepTaps x steepTaps: a sun of one source texel is a tent
-// two texels wide, whose flux 4 x 4 taps miss by up to 2 %, 16 x 16 by 0.12 %.
+// two texels wide, whose flux 4 x 4 taps miss by up to 2 %, 16 x 16 by 0.12 %. Alpha holds the texel's solid angle.
 #include "layout.h"
 #include "mapping.glsl"
 
@@ -10,6 +10,7 @@ layout(binding = 0, rgba32f) writeonly uniform imageCube cube;
 layout(location = 0) uniform int taps;
 layout(location = 1) uniform int steepTaps;
 layout(location = 2) uniform float steep;
+layout(location = 3) uniform int firstFace;
 
 vec3 radianceAt(int face, vec2 st) {
   return textureLod(equirect, equirectFromDirection(normalize(directionFromCube(face, st))), 0.0).rgb;
@@ -34,9 +35,14 @@ vec3 meanRadiance(ivec3 texel, float texelSize, int n, inout vec3 low, inout vec
 
 void main() {
   int size = imageSize(cube).x;
-  ivec3 texel = ivec3(gl_GlobalInvocationID);
+  ivec3 texel = ivec3(gl_GlobalInvocationID) + ivec3(0, 0, firstFace);
   if (texel.x >= size || texel.y >= size) return;
   float texelSize = 2.0 / float(size);
+  vec2 centre = (vec2(texel.xy) + 0.5) * texelSize - 1.0;
+  float solidAngle = cubeSolidAngleDensity(centre) * texelSize * texelSize;
+#ifdef ONE_TAP
+  vec3 mean = radianceAt(texel.z, centre);
+#else
   vec3 low = vec3(3e38), high = vec3(0.0);
   // A sun that only the texel's margin sees, outside the outermost samples, shows at a corner.
   for (int corner = 0; corner < 4; ++corner) {
@@ -47,5 +53,6 @@ void main() {
   vec3 mean = meanRadiance(texel, texelSize, taps, low, high);
   vec3 range = high - low;
   if (max(range.r, max(range.g, range.b)) > steep) mean = meanRadiance(texel, texelSize, steepTaps, low, high);
-  imageStore(cube, texel, vec4(mean, 1.0));
+#endif
+  imageStore(cube, texel, vec4(mean, solidAngle));
 }

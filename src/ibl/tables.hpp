@@ -2,11 +2,16 @@
 
 // Environment map -> the tables that a frame reads, and only those that it reads.
 
+#include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "base/error.hpp"
 #include "gl/texture.hpp"
+#include "ibl/filters.hpp"
+#include "ibl/method.hpp"
+#include "layout.h"
 #include "scene/environment.hpp"
 #include "shading/programs.hpp"
 
@@ -17,56 +22,64 @@ struct Needs {
   bool dfg = false;         // anything lit
   bool irradiance = false;  // lit by the environment
   bool layers = false;      // LD, for the split sum
-  // Perceptual roughness of the lobes that look LD up.
+  // Perceptual roughness of the lobes that look LD up: only the layers about it are made.
   float lowestRoughness = 0, highestRoughness = 1;
   bool cube = false;        // the environment as a cube map with levels, for sampling it per pixel
   bool sheen = false;       // a sheen that anything lights
   bool background = false;  // the environment itself is visible
 };
 
-// How the tables are made. Work is counted in texture fetches.
-struct Method {
-  int cubeTaps = 4;          // equirect -> cube: taps per texel along each axis
-  int steepTaps = 16;        // where the taps differ by more than steepness times the map's mean radiance: suns, lamps.
-  double steepness = 16;     // At most a sixteenth of the sphere is that bright, so the cost is bounded
-  int equirectWidth = 1024;  // a wider map is first reduced, texels weighted by solid angle
-  int irradianceSize = 16;   // face of the irradiance map; summed over a 32^2 level
-  int dfgSize = 64;
-  int dfgRadii = 32, dfgAngles = 8;  // Gauss-Legendre nodes over the visible normals
-  int sheenSize = 64;
-  int sheenHeights = 32, sheenAngles = 16;  // Gauss-Legendre nodes over the light's height and azimuth
-  int samplesNarrow = 32;                   // LD samples where perceptual roughness is below 0.25
-  int samplesWide = 96;                     // and above
-};
-
 struct TableStatistics {
   std::string name;
   size_t bytes = 0;
-  uint64_t fetches = 0;
+  uint64_t fetches = 0;  // texture and list reads
   double milliseconds = 0;
 };
 
 struct Tables {
   gl::Texture dfg;           // RGBA16F, dfg_table.glsl
   gl::Texture sheen;         // R32F, sheen_table.glsl
-  gl::Texture irradiance;    // RGBA16F cube, irradiance / pi
+  gl::Texture irradiance;    // RGBA32F cube, irradiance / pi
   gl::Texture mirrorLayers;  // RGBA16F cube array, LD layers 0 and 1
   gl::Texture roughLayers;   // RGBA16F cube array with levels, the rest
-  gl::Texture cube;          // RGBA32F cube with levels
-  gl::Texture background;    // RGBA16F equirectangular, full resolution
-  float radianceScale = 1;   // radiance = stored value * radianceScale (a power of two, so that half floats hold it)
+  std::array<bool, layout::ldLayerCount> layersMade = {};
+  gl::Texture cube;         // RGBA32F cube with levels; alpha = solid angle
+  gl::Texture background;   // RGBA16F equirectangular, full resolution
+  float radianceScale = 1;  // radiance = stored value * radianceScale (a power of two, so that half floats hold it)
   std::vector<TableStatistics> statistics;
 
   size_t bytes() const;  // of all that are there
 };
 
-// Computes what is needed and not in the tables yet; tables.statistics names what this call computed. The DFG and
-// sheen tables do not depend on the environment, which may be null where nothing else is needed; they are the same at
-// every call.
+// Tables in the making: steps of bounded work, to be run in order, all of them or a few each frame. The DFG and sheen
+// tables do not depend on the environment.
+struct Precompute {
+  std::vector<Step> steps;
+  size_t next = 0;
+  std::shared_ptr<Scratch> scratch;
+  std::unique_ptr<Tables> made;  // only what was missing; steps write to it
+  bool keepIrradiance = false, keepCube = false;
+
+  bool done() const { return next == steps.size(); }
+};
+
+// What is needed and not in the tables yet. environment may be null where nothing of it is needed; it is not read after
+// this call. programs must outlive the result.
+Precompute planTables(const Tables& tables, const scene::Environment* environment, const Needs& needs,
+                      shading::ProgramStore& programs, const Method& method = {});
+// One step. Errors: a shader does not compile.
+Result<void> runStep(Precompute& work);
+// Moves what was made to the tables. All steps are run.
+void finish(Precompute&& work, Tables& tables);
+
+// All of that at once; tables.statistics names what this call computed.
 Result<void> computeTables(Tables& tables, const scene::Environment* environment, const Needs& needs,
                            shading::ProgramStore& programs, const Method& method = {});
 
-// Reduces a map to at most the given width by an integer factor, each texel weighted by its solid angle.
-scene::Environment reduceEquirect(const scene::Environment& environment, int maxWidth);
+// First and last index of the layers that look-ups of that roughness touch.
+struct LayerRange {
+  int first = 0, last = -1;
+};
+LayerRange layersFor(float lowestRoughness, float highestRoughness);
 
 }  // namespace facet::ibl

@@ -1,0 +1,251 @@
+#include "ibl/filters.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+#include "gl/buffer.hpp"
+#include "ibl/harmonics.hpp"
+#include "ibl/kernel.hpp"
+#include "ibl/layers.hpp"
+#include "ibl/mixtures.hpp"
+#include "layout.h"
+#include "optics/quadrature.hpp"
+
+namespace facet::ibl {
+
+namespace {
+
+using shading::ProgramStore;
+using ScratchPointer = std::shared_ptr<Scratch>;
+
+constexpr double pi = std::numbers::pi;
+
+uint64_t texels(int size, int faces = 6) {
+  return static_cast<uint64_t>(faces) * static_cast<uint64_t>(size) * static_cast<uint64_t>(size);
+}
+
+// Large faces one by one, so that no step is long.
+template <class Run>
+void addByFaces(std::vector<Step>& steps, const char* table, int size, uint64_t fetchesPerTexel, const Run& run) {
+  const int faces = size >= 128 ? 1 : 6;
+  for (int face = 0; face < 6; face += faces)
+    steps.push_back({table, texels(size, faces) * fetchesPerTexel, [=] { return run(face, faces); }});
+}
+
+// ---- Sums over the sphere -------------------------------------------------------------------------------------------
+
+int levelOfSize(const gl::Texture& cube, int size) {
+  int level = 0;
+  while ((cube.description().width >> level) > size) ++level;
+  return level;
+}
+
+gl::Buffer levelAsList(const gl::Texture& cube, int size, const gl::Program& program) {
+  gl::Buffer list(texels(size) * 2 * sizeof(glm::vec4), "environment list");
+  glUseProgram(program.id());
+  glBindImageTexture(0, cube.id(), levelOfSize(cube, size), GL_TRUE, 0, GL_READ_ONLY, GL_RGBA32F);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeOutputBinding, list.id());
+  dispatchFaces(size);
+  return list;
+}
+
+void addSum(std::vector<Step>& steps, const char* table, size_t which, const ScratchPointer& scratch,
+            ProgramStore& programs, const Method& method) {
+  scratch->sumPlanned[which] = true;
+  const int size = method.irradianceSize, sumSize = method.sumSize;
+  const auto run = [=, &programs](int face, int faces) -> Result<void> {
+    const auto toList = programs.compute("passes/cube_to_list.comp.glsl");
+    if (!toList) return tl::unexpected(toList.error());
+    const auto sum = programs.compute("passes/zonal_sum.comp.glsl");
+    if (!sum) return tl::unexpected(sum.error());
+    gl::Texture& result = scratch->summed[which];
+    if (!result) result = cubeTexture(GL_RGBA32F, size, 1, "summed kernel");
+    const gl::Buffer list = levelAsList(scratch->cube, sumSize, **toList);
+    glUseProgram((*sum)->id());
+    (*sum)->set(0, static_cast<float>(optics::summedAlphas[which] * optics::summedAlphas[which]));
+    (*sum)->set(1, face);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeInputBinding, list.id());
+    glBindImageTexture(0, result.id(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA32F);
+    dispatchFaces(size, faces);
+    return {};
+  };
+  addByFaces(steps, table, size, texels(sumSize), run);
+}
+
+// ---- Mixtures of blurred copies -------------------------------------------------------------------------------------
+
+void addBlur(std::vector<Step>& steps, size_t index, const optics::BlurredCopy& copy, const ScratchPointer& scratch,
+             ProgramStore& programs) {
+  std::vector<glm::vec4> taps;
+  for (const optics::Ring& ring : copy.rings)
+    for (int i = 0; i < ring.count; ++i) {
+      const double phi = 2 * pi * (i + ring.turn) / ring.count, sine = std::sin(ring.angle);
+      taps.emplace_back(sine * std::cos(phi), sine * std::sin(phi), std::cos(ring.angle), ring.weight / ring.count);
+    }
+  const auto run = [=, &programs, size = copy.size](int face, int faces) -> Result<void> {
+    const auto program = programs.compute("passes/blur.comp.glsl");
+    if (!program) return tl::unexpected(program.error());
+    gl::Texture& blurred = scratch->blurred[index];
+    if (!blurred) blurred = cubeTexture(GL_RGBA32F, size, 1, "blurred environment");
+    const gl::Buffer input = gl::Buffer::of(taps, "taps");
+    glUseProgram((*program)->id());
+    (*program)->set(0, face);
+    (index == 1 ? scratch->cube : scratch->blurred[index - 1]).bind(layout::sourceUnit);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeInputBinding, input.id());
+    glBindImageTexture(0, blurred.id(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA32F);
+    dispatchFaces(size, faces);
+    return {};
+  };
+  addByFaces(steps, "LD layers", copy.size, taps.size(), run);
+}
+
+// Weights of the parts that count; roughness 0 is the cube.
+std::vector<std::pair<size_t, float>> mixtureOf(double perceptualRoughness) {
+  if (perceptualRoughness == 0) return {{0, 1.0f}};
+  const auto layer = std::ranges::find(layers, perceptualRoughness, &Layer::perceptualRoughness);
+  assert(layer != layers.end());
+  const auto& weights = mixtures[static_cast<size_t>(layer - layers.begin() - 1)];
+  std::vector<std::pair<size_t, float>> parts;
+  for (size_t i = 0; i < weights.size(); ++i)
+    if (weights[i] > 0) parts.emplace_back(i, weights[i]);
+  return parts;
+}
+
+void addMixture(std::vector<Step>& steps, const LayerTarget& layer, const ScratchPointer& scratch,
+                ProgramStore& programs) {
+  const auto parts = mixtureOf(layer.perceptualRoughness);
+  const auto run = [=, &programs](int face, int faces) -> Result<void> {
+    const auto program = programs.compute("passes/mix.comp.glsl", {{"COUNT", std::to_string(parts.size())}});
+    if (!program) return tl::unexpected(program.error());
+    glUseProgram((*program)->id());
+    (*program)->set(0, layer.cube);
+    (*program)->set(1, face);
+    for (size_t i = 0; i < parts.size(); ++i) {
+      const size_t part = parts[i].first;
+      const gl::Texture& texture = part == 0                 ? scratch->cube
+                                   : part < blurredCopyCount ? scratch->blurred[part]
+                                                             : scratch->summed[part - blurredCopyCount];
+      texture.bind(static_cast<GLuint>(i));
+      (*program)->set(2 + static_cast<GLint>(i), parts[i].second);
+    }
+    glBindImageTexture(0, layer.array, layer.level, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA16F);
+    dispatchFaces(layer.size, faces);
+    return {};
+  };
+  addByFaces(steps, "LD layers", layer.size, parts.size(), run);
+}
+
+void addMixtures(std::vector<Step>& steps, const std::vector<LayerTarget>& wanted, const ScratchPointer& scratch,
+                 ProgramStore& programs, const Method& method) {
+  std::vector<bool> used(mixturePartCount, false);
+  for (const LayerTarget& layer : wanted)
+    for (const auto& [part, weight] : mixtureOf(layer.perceptualRoughness)) used[part] = true;
+  const std::vector<optics::BlurredCopy> copies = optics::blurredCopies();
+  assert(copies.size() == blurredCopyCount);
+  scratch->blurred.resize(copies.size());
+  size_t last = copies.size() - 1;
+  while (last > 0 && !used[last]) --last;
+  for (size_t i = 1; i <= last; ++i) addBlur(steps, i, copies[i], scratch, programs);
+  for (size_t i = 0; i < std::size(scratch->summed); ++i)
+    if (used[blurredCopyCount + i] && !scratch->sumPlanned[i]) addSum(steps, "LD layers", i, scratch, programs, method);
+  for (const LayerTarget& layer : wanted) addMixture(steps, layer, scratch, programs);
+}
+
+// ---- Samples of the lobe --------------------------------------------------------------------------------------------
+
+// Unfiltered: H by the normals' distribution on Hammersley points, weight NoL, as is usual.
+std::vector<glm::vec4> importanceSamples(double alpha, int count) {
+  std::vector<glm::vec4> samples;
+  for (int i = 0; i < count; ++i) {
+    const glm::dvec2 u = optics::hammersley(static_cast<uint32_t>(i), static_cast<uint32_t>(count));
+    const double cosine = std::sqrt((1 - u.y) / (1 + (alpha * alpha - 1) * u.y));
+    const double NoL = 2 * cosine * cosine - 1;
+    if (NoL <= 0) continue;
+    const double sine = std::sqrt(std::max(0.0, 1 - NoL * NoL)), phi = 2 * pi * u.x;
+    samples.emplace_back(glm::vec3(glm::dvec3(sine * std::cos(phi), sine * std::sin(phi), NoL) * NoL), 0.0f);
+  }
+  return samples;
+}
+
+std::vector<glm::vec4> layerSamples(double alpha, const gl::Texture& cube, const Method& method) {
+  if (alpha == 0) return {glm::vec4(0, 0, 1, 0)};
+  if (method.ld == LdMethod::importance) return importanceSamples(alpha, method.samples);
+  std::vector<glm::vec4> samples;
+  const double wider = 0.5 * std::log2(method.filterGain);
+  for (const KernelSample& s : kernelSamples(alpha, method.samples, cube.description().width))
+    samples.emplace_back(glm::vec3(s.direction), static_cast<float>(std::max(0.0, s.level + wider)));
+  return samples;
+}
+
+void addSampled(std::vector<Step>& steps, const LayerTarget& layer, const ScratchPointer& scratch,
+                ProgramStore& programs, const Method& method) {
+  const double alpha = layer.perceptualRoughness * layer.perceptualRoughness;
+  const auto run = [=, &programs](int face, int faces) -> Result<void> {
+    const auto program = programs.compute("passes/prefilter.comp.glsl");
+    if (!program) return tl::unexpected(program.error());
+    const gl::Buffer input = gl::Buffer::of(layerSamples(alpha, scratch->cube, method), "LD samples");
+    glUseProgram((*program)->id());
+    (*program)->set(0, layer.cube);
+    (*program)->set(1, face);
+    scratch->cube.bind(layout::sourceUnit);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeInputBinding, input.id());
+    glBindImageTexture(0, layer.array, layer.level, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA16F);
+    dispatchFaces(layer.size, faces);
+    return {};
+  };
+  addByFaces(steps, "LD layers", layer.size, alpha == 0 ? 1 : static_cast<uint64_t>(method.samples), run);
+}
+
+// ---- Irradiance -----------------------------------------------------------------------------------------------------
+
+constexpr double riemannStep = 0.025;  // rad
+
+void addRiemann(std::vector<Step>& steps, const ScratchPointer& scratch, ProgramStore& programs, const Method& method) {
+  const int size = method.irradianceSize;
+  const auto fetches = static_cast<uint64_t>(std::ceil(2 * pi / riemannStep) * std::ceil(0.5 * pi / riemannStep));
+  const auto run = [=, &programs]() -> Result<void> {
+    const auto program = programs.compute("passes/irradiance_riemann.comp.glsl");
+    if (!program) return tl::unexpected(program.error());
+    gl::Texture& result = scratch->summed[1];
+    result = cubeTexture(GL_RGBA32F, size, 1, "irradiance / pi");
+    glUseProgram((*program)->id());
+    (*program)->set(0, static_cast<float>(riemannStep));
+    scratch->cube.bind(layout::sourceUnit);
+    glBindImageTexture(0, result.id(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA32F);
+    dispatchFaces(size);
+    return {};
+  };
+  steps.push_back({"irradiance", texels(size) * fetches, run});
+}
+
+void addHarmonics(std::vector<Step>& steps, const ScratchPointer& scratch, const Method& method) {
+  const auto run = [=]() -> Result<void> {
+    scratch->summed[1] = irradianceByHarmonics(scratch->cube, method.harmonicsOrder, method.irradianceSize);
+    return {};
+  };
+  steps.push_back({"irradiance", texels(harmonicsSource), run});
+}
+
+}  // namespace
+
+void addLayerSteps(std::vector<Step>& steps, const std::vector<LayerTarget>& wanted, const ScratchPointer& scratch,
+                   ProgramStore& programs, const Method& method) {
+  if (method.ld == LdMethod::mixture) return addMixtures(steps, wanted, scratch, programs, method);
+  for (const LayerTarget& layer : wanted) addSampled(steps, layer, scratch, programs, method);
+}
+
+void addIrradianceSteps(std::vector<Step>& steps, const ScratchPointer& scratch, ProgramStore& programs,
+                        const Method& method) {
+  switch (method.irradiance) {
+    case IrradianceMethod::summed:
+      return addSum(steps, "irradiance", 1, scratch, programs, method);
+    case IrradianceMethod::riemann:
+      return addRiemann(steps, scratch, programs, method);
+    case IrradianceMethod::harmonics:
+      return addHarmonics(steps, scratch, method);
+  }
+}
+
+}  // namespace facet::ibl

@@ -1,0 +1,50 @@
+#pragma once
+
+// The environment cube -> what is read for rough surfaces: layers of LD and irradiance, by each method, as steps of
+// bounded work.
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "base/error.hpp"
+#include "gl/texture.hpp"
+#include "ibl/method.hpp"
+#include "ibl/source.hpp"
+#include "optics/zonal.hpp"
+#include "shading/programs.hpp"
+
+namespace facet::ibl {
+
+// A bounded piece of GPU work.
+struct Step {
+  const char* table = "";  // that it is for
+  uint64_t fetches = 0;    // texture and list reads
+  std::function<Result<void>()> run;
+};
+
+// What steps leave for later ones; they keep it alive.
+struct Scratch {
+  CubeSource source;
+  gl::Texture cube;                                     // RGBA32F with levels; alpha of level 0 on: solid angle
+  std::vector<gl::Texture> blurred;                     // optics::blurredCopies; [0] stays empty: the cube itself
+  gl::Texture summed[std::size(optics::summedAlphas)];  // RGBA32F cubes; the last is irradiance / pi
+  bool sumPlanned[std::size(optics::summedAlphas)] = {};
+};
+
+// A level of one cube of a cube map array, RGBA16F.
+struct LayerTarget {
+  GLuint array = 0;
+  int cube = 0, level = 0, size = 0;
+  double perceptualRoughness = 0;
+};
+
+// Steps that make these layers from scratch->cube, which is made by then.
+void addLayerSteps(std::vector<Step>& steps, const std::vector<LayerTarget>& layers,
+                   const std::shared_ptr<Scratch>& scratch, shading::ProgramStore& programs, const Method& method);
+
+// Steps that leave irradiance / pi as the last of scratch->summed.
+void addIrradianceSteps(std::vector<Step>& steps, const std::shared_ptr<Scratch>& scratch,
+                        shading::ProgramStore& programs, const Method& method);
+
+}  // namespace facet::ibl

@@ -1,0 +1,44 @@
+#pragma once
+
+// An equirectangular map on the GPU and the cube that everything is filtered from.
+
+#include "base/error.hpp"
+#include "gl/texture.hpp"
+#include "ibl/method.hpp"
+#include "scene/environment.hpp"
+#include "shading/programs.hpp"
+
+namespace facet::ibl {
+
+// A power of two by which radiance is divided before it is stored, so that half floats hold it: mostly 1.
+float radianceScaleFor(const scene::Environment& environment);
+
+// In the map's units divided by scale.
+gl::Texture uploadEquirect(const scene::Environment& environment, GLenum format, float scale, std::string_view label);
+
+// Reduces a map to at most the given width by an integer factor, each texel weighted by its solid angle.
+scene::Environment reduceEquirect(const scene::Environment& environment, int maxWidth);
+
+// Near the poles texels are needles that samples miss: there runs of texels take their mean, none wider on the sphere
+// than maxWidth radians. The flux of every row stays what it is.
+void blendPolarTexels(scene::Environment& environment, double maxWidth);
+
+// What an environment's cube is made from.
+struct CubeSource {
+  gl::Texture equirect;
+  float steep = 0;  // difference of taps above which a texel takes more of them
+};
+CubeSource cubeSource(const scene::Environment& environment, float scale, const Method& method);
+
+// Level 0 of the cube, these faces of it; alpha = the texel's solid angle.
+Result<void> drawCubeFaces(const gl::Texture& cube, const CubeSource& source, int firstFace, int faces,
+                           shading::ProgramStore& programs, const Method& method);
+// All further levels, weighted by solid angle.
+Result<void> drawCubeLevels(const gl::Texture& cube, shading::ProgramStore& programs);
+
+gl::Texture cubeTexture(GLenum format, int size, int levels, std::string_view label);
+void dispatchFaces(int size, int faces = 6);
+
+uint64_t cubeFetches(int size, const Method& method);
+
+}  // namespace facet::ibl
