@@ -5,6 +5,8 @@
 #include <cstring>
 #include <sstream>
 
+#include "ibl/layers.hpp"
+
 namespace facet::ibl {
 
 namespace {
@@ -27,17 +29,33 @@ constexpr Entry entries[] = {{"DFG", &Tables::dfg, &Needs::dfg, false},
 
 // All of them: another value makes other tables.
 std::string methodKey(const Method& m) {
-  static_assert(sizeof(Method) == 56, "a new parameter belongs into this key");
+  static_assert(sizeof(Method) == 96, "a new parameter belongs into this key");
   std::ostringstream text;
-  text << m.cubeTaps << ' ' << m.steepTaps << ' ' << std::hexfloat << m.steepness << ' ' << m.equirectWidth << ' '
-       << m.irradianceSize << ' ' << m.dfgSize << ' ' << m.dfgRadii << ' ' << m.dfgAngles << ' ' << m.sheenSize << ' '
-       << m.sheenHeights << ' ' << m.sheenAngles << ' ' << m.samplesNarrow << ' ' << m.samplesWide;
+  text << std::hexfloat << static_cast<int>(m.cube) << ' ' << m.cubeTaps << ' ' << m.steepTaps << ' ' << m.steepness
+       << ' ' << m.equirectWidth << ' ' << static_cast<int>(m.ld) << ' ' << m.samples << ' ' << m.filterGain << ' '
+       << m.sumSize << ' ' << static_cast<int>(m.irradiance) << ' ' << m.irradianceSize << ' ' << m.harmonicsOrder
+       << ' ' << static_cast<int>(m.dfg) << ' ' << m.dfgSize << ' ' << m.dfgRadii << ' ' << m.dfgAngles << ' '
+       << m.dfgSamples << ' ' << m.sheenSize << ' ' << m.sheenHeights << ' ' << m.sheenAngles;
   return text.str();
 }
 
-std::string entryKey(const Entry& entry, const TableCache& cache, const std::string& content, const Method& method) {
+bool isLayer(const Entry& entry, size_t layer) {
+  return entry.texture == (layers[layer].mirror ? &Tables::mirrorLayers : &Tables::roughLayers);
+}
+// The layers of an array that are needed: 1 or 0 for each.
+std::string neededLayers(const Entry& entry, const Needs& needs) {
+  std::string text;
+  if (entry.need != &Needs::layers) return text;
+  const LayerRange range = layersFor(needs.lowestRoughness, needs.highestRoughness);
+  for (int i = range.first; i <= range.last; ++i)
+    if (isLayer(entry, static_cast<size_t>(i))) text += std::to_string(i) + " ";
+  return text;
+}
+
+std::string entryKey(const Entry& entry, const TableCache& cache, const std::string& content, const Method& method,
+                     const Needs& needs) {
   return "facet table\n" + std::string(entry.name) + "\n" + (entry.ofEnvironment ? content : "-") + "\n" +
-         methodKey(method) + "\n" + cache.version;
+         methodKey(method) + "\n" + neededLayers(entry, needs) + "\n" + cache.version;
 }
 
 // How a texture's texels are moved; bytes 0: of a format that is not stored.
@@ -126,6 +144,7 @@ gl::Texture unpack(const std::vector<std::byte>& bytes, const char* name, float&
 }
 
 bool wanted(const Entry& entry, const Tables& tables, const Needs& needs) {
+  if (entry.need == &Needs::layers && neededLayers(entry, needs).empty()) return false;
   return needs.*entry.need && !(tables.*entry.texture);
 }
 
@@ -135,7 +154,7 @@ std::vector<TableStatistics> load(Tables& tables, const Needs& needs, const Tabl
   for (const Entry& entry : entries) {
     if (!wanted(entry, tables, needs)) continue;
     const auto start = Clock::now();
-    const auto bytes = readCached(cache.disk, entryKey(entry, cache, content, method));
+    const auto bytes = readCached(cache.disk, entryKey(entry, cache, content, method, needs));
     if (!bytes) continue;
     float radianceScale = 1;
     gl::Texture texture = unpack(*bytes, entry.name, radianceScale);
@@ -144,6 +163,11 @@ std::vector<TableStatistics> load(Tables& tables, const Needs& needs, const Tabl
     const std::chrono::duration<double, std::milli> spent = Clock::now() - start;
     loaded.push_back({std::string(entry.name) + " (cached)", texture.bytes(), 0, spent.count()});
     tables.*entry.texture = std::move(texture);
+    if (entry.need == &Needs::layers) {
+      const LayerRange range = layersFor(needs.lowestRoughness, needs.highestRoughness);
+      for (int i = range.first; i <= range.last; ++i)
+        if (const auto layer = static_cast<size_t>(i); isLayer(entry, layer)) tables.layersMade[layer] = true;
+    }
   }
   return loaded;
 }
@@ -178,7 +202,7 @@ Result<void> prepareTables(Tables& tables, const scene::Environment* environment
   if (Result<void> r = computeTables(tables, environment, needs, programs, method); !r) return r;
   for (const Entry* entry : missing)
     if (const std::vector<std::byte> bytes = pack(tables.*entry->texture, tables.radianceScale); !bytes.empty())
-      writeCached(cache.disk, entryKey(*entry, cache, content, method), bytes);
+      writeCached(cache.disk, entryKey(*entry, cache, content, method, needs), bytes);
   tables.statistics.insert(tables.statistics.begin(), loaded.begin(), loaded.end());
   return {};
 }

@@ -62,7 +62,7 @@ void addSum(std::vector<Step>& steps, const char* table, size_t which, const Scr
     if (!sum) return tl::unexpected(sum.error());
     gl::Texture& result = scratch->summed[which];
     if (!result) result = cubeTexture(GL_RGBA32F, size, 1, "summed kernel");
-    const gl::Buffer list = levelAsList(scratch->cube, sumSize, **toList);
+    const gl::Buffer list = levelAsList(scratch->environmentCube(), sumSize, **toList);
     glUseProgram((*sum)->id());
     (*sum)->set(0, static_cast<float>(optics::summedAlphas[which] * optics::summedAlphas[which]));
     (*sum)->set(1, face);
@@ -92,7 +92,7 @@ void addBlur(std::vector<Step>& steps, size_t index, const optics::BlurredCopy& 
     const gl::Buffer input = gl::Buffer::of(taps, "taps");
     glUseProgram((*program)->id());
     (*program)->set(0, face);
-    (index == 1 ? scratch->cube : scratch->blurred[index - 1]).bind(layout::sourceUnit);
+    (index == 1 ? scratch->environmentCube() : scratch->blurred[index - 1]).bind(layout::sourceUnit);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeInputBinding, input.id());
     glBindImageTexture(0, blurred.id(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA32F);
     dispatchFaces(size, faces);
@@ -124,7 +124,7 @@ void addMixture(std::vector<Step>& steps, const LayerTarget& layer, const Scratc
     (*program)->set(1, face);
     for (size_t i = 0; i < parts.size(); ++i) {
       const size_t part = parts[i].first;
-      const gl::Texture& texture = part == 0                 ? scratch->cube
+      const gl::Texture& texture = part == 0                 ? scratch->environmentCube()
                                    : part < blurredCopyCount ? scratch->blurred[part]
                                                              : scratch->summed[part - blurredCopyCount];
       texture.bind(static_cast<GLuint>(i));
@@ -185,11 +185,11 @@ void addSampled(std::vector<Step>& steps, const LayerTarget& layer, const Scratc
   const auto run = [=, &programs](int face, int faces) -> Result<void> {
     const auto program = programs.compute("passes/prefilter.comp.glsl");
     if (!program) return tl::unexpected(program.error());
-    const gl::Buffer input = gl::Buffer::of(layerSamples(alpha, scratch->cube, method), "LD samples");
+    const gl::Buffer input = gl::Buffer::of(layerSamples(alpha, scratch->environmentCube(), method), "LD samples");
     glUseProgram((*program)->id());
     (*program)->set(0, layer.cube);
     (*program)->set(1, face);
-    scratch->cube.bind(layout::sourceUnit);
+    scratch->environmentCube().bind(layout::sourceUnit);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeInputBinding, input.id());
     glBindImageTexture(0, layer.array, layer.level, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA16F);
     dispatchFaces(layer.size, faces);
@@ -212,7 +212,7 @@ void addRiemann(std::vector<Step>& steps, const ScratchPointer& scratch, Program
     result = cubeTexture(GL_RGBA32F, size, 1, "irradiance / pi");
     glUseProgram((*program)->id());
     (*program)->set(0, static_cast<float>(riemannStep));
-    scratch->cube.bind(layout::sourceUnit);
+    scratch->environmentCube().bind(layout::sourceUnit);
     glBindImageTexture(0, result.id(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA32F);
     dispatchFaces(size);
     return {};
@@ -222,7 +222,8 @@ void addRiemann(std::vector<Step>& steps, const ScratchPointer& scratch, Program
 
 void addHarmonics(std::vector<Step>& steps, const ScratchPointer& scratch, const Method& method) {
   const auto run = [=]() -> Result<void> {
-    scratch->summed[1] = irradianceByHarmonics(scratch->cube, method.harmonicsOrder, method.irradianceSize);
+    scratch->summed[1] =
+        irradianceByHarmonics(scratch->environmentCube(), method.harmonicsOrder, method.irradianceSize);
     return {};
   };
   steps.push_back({"irradiance", texels(harmonicsSource), run});

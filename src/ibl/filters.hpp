@@ -27,9 +27,12 @@ struct Step {
 struct Scratch {
   CubeSource source;
   gl::Texture cube;                                     // RGBA32F with levels; alpha of level 0 on: solid angle
+  const gl::Texture* presentCube = nullptr;             // in its place where there is one already
   std::vector<gl::Texture> blurred;                     // optics::blurredCopies; [0] stays empty: the cube itself
   gl::Texture summed[std::size(optics::summedAlphas)];  // RGBA32F cubes; the last is irradiance / pi
   bool sumPlanned[std::size(optics::summedAlphas)] = {};
+
+  const gl::Texture& environmentCube() const { return presentCube ? *presentCube : cube; }
 };
 
 // A level of one cube of a cube map array, RGBA16F.
@@ -39,7 +42,7 @@ struct LayerTarget {
   double perceptualRoughness = 0;
 };
 
-// Steps that make these layers from scratch->cube, which is made by then.
+// Steps that make these layers from the environment's cube, which is made by then.
 void addLayerSteps(std::vector<Step>& steps, const std::vector<LayerTarget>& layers,
                    const std::shared_ptr<Scratch>& scratch, shading::ProgramStore& programs, const Method& method);
 

@@ -105,9 +105,13 @@ Precompute planTables(const Tables& tables, const scene::Environment* environmen
   made.radianceScale = radianceScaleFor(*environment);
   if (background) made.background = uploadEquirect(*environment, GL_RGBA16F, made.radianceScale, "background");
   if (!filtered) return work;
-  work.scratch->source = cubeSource(*environment, made.radianceScale, method);
-  work.scratch->cube = cubeTexture(GL_RGBA32F, mirrorSize, gl::mipLevels(mirrorSize, mirrorSize), "environment cube");
-  addCubeSteps(work, programs, method);
+  if (tables.cube) {
+    work.scratch->presentCube = &tables.cube;
+  } else {
+    work.scratch->source = cubeSource(*environment, made.radianceScale, method);
+    work.scratch->cube = cubeTexture(GL_RGBA32F, mirrorSize, gl::mipLevels(mirrorSize, mirrorSize), "environment cube");
+    addCubeSteps(work, programs, method);
+  }
   if (work.keepIrradiance) addIrradianceSteps(work.steps, work.scratch, programs, method);
   if (!targets.empty()) addLayerSteps(work.steps, targets, work.scratch, programs, method);
   return work;
