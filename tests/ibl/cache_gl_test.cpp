@@ -12,7 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr ibl::Method quick{.cubeTaps = 1, .steepTaps = 1, .irradianceSize = 4, .samplesNarrow = 2, .samplesWide = 2};
+constexpr ibl::Method quick{
+    .cubeTaps = 1, .steepTaps = 1, .ld = ibl::LdMethod::filtered, .samples = 2, .irradianceSize = 4};
 constexpr ibl::Needs everything{
     .dfg = true, .irradiance = true, .layers = true, .cube = true, .sheen = true, .background = true};
 
