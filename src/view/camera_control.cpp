@@ -50,7 +50,8 @@ scene::OrbitCamera panned(scene::OrbitCamera camera, const glm::dvec2& dragPixel
 }
 
 scene::OrbitCamera zoomed(scene::OrbitCamera camera, double steps, const RadiusLimits& limits) {
-  camera.radius = std::clamp(camera.radius * std::pow(0.9, steps), limits.min, limits.max);
+  const double least = std::min(limits.min, camera.radius), most = std::max(limits.max, camera.radius);
+  camera.radius = std::clamp(camera.radius * std::pow(0.9, steps), least, most);
   return camera;
 }
 
@@ -72,6 +73,34 @@ scene::OrbitCamera framedAll(const scene::OrbitCamera& camera, const scene::Boun
   framed.theta = camera.theta;
   framed.phi = camera.phi;
   return framed;
+}
+
+scene::OrbitCamera seenFrom(scene::OrbitCamera camera, Side side) {
+  constexpr glm::dvec2 angles[] = {{0, 90}, {180, 90}, {90, 90}, {-90, 90}, {0, 0}, {0, 180}};
+  const glm::dvec2& chosen = angles[static_cast<size_t>(side)];
+  camera.theta = chosen.x;
+  camera.phi = chosen.y;
+  return camera;
+}
+
+scene::OrbitCamera turntable(scene::OrbitCamera camera, double seconds, double degreesPerSecond) {
+  camera.theta = wrappedDegrees(camera.theta + seconds * degreesPerSecond);
+  return camera;
+}
+
+double flightSpeed(const scene::OrbitCamera& camera, const scene::Bounds& scene) {
+  constexpr double radiiPerSecond = 0.7, slowest = 0.01;
+  const double radius = scene.radius() > 0 && std::isfinite(scene.radius()) ? scene.radius() : 1.0;
+  return radiiPerSecond * std::clamp(camera.radius, slowest * radius, radius);
+}
+
+PixelRay rayThrough(const scene::View& view, const glm::dvec2& pixel, const glm::dvec2& windowSize) {
+  const glm::dvec2 ndc(2 * pixel.x / windowSize.x - 1, 1 - 2 * pixel.y / windowSize.y);
+  const double x = ndc.x / view.clipFromView[0][0], y = ndc.y / view.clipFromView[1][1];
+  if (view.orthographic)
+    return {view.eye + view.right * x + view.up * y + view.forward * view.zNear, view.forward};
+  const glm::dvec3 direction = view.forward + view.right * x + view.up * y;
+  return {view.eye + direction * view.zNear, glm::normalize(direction)};
 }
 
 }  // namespace facet::view

@@ -21,7 +21,8 @@ scene::OrbitCamera orbited(scene::OrbitCamera camera, const glm::dvec2& dragPixe
 // Moves parallel to the picture so that a point at the target's depth stays under the pointer.
 scene::OrbitCamera panned(scene::OrbitCamera camera, const glm::dvec2& dragPixels, double windowHeight);
 
-// One step nearer is a factor of 0.9 on the radius.
+// One step nearer is a factor of 0.9 on the radius. A radius that lies outside the limits already (a small part was
+// framed) stays there, or comes nearer to them.
 scene::OrbitCamera zoomed(scene::OrbitCamera camera, double steps, const RadiusLimits& limits);
 
 // Turns the head: the eye stays, the target moves around it. A drag to the right looks to the right; across the
@@ -33,6 +34,23 @@ scene::OrbitCamera flown(scene::OrbitCamera camera, const glm::dvec3& rightUpFor
 
 // Same direction of view, all of the bounds in the picture.
 scene::OrbitCamera framedAll(const scene::OrbitCamera& camera, const scene::Bounds& scene, double aspect);
+
+// From this side of the target, at the same distance; up is +Y, and for the views from above and below what is up where
+// theta is 0.
+enum class Side { front, back, right, left, top, bottom };  // +Z, -Z, +X, -X, +Y, -Y
+scene::OrbitCamera seenFrom(scene::OrbitCamera camera, Side side);
+
+// A turntable: the camera goes round the target about +Y, as if the scene turned the other way.
+scene::OrbitCamera turntable(scene::OrbitCamera camera, double seconds, double degreesPerSecond);
+
+// Metres per second of flight: a scene is crossed in about three seconds; slower where a small part is looked at.
+double flightSpeed(const scene::OrbitCamera& camera, const scene::Bounds& scene);
+
+// The point of the window, pixels from its top left, as a ray from the near side of what is seen.
+struct PixelRay {
+  glm::dvec3 origin = glm::dvec3(0), direction = glm::dvec3(0, 0, -1);  // world; the direction is unit
+};
+PixelRay rayThrough(const scene::View& view, const glm::dvec2& pixel, const glm::dvec2& windowSize);
 
 glm::dvec3 eyeOf(const scene::OrbitCamera& camera);
 

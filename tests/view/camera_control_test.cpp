@@ -114,3 +114,100 @@ TEST_CASE("camera control: framing all keeps the direction and shows the whole s
   CHECK(framed.target == glm::dvec3(10));
   CHECK(framed.radius == Approx(std::sqrt(3.0) / std::sin(glm::radians(20.0))));
 }
+
+TEST_CASE("camera control: views along the axes look at the target from that side, at the same distance") {
+  const OrbitCamera camera = example();
+  const auto check = [&](view::Side side, const glm::dvec3& from, const glm::dvec3& up) {
+    const OrbitCamera seen = view::seenFrom(camera, side);
+    CHECK(seen.target == camera.target);
+    CHECK(glm::distance(view::eyeOf(seen), camera.target + from * camera.radius) < 1e-12);
+    CHECK(glm::distance(scene::orbitView(seen, 1, {}).up, up) < 1e-12);
+  };
+  check(view::Side::front, {0, 0, 1}, {0, 1, 0});
+  check(view::Side::back, {0, 0, -1}, {0, 1, 0});
+  check(view::Side::right, {1, 0, 0}, {0, 1, 0});
+  check(view::Side::left, {-1, 0, 0}, {0, 1, 0});
+  check(view::Side::top, {0, 1, 0}, {0, 0, -1});
+  check(view::Side::bottom, {0, -1, 0}, {0, 0, 1});
+}
+
+TEST_CASE("camera control: a turntable goes round the target about +Y and keeps the height of the eye") {
+  const OrbitCamera camera = example();
+  const OrbitCamera turned = view::turntable(camera, 2, 30);
+  CHECK(turned.theta == Approx(97));
+  CHECK(view::eyeOf(turned).y == Approx(view::eyeOf(camera).y));
+  CHECK(turned.radius == camera.radius);
+  const OrbitCamera round = view::turntable(camera, 12, 30);
+  CHECK(round.theta == Approx(37));  // a whole turn
+  CHECK(view::turntable(camera, 1e6, -30).theta >= -180);
+}
+
+TEST_CASE("camera control: a framed part smaller than the limits is not thrown back by the wheel") {
+  const view::RadiusLimits limits = view::radiusLimits(box(2));
+  OrbitCamera camera = example();
+  camera.radius = limits.min / 10;
+  CHECK(view::zoomed(camera, 1, limits).radius == camera.radius);
+  CHECK(view::zoomed(camera, -1, limits).radius == Approx(camera.radius / 0.9));
+}
+
+TEST_CASE("camera control: flight is as fast as what is looked at is large") {
+  OrbitCamera camera = example();
+  const double radius = box(2).radius();
+  camera.radius = 100;
+  CHECK(view::flightSpeed(camera, box(2)) == Approx(0.7 * radius));
+  camera.radius = radius / 10;
+  CHECK(view::flightSpeed(camera, box(2)) == Approx(0.07 * radius));
+  camera.radius = 0;
+  CHECK(view::flightSpeed(camera, box(2)) == Approx(0.007 * radius));
+  camera.radius = 0.5;
+  CHECK(view::flightSpeed(camera, {}) == Approx(0.35));
+}
+
+TEST_CASE("camera control: near never clips what one looks at, from afar, close up and inside") {
+  const scene::Bounds bounds = box(2);
+  const double radius = bounds.radius();
+  // Zoomed in on a point of the surface, down to a thousandth of the scene: from the target to the eye everything that
+  // is farther from the eye than a hundredth of the way is in front of near, and depth tells a millionth apart.
+  for (const double r : {100.0, 10.0, 1.0, 0.1, 1e-2, 1e-3}) {
+    OrbitCamera camera = example();
+    camera.target = {2, 0.3, -0.2};
+    camera.radius = r * radius;
+    const scene::View view = scene::orbitView(camera, 1.5, bounds);
+    INFO("radius " << r);
+    CHECK(view.zNear > 0);
+    CHECK(view.zNear <= 0.01 * camera.radius);
+    const auto depth = [&](double distance) {
+      const glm::dvec4 clip = view.clipFromView * glm::dvec4(0, 0, -distance, 1);
+      return static_cast<float>(clip.z / clip.w);
+    };
+    CHECK(depth(camera.radius) < depth(camera.radius * (1 - 1e-6)));
+    CHECK(depth(camera.radius) > 0);
+    CHECK(depth(bounds.radius() * 1e3) > 0);
+  }
+  // Flown into the scene: what is a hundred-thousandth of its size before the eye is seen still.
+  OrbitCamera inside = example();
+  inside.target = {0.1, 0.1, 0.1};
+  inside.radius = radius;
+  inside = view::flown(inside, {0, 0, radius * 0.99});
+  const scene::View view = scene::orbitView(inside, 1.5, bounds);
+  CHECK(view.zNear <= 1e-5 * radius);
+}
+
+TEST_CASE("camera control: the ray through a pixel meets what is seen there") {
+  const OrbitCamera camera = example();
+  const glm::dvec2 size(width, height);
+  const scene::View view = scene::orbitView(camera, width / height, box(9));
+  for (const glm::dvec2& pixel : {glm::dvec2(320, 240), glm::dvec2(3, 470), glm::dvec2(600, 20)}) {
+    const view::PixelRay ray = view::rayThrough(view, pixel, size);
+    CHECK(glm::length(ray.direction) == Approx(1));
+    CHECK(glm::distance(pixelOf(camera, ray.origin + 2.5 * ray.direction), pixel) < 1e-6);
+  }
+  scene::Camera lens;
+  lens.perspective = false;
+  lens.xMag = lens.yMag = 2;
+  lens.zNear = 0.5, lens.zFar = 10;
+  const scene::View flat = scene::cameraView(lens, glm::dmat4(1), 1, box(9));
+  const view::PixelRay ray = view::rayThrough(flat, {75, 25}, {100, 100});
+  CHECK(glm::distance(ray.origin, {1, 1, -0.5}) < 1e-12);
+  CHECK(ray.direction == glm::dvec3(0, 0, -1));
+}
