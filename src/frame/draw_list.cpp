@@ -105,6 +105,7 @@ void addInstance(DrawList& list, const Placed& placed, const std::vector<int>& f
       list.morphWeights.push_back({static_cast<uint32_t>(target), placed.weights[target]});
   uniforms.deformation.z = static_cast<uint32_t>(list.morphWeights.size()) - uniforms.deformation.y;
   list.instances.push_back(uniforms);
+  list.instanceNodes.push_back(placed.instance->node);
 }
 
 // Nodes that share a mesh become one draw per primitive.
@@ -248,6 +249,46 @@ DrawList buildDrawList(const scene::Model& model, int scene, const DrawOptions& 
     addInstances(list, model.meshes[static_cast<size_t>(std::get<0>(key))], placed, firstJoints, options);
   sortByProgram(list);
   return list;
+}
+
+DrawList partOf(const DrawList& list, const std::function<bool(int node, const scene::Primitive&)>& wanted,
+                int channel) {
+  DrawList part;
+  part.origin = list.origin;
+  part.materials = list.materials;
+  part.features = list.features;
+  part.features.channel = channel;
+  for (const std::vector<Draw>* draws : list.classes())
+    for (const Draw& draw : *draws) {
+      const scene::Material& material = list.materials[static_cast<size_t>(draw.material)];
+      const shading::Deformation deformation{shading::usesFeature(draw.key, "HAS_SKIN"),
+                                             shading::usesFeature(draw.key, "HAS_MORPH")};
+      for (uint32_t i = 0; i < draw.instanceCount; ++i) {
+        if (!wanted(list.instanceNodes[draw.firstInstance + i], *draw.primitive)) continue;
+        Draw one = draw;
+        one.firstInstance += i;
+        one.instanceCount = 1;
+        one.firstBounds = static_cast<uint32_t>(part.instanceBounds.size());
+        one.key = shading::variantKey({material, *draw.primitive, part.features, deformation});
+        const scene::Bounds& bounds = list.instanceBounds[draw.firstBounds + i];
+        part.instanceBounds.push_back(bounds);
+        if (!bounds.empty()) part.bounds.add(bounds.min), part.bounds.add(bounds.max);
+        part.opaque.push_back(one);
+      }
+    }
+  sortByProgram(part);
+  return part;
+}
+
+scene::Bounds boundsOf(const DrawList& list, const std::function<bool(int node)>& wanted) {
+  scene::Bounds all;
+  for (const std::vector<Draw>* draws : list.classes())
+    for (const Draw& draw : *draws)
+      for (uint32_t i = 0; i < draw.instanceCount; ++i) {
+        const scene::Bounds& box = list.instanceBounds[draw.firstBounds + i];
+        if (!box.empty() && wanted(list.instanceNodes[draw.firstInstance + i])) all.add(box.min), all.add(box.max);
+      }
+  return all;
 }
 
 void setFeatures(DrawList& list, shading::FrameFeatures features) {

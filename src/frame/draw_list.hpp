@@ -4,6 +4,7 @@
 // bounds), so that single precision suffices on the GPU however far away a scene lies.
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -49,6 +50,7 @@ struct DrawList {
   scene::Bounds bounds;                    // world
   std::vector<scene::Material> materials;  // the model's, then the default material
   std::vector<layout::Instance> instances;
+  std::vector<int> instanceNodes;             // of each instance
   std::vector<scene::Bounds> instanceBounds;  // world; of one primitive in one instance
   std::vector<layout::Joint> joints;
   std::vector<layout::MorphWeight> morphWeights;  // those that are not 0
@@ -68,6 +70,15 @@ struct DrawList {
 };
 
 DrawList buildDrawList(const scene::Model& model, int scene, const DrawOptions& options, const scene::Pose& pose = {});
+
+// The draws of a node's primitives, each instance a draw of its own, as a debug channel (1 and up) shows them: what is
+// on the GPU of the list serves the part too, where `isOnGpu` says so. instances, joints, lights and cameras stay with
+// the list.
+DrawList partOf(const DrawList& list, const std::function<bool(int node, const scene::Primitive&)>& wanted,
+                int channel);
+
+// The box around the draws of the nodes for which `wanted` holds, world; empty where they draw nothing.
+scene::Bounds boundsOf(const DrawList& list, const std::function<bool(int node)>& wanted);
 
 // Other features for the same draws, as buildDrawList would have made them: programs, and the order by program. What
 // the list has on the GPU serves both. The channel must stay, and whether there are punctual lights does.

@@ -42,6 +42,8 @@ struct Targets {
 Targets createTargets(int width, int height, int samples, bool gather);
 // For gathering a picture that is shown in others' display picture: with what its error is estimated from.
 Targets createGatherTargets(int width, int height);
+// For values of a debug channel in single precision, to be read (format GL_RGBA32F), or for a mask (GL_RGBA8).
+Targets createValueTargets(int width, int height, GLenum format);
 // Adds the copy of what is behind where the list has transmitting surfaces and the targets have none yet; frees it
 // where the list has none.
 void prepareBehind(Targets& targets, const DrawList& list);

@@ -269,6 +269,14 @@ std::vector<bool> missingImages(const scene::Model& model, const DrawList& list,
   return missing;
 }
 
+bool isOnGpu(const scene::Model& model, const DrawList& part, const GpuScene& gpu) {
+  if (std::ranges::any_of(missingImages(model, part, gpu), std::identity())) return false;
+  return std::ranges::all_of(part.opaque, [&](const Draw& draw) {
+    const auto found = gpu.primitives.find(draw.primitive);
+    return found != gpu.primitives.end() && (shading::attributeBits(draw.key) & ~found->second.attributes) == 0;
+  });
+}
+
 void uploadScene(GpuScene& gpu, const scene::Model& model, const DrawList& list) {
   forEachDraw(list, [&](const Draw& draw) {
     const auto found = gpu.primitives.find(draw.primitive);

@@ -54,6 +54,9 @@ std::vector<TextureUse> textureUses(const scene::Model& model, const DrawList& l
 // Images of the list that the GPU does not hold yet: one entry per image of the model.
 std::vector<bool> missingImages(const scene::Model& model, const DrawList& list, const GpuScene& gpu);
 
+// Images and vertex attributes of a part (partOf) are there already.
+bool isOnGpu(const scene::Model& model, const DrawList& part, const GpuScene& gpu);
+
 // Geometry that is missing, samplers, and all of the list's materials, instances, joints and lights.
 void uploadScene(GpuScene& gpu, const scene::Model& model, const DrawList& list);
 

@@ -52,6 +52,17 @@ Targets createGatherTargets(int width, int height) {
   return t;
 }
 
+Targets createValueTargets(int width, int height, GLenum format) {
+  Targets t;
+  t.width = width, t.height = height;
+  t.color = gl::Texture({.format = format, .width = width, .height = height}, "values");
+  t.depth = gl::Texture({.format = GL_DEPTH_COMPONENT32F, .width = width, .height = height}, "depth of values");
+  t.drawn = gl::Framebuffer("values");
+  t.drawn.attach(GL_COLOR_ATTACHMENT0, t.color);
+  t.drawn.attach(GL_DEPTH_ATTACHMENT, t.depth);
+  return t;
+}
+
 namespace {
 
 template <class T>

@@ -2,6 +2,9 @@
 
 // What the viewer shows and says: plain structs that panel and input change, and pure functions on them.
 
+#include <array>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +13,8 @@
 #include "frame/frame.hpp"
 #include "frame/settings.hpp"
 #include "scene/camera.hpp"
+#include "scene/pick.hpp"
+#include "shading/features.hpp"
 
 namespace facet::view {
 
@@ -72,8 +77,41 @@ struct RefinementStatus {
 // "37 of 256 samples, error about 1.2/255"; empty where there is nothing to say.
 std::string refinementText(const RefinementStatus& status);
 
+struct Turntable {
+  bool on = false;
+  double degreesPerSecond = 24;  // about +Y through the target; negative: the other way
+};
+
+// What the scene tree has chosen, by itself or by a click into the picture. A material without a node is possible.
+struct Selection {
+  int node = -1, material = -1;  // of the model; -1: none
+  bool reveal = false;           // the tree is to scroll to it
+};
+
+// One line of a table of details.
+struct Detail {
+  std::string name, value;
+};
+
+// What the picture shows at the point that was clicked, as the shaders have it there.
+struct Inspection {
+  bool on = false;
+  scene::Hit hit;
+  glm::ivec2 pixel = glm::ivec2(0);  // of the picture, from the lower left
+  scene::View view;                  // through which it was clicked
+  int listNumber = 0;                // of the draw list that it was in
+  int material = -1;                 // index in the draw list's materials
+  std::string materialName;
+  std::optional<glm::vec2> uv;
+  std::array<std::optional<glm::vec3>, std::size(shading::channelNames)> values;  // by channel; not known, not there
+  int nextChannel = 1;                 // that is looked up next
+  std::optional<glm::vec3> radiance;   // scene-linear, of the picture on the screen
+  std::vector<Detail> materialDetails;  // of its material or the one that the tree has chosen
+};
+
 // What is on the screen now.
 struct ShownScene {
+  std::shared_ptr<const scene::Model> content;
   std::string model;        // source: a path or "builtin:NAME"
   std::string environment;  // source, or "none"
   scene::Bounds bounds;
@@ -96,6 +134,9 @@ struct ViewerState {
   scene::OrbitCamera startCamera;  // what reset returns to
   MaterialChoice material;
   Playback playback;
+  Turntable turntable;
+  Selection selection;
+  Inspection inspection;
   std::vector<std::string> environments;  // that are offered: the built-in ones, those that were given, "none"
 
   ShownScene shown;

@@ -48,6 +48,7 @@ void describeNotes(const Viewport& viewport, ShownScene& shown) {
 void describeShown(const Viewport& viewport, ViewerState& state) {
   const scene::Model& model = viewport.scene->loaded->model;
   ShownScene& shown = state.shown;
+  shown.content = {viewport.scene->loaded, &model};
   shown.model = viewport.scene->source;
   shown.environment = viewport.environment->source;
   shown.scene = viewport.built.scene;
@@ -142,6 +143,7 @@ void show(Viewport& viewport, ViewerState& state, EnvironmentSlot* environment, 
   showEnvironment(viewport, environment);
   describeShown(viewport, state);
   offerEnvironment(state, environment->source);
+  if (otherScene) state.selection = {}, state.inspection = {};
   if (otherScene && state.settings.camera.empty()) {
     const scene::Bounds framing =
         frame::framingBounds(state.settings, viewport.scene->loaded->model, request.scene, state.shown.bounds);

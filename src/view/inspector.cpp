@@ -1,0 +1,281 @@
+#include "view/inspector.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "frame/gather.hpp"
+#include "scene/material_properties.hpp"
+#include "view/camera_control.hpp"
+
+namespace facet::view {
+
+namespace {
+
+const scene::Model& modelOf(const Viewport& viewport) { return viewport.scene->loaded->model; }
+
+// The pose of what is shown, which the settings may have left already.
+Result<scene::Pose> shownPose(const Viewport& viewport) {
+  frame::PictureSettings settings;
+  settings.animation = viewport.built.animation;
+  settings.timeSeconds = viewport.built.timeSeconds;
+  return frame::choosePose(settings, modelOf(viewport));
+}
+
+// The draw of a node's primitive; null where it is not drawn.
+const frame::Draw* drawOf(const frame::DrawList& list, int node, const scene::Primitive& primitive) {
+  for (const std::vector<frame::Draw>* draws : list.classes())
+    for (const frame::Draw& draw : *draws) {
+      if (draw.primitive != &primitive) continue;
+      const auto first = list.instanceNodes.begin() + draw.firstInstance;
+      if (std::find(first, first + draw.instanceCount, node) != first + draw.instanceCount) return &draw;
+    }
+  return nullptr;
+}
+
+const scene::Primitive& primitiveOf(const scene::Model& model, const scene::Hit& hit) {
+  return model.meshes[static_cast<size_t>(hit.mesh)].primitives[static_cast<size_t>(hit.primitive)];
+}
+
+// A part of the list, as a debug channel shows it at one pixel of the picture: drawn as the picture's own band of two
+// rows (so that texture levels are the picture's), but for the pixels of one quad. Nothing where it is not there.
+Result<std::optional<glm::vec4>> valueAt(Viewport& viewport, const Inspection& at, const frame::PictureSettings& shown,
+                                         const scene::Hit& hit, int channel) {
+  const scene::Model& model = modelOf(viewport);
+  const scene::Primitive* primitive = &primitiveOf(model, hit);
+  const frame::DrawList part = frame::partOf(
+      viewport.list, [&](int node, const scene::Primitive& p) { return node == hit.node && &p == primitive; }, channel);
+  if (part.opaque.empty() || !frame::isOnGpu(model, part, viewport.scene->onGpu.gpu)) return std::nullopt;
+  frame::PictureSettings settings = shown;
+  settings.channel = shading::channelNames[channel];
+  settings.samples = 1;
+  settings.background = frame::Background::transparent;
+  const frame::FrameInput in{
+      model, part, viewport.scene->onGpu.gpu, viewport.environment->onGpu.tables, at.view, settings, at.pixel.y & ~1};
+  if (Result<void> r = frame::preparePrograms(in, viewport.programs); !r) return tl::unexpected(r.error());
+  const frame::Targets targets = frame::createValueTargets(settings.width, 2, GL_RGBA32F);
+  frame::setTextureDetail(in.gpu, 1, viewport.context);
+  frame::Gathering gathering = frame::beginGathering(in, targets);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(at.pixel.x & ~1, 0, 2, 2);
+  const Result<void> drawn = frame::gatherRows(in, targets, gathering, targets.height, viewport.programs);
+  glDisable(GL_SCISSOR_TEST);
+  if (!drawn) return tl::unexpected(drawn.error());
+  glm::vec4 value(0);
+  glGetTextureSubImage(targets.color.id(), 0, at.pixel.x, at.pixel.y & 1, 0, 1, 1, 1, GL_RGBA, GL_FLOAT, sizeof value,
+                       &value.x);
+  if (value.a == 0) return std::nullopt;
+  return value;
+}
+
+// What the channel would show as checks, because the material or the primitive has no such thing.
+bool hasChannel(const scene::Primitive& primitive, const scene::Material& material, std::string_view channel) {
+  if (channel == "normal" || channel == "geometryNormal") return !primitive.normals.empty();
+  if (channel == "tangent") return !primitive.tangents.empty();
+  if (channel == "occlusion") return static_cast<bool>(material.occlusion);
+  return channel != "uv";  // of the click itself
+}
+
+glm::ivec2 pixelOf(const frame::PictureSettings& settings, const glm::dvec2& at, const glm::dvec2& windowSize) {
+  const glm::dvec2 share = at / windowSize;
+  return {std::clamp(static_cast<int>(share.x * settings.width), 0, settings.width - 1),
+          std::clamp(static_cast<int>((1 - share.y) * settings.height), 0, settings.height - 1)};
+}
+
+// The first hit that is drawn.
+const scene::Hit* firstSeen(Viewport& viewport, const ViewerState& state, const Inspection& at,
+                            const std::vector<scene::Hit>& hits) {
+  const double nearest = at.view.orthographic ? 0 : at.view.zNear / std::sqrt(3.0) * 1e-9;
+  for (const scene::Hit& hit : hits) {
+    const frame::Draw* draw = drawOf(viewport.list, hit.node, primitiveOf(modelOf(viewport), hit));
+    if (!draw || hit.distance < nearest || (!hit.front && !draw->doubleSided)) continue;
+    const scene::Material& material = viewport.list.materials[static_cast<size_t>(draw->material)];
+    if (material.alphaMode != scene::AlphaMode::mask) return &hit;
+    const auto alpha = valueAt(viewport, at, state.settings, hit, shading::channelIndex("alpha"));
+    if (!alpha || *alpha) return &hit;
+  }
+  return nullptr;
+}
+
+std::string text(const char* format, double a, double b = 0, double c = 0, double d = 0) {
+  char line[128];
+  std::snprintf(line, sizeof line, format, a, b, c, d);
+  return line;
+}
+
+std::string formatText(GLint format) {
+  switch (format) {
+    case GL_R8:
+      return "R8";
+    case GL_RG8:
+      return "RG8";
+    case GL_RGB8:
+      return "RGB8";
+    case GL_RGBA8:
+      return "RGBA8";
+    case GL_SRGB8:
+      return "sRGB8";
+    case GL_SRGB8_ALPHA8:
+      return "sRGB8 + A8";
+    case GL_R16:
+      return "R16";
+    case GL_RG16:
+      return "RG16";
+    case GL_RGB16:
+      return "RGB16";
+    case GL_RGBA16:
+      return "RGBA16";
+    default:
+      return "";
+  }
+}
+
+void addTextures(const Viewport& viewport, const scene::Material& material, std::vector<Detail>& details) {
+  const scene::Model& model = modelOf(viewport);
+  const frame::GpuScene& gpu = viewport.scene->onGpu.gpu;
+  for (const scene::TextureSlot slot : scene::textureSlots) {
+    const scene::TextureRef& ref = textureRef(material, slot);
+    if (!ref) continue;
+    const scene::Texture& texture = model.textures[static_cast<size_t>(ref.texture)];
+    const std::string name =
+        texture.image >= 0 ? model.images[static_cast<size_t>(texture.image)].name : std::string("no image");
+    std::string value = name;
+    const GLuint id = frame::boundTexture(gpu, model, material, slot).texture;
+    if (id == gpu.placeholder.id()) {
+      value += scene::usesTexture(material, slot) ? "\nnot loaded: the picture does not read it"
+                                                  : "\nnot loaded: it changes nothing";
+    } else {
+      GLint width = 0, height = 0, format = 0;
+      glGetTextureLevelParameteriv(id, 0, GL_TEXTURE_WIDTH, &width);
+      glGetTextureLevelParameteriv(id, 0, GL_TEXTURE_HEIGHT, &height);
+      glGetTextureLevelParameteriv(id, 0, GL_TEXTURE_INTERNAL_FORMAT, &format);
+      value += "\n" + std::to_string(width) + " x " + std::to_string(height) + " " + formatText(format);
+    }
+    if (ref.texCoord > 0) value += ", TEXCOORD_" + std::to_string(ref.texCoord);
+    if (ref.transform != scene::TextureTransform{}) value += ", transformed";
+    details.push_back({scene::name(slot), value});
+  }
+}
+
+}  // namespace
+
+bool isWithin(const scene::Model& model, int node, int ancestor) {
+  for (; node >= 0; node = model.nodes[static_cast<size_t>(node)].parent)
+    if (node == ancestor) return true;
+  return false;
+}
+
+scene::Bounds selectionBounds(const Viewport& viewport, const ViewerState& state) {
+  const int selected = state.selection.node;
+  if (selected < 0 || !viewport.scene) return {};
+  return frame::boundsOf(viewport.list, [&](int node) { return isWithin(modelOf(viewport), node, selected); });
+}
+
+std::vector<Detail> materialDetails(const Viewport& viewport, int index) {
+  const scene::Model& model = modelOf(viewport);
+  const auto& known = model.materials;
+  scene::Material given, usual;
+  if (index >= 0 && index < static_cast<int>(known.size())) given = known[static_cast<size_t>(index)];
+  std::vector<Detail> details;
+  constexpr const char* modes[] = {"opaque", "mask", "blend"};
+  details.push_back({"alpha", modes[static_cast<int>(given.alphaMode)]});
+  if (given.doubleSided) details.push_back({"sides", "both"});
+  if (given.unlit) details.push_back({"model", "unlit"});
+  if (given.specularGlossiness) details.push_back({"model", "specular-glossiness"});
+  for (const scene::MaterialProperty& property : scene::materialProperties()) {
+    const auto values = components(given, property);
+    const std::string_view path = property.path;
+    const bool core = path.find("extensions/") == std::string_view::npos && path.find('/') != std::string_view::npos;
+    if (!core && std::ranges::equal(values, components(usual, property))) continue;
+    std::string value;
+    for (const float v : values) value += (value.empty() ? "" : ", ") + text("%.4g", static_cast<double>(v));
+    details.push_back({std::string(path.substr(path.find_last_of('/') + 1)), value});
+  }
+  if (!given.conductor.empty()) details.push_back({"complex index", given.conductor});
+  addTextures(viewport, given, details);
+  return details;
+}
+
+void selectNode(ViewerState& state, int node) {
+  state.selection = {node, -1, false};
+  state.inspection = {};
+}
+
+void clickAt(Viewport& viewport, ViewerState& state, const glm::dvec2& at, const glm::dvec2& windowSize) {
+  const std::optional<scene::View> view = currentView(viewport, state);
+  if (!view) return;
+  selectNode(state, -1);
+  const Result<scene::Pose> pose = shownPose(viewport);
+  if (!pose) return;
+  Inspection inspection;
+  inspection.view = *view;
+  inspection.pixel = pixelOf(state.settings, at, windowSize);
+  inspection.listNumber = viewport.listNumber;
+  // Through the pixel's centre, where it is shaded.
+  const glm::dvec2 size(state.settings.width, state.settings.height);
+  const glm::dvec2 centre(inspection.pixel.x + 0.5, size.y - inspection.pixel.y - 0.5);
+  const PixelRay through = rayThrough(*view, centre, size);
+  const scene::Model& model = modelOf(viewport);
+  const scene::FlatScene flat = scene::flatten(model, viewport.built.scene, *pose);
+  const std::vector<scene::Hit> hits = scene::pick(model, flat, *pose, {through.origin, through.direction});
+  const scene::Hit* hit = firstSeen(viewport, state, inspection, hits);
+  if (!hit) return;
+  const scene::Primitive& primitive = primitiveOf(model, *hit);
+  const frame::Draw* draw = drawOf(viewport.list, hit->node, primitive);
+  inspection.on = true;
+  inspection.hit = *hit;
+  inspection.uv = scene::interpolated(primitive.texCoords[0], *hit);
+  inspection.material = draw->material;
+  const bool own = viewport.built.material.on == false && draw->material < static_cast<int>(model.materials.size());
+  if (own) inspection.materialName = model.materials[static_cast<size_t>(draw->material)].name;
+  if (own && inspection.materialName.empty()) inspection.materialName = "material " + std::to_string(draw->material);
+  if (!own) inspection.materialName = viewport.built.material.on ? "one for everything" : "glTF's default";
+  inspection.materialDetails = own ? materialDetails(viewport, draw->material) : std::vector<Detail>{};
+  state.inspection = std::move(inspection);
+  state.selection = {hit->node, own ? draw->material : -1, true};
+  readRadianceThere(viewport, state);
+}
+
+void readRadianceThere(const Viewport& viewport, ViewerState& state) {
+  Inspection& at = state.inspection;
+  if (!at.on || !viewport.targets.color || at.listNumber != viewport.listNumber || !viewport.drawn) return;
+  const std::optional<scene::View> view = currentView(viewport, state);
+  if (!view || view->clipFromWorld != at.view.clipFromWorld || !viewport.drawn->settings.channel.empty()) return;
+  const frame::Targets& targets = viewport.targets;
+  if (at.pixel.x >= targets.width || at.pixel.y >= targets.height) return;
+  glm::vec4 value(0);
+  float scale = 1;
+  const gl::Texture* source = &targets.color;
+  const Refinement& refinement = viewport.refinement;
+  if (refinement.shown && refinement.gathering) {
+    if (refinement.gathering->rows != 0) return;
+    source = &refinement.targets.sum;
+    scale = static_cast<float>(refinement.gathering->draws()) / static_cast<float>(refinement.gathering->done);
+  }
+  glGetTextureSubImage(source->id(), 0, at.pixel.x, at.pixel.y, 0, 1, 1, 1, GL_RGBA, GL_FLOAT, sizeof value, &value.x);
+  at.radiance = glm::vec3(value) * scale;
+}
+
+bool inspectNext(Viewport& viewport, ViewerState& state) {
+  Inspection& at = state.inspection;
+  constexpr int channels = static_cast<int>(std::size(shading::channelNames));
+  if (!at.on || !viewport.scene) return false;
+  if (at.listNumber != viewport.listNumber) at.nextChannel = channels;  // what was clicked is no longer there
+  while (at.nextChannel < channels) {
+    const int channel = at.nextChannel++;
+    const scene::Primitive& primitive = primitiveOf(modelOf(viewport), at.hit);
+    const scene::Material& material = viewport.list.materials[static_cast<size_t>(at.material)];
+    const std::string_view name = shading::channelNames[channel];
+    if (!hasChannel(primitive, material, name)) continue;
+    const auto value = valueAt(viewport, at, state.settings, at.hit, channel);
+    if (!value) return state.status = {describe(value.error()), true}, false;
+    if (!*value) continue;
+    const bool direction = name == "normal" || name == "geometryNormal" || name == "tangent";
+    const glm::vec3 read(**value);
+    at.values[static_cast<size_t>(channel)] = direction ? read * 2.0f - 1.0f : read;
+    break;
+  }
+  return at.nextChannel < channels;
+}
+
+}  // namespace facet::view
