@@ -75,7 +75,7 @@ scene::OrbitCamera framedAll(const scene::OrbitCamera& camera, const scene::Boun
   return framed;
 }
 
-scene::OrbitCamera seenFrom(scene::OrbitCamera camera, Side side) {
+scene::OrbitCamera seenFrom(scene::OrbitCamera camera, ViewFrom side) {
   constexpr glm::dvec2 angles[] = {{0, 90}, {180, 90}, {90, 90}, {-90, 90}, {0, 0}, {0, 180}};
   const glm::dvec2& chosen = angles[static_cast<size_t>(side)];
   camera.theta = chosen.x;
@@ -97,8 +97,7 @@ double flightSpeed(const scene::OrbitCamera& camera, const scene::Bounds& scene)
 PixelRay rayThrough(const scene::View& view, const glm::dvec2& pixel, const glm::dvec2& windowSize) {
   const glm::dvec2 ndc(2 * pixel.x / windowSize.x - 1, 1 - 2 * pixel.y / windowSize.y);
   const double x = ndc.x / view.clipFromView[0][0], y = ndc.y / view.clipFromView[1][1];
-  if (view.orthographic)
-    return {view.eye + view.right * x + view.up * y + view.forward * view.zNear, view.forward};
+  if (view.orthographic) return {view.eye + view.right * x + view.up * y + view.forward * view.zNear, view.forward};
   const glm::dvec3 direction = view.forward + view.right * x + view.up * y;
   return {view.eye + direction * view.zNear, glm::normalize(direction)};
 }

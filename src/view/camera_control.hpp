@@ -37,8 +37,8 @@ scene::OrbitCamera framedAll(const scene::OrbitCamera& camera, const scene::Boun
 
 // From this side of the target, at the same distance; up is +Y, and for the views from above and below what is up where
 // theta is 0.
-enum class Side { front, back, right, left, top, bottom };  // +Z, -Z, +X, -X, +Y, -Y
-scene::OrbitCamera seenFrom(scene::OrbitCamera camera, Side side);
+enum class ViewFrom { front, back, right, left, top, bottom };  // +Z, -Z, +X, -X, +Y, -Y
+scene::OrbitCamera seenFrom(scene::OrbitCamera camera, ViewFrom side);
 
 // A turntable: the camera goes round the target about +Y, as if the scene turned the other way.
 scene::OrbitCamera turntable(scene::OrbitCamera camera, double seconds, double degreesPerSecond);

@@ -13,8 +13,7 @@ namespace facet::view {
 
 namespace {
 
-// A scene is crossed in about three seconds.
-constexpr double radiiPerSecond = 0.7, fastFactor = 4;
+constexpr double fastFactor = 4;
 
 void moveCamera(const Input& input, const Flight& flight, double windowHeight, ViewerState& state) {
   scene::OrbitCamera& camera = state.camera;
@@ -23,17 +22,60 @@ void moveCamera(const Input& input, const Flight& flight, double windowHeight, V
   if (input.pan != glm::dvec2(0)) camera = panned(camera, input.pan, windowHeight);
   if (input.look != glm::dvec2(0)) camera = looked(camera, input.look, windowHeight);
   if (input.wheel != 0) camera = zoomed(camera, input.wheel, limits);
-  const double speed = limits.max * 1e-2 * radiiPerSecond * (flight.fast ? fastFactor : 1);
+  const double speed = flightSpeed(camera, state.shown.bounds) * (flight.fast ? fastFactor : 1);
   if (flight.rightUpForward != glm::dvec3(0)) camera = flown(camera, flight.rightUpForward * speed);
+}
+
+// What is open or chosen first; the program last.
+void takeEscape(ViewerState& state, Actions& actions) {
+  if (state.helpVisible)
+    state.helpVisible = false;
+  else if (state.selection.node >= 0 || state.selection.material >= 0)
+    state.selection = {}, state.inspection = {};
+  else
+    actions.quit = true;
+}
+
+// As many programs have it: 1 front, 3 right, 7 top, with Ctrl from the other side.
+void lookAlong(const KeyPress& press, ViewFrom side, ViewFrom opposite, const std::optional<scene::View>& view,
+               ViewerState& state) {
+  if (view) freeCamera(state, *view);
+  state.camera = seenFrom(state.camera, press.control ? opposite : side);
 }
 
 void takeKey(const KeyPress& press, const std::optional<scene::View>& view, ViewerState& state, Actions& actions) {
   const double aspect = static_cast<double>(state.settings.width) / state.settings.height;
   switch (press.key) {
     case GLFW_KEY_F:
+      if (state.selection.node >= 0 && !press.shift) {
+        actions.frameSelection = true;
+        break;
+      }
+      [[fallthrough]];
     case GLFW_KEY_HOME:
       if (view) freeCamera(state, *view);
       state.camera = framedAll(state.camera, state.shown.bounds, aspect);
+      break;
+    case GLFW_KEY_1:
+    case GLFW_KEY_KP_1:
+      lookAlong(press, ViewFrom::front, ViewFrom::back, view, state);
+      break;
+    case GLFW_KEY_3:
+    case GLFW_KEY_KP_3:
+      lookAlong(press, ViewFrom::right, ViewFrom::left, view, state);
+      break;
+    case GLFW_KEY_7:
+    case GLFW_KEY_KP_7:
+      lookAlong(press, ViewFrom::top, ViewFrom::bottom, view, state);
+      break;
+    case GLFW_KEY_O:
+      state.turntable.on = !state.turntable.on;
+      break;
+    case GLFW_KEY_F1:
+      state.helpVisible = !state.helpVisible;
+      break;
+    case GLFW_KEY_SLASH:
+      if (press.shift) state.helpVisible = !state.helpVisible;
       break;
     case GLFW_KEY_R:
       state.settings.camera.clear();
@@ -66,7 +108,7 @@ void takeKey(const KeyPress& press, const std::optional<scene::View>& view, View
       state.panelVisible = true;
       break;
     case GLFW_KEY_ESCAPE:
-      actions.quit = true;
+      takeEscape(state, actions);
       break;
     case GLFW_KEY_Q:
       actions.quit = actions.quit || press.control;
@@ -91,20 +133,26 @@ void takeFile(const std::string& path, ViewerState& state, Actions& actions) {
 }  // namespace
 
 const std::vector<Shortcut> shortcuts = {
-    {"left drag", "orbit"},
-    {"middle or Shift drag", "pan"},
-    {"wheel", "nearer, farther"},
-    {"right drag", "look around"},
-    {"W A S D, PgUp PgDn", "fly; Shift: faster"},
-    {"F, Home", "frame all"},
-    {"R", "reset the camera"},
-    {"E", "next built-in environment"},
-    {"Space", "play, pause"},
-    {"P, F12", "screenshot"},
-    {"H, Tab", "hide or show all panels"},
-    {"B, N, T", "browser, settings, timeline"},
-    {"Esc, Ctrl+Q", "quit"},
-    {"drop a file", ".glb .gltf .hdr .exr"},
+    {"Camera", "left drag", "orbit; the horizon stays level"},
+    {"Camera", "middle or Shift drag", "pan"},
+    {"Camera", "wheel", "nearer, farther"},
+    {"Camera", "right drag", "look around"},
+    {"Camera", "W A S D, PgUp PgDn", "fly; Shift: faster"},
+    {"Camera", "1, 3, 7", "from the front, the right, above; Ctrl: from the other side"},
+    {"Camera", "F", "frame the selection, or everything"},
+    {"Camera", "Shift+F, Home", "frame everything"},
+    {"Camera", "R", "reset the camera"},
+    {"Camera", "O", "turntable: go round the target about +Y"},
+    {"Scene", "left click", "select a node, read its values there"},
+    {"Scene", "E", "next built-in environment"},
+    {"Scene", "Space", "play, pause"},
+    {"Scene", "drop a file", ".glb .gltf .hdr .exr"},
+    {"Window", "H, Tab", "hide or show all panels"},
+    {"Window", "B, N, T", "browser, settings, timeline"},
+    {"Window", "P, F12", "screenshot"},
+    {"Window", "F1, ?", "this help"},
+    {"Window", "Esc", "close the help, deselect, quit"},
+    {"Window", "Ctrl+Q", "quit"},
 };
 
 Result<FileKind> fileKind(std::string_view path) {

@@ -15,7 +15,7 @@
 namespace facet::view {
 
 struct Actions {
-  bool screenshot = false, quit = false;
+  bool screenshot = false, quit = false, frameSelection = false;
   std::string model;  // to be loaded
 };
 
@@ -25,8 +25,9 @@ struct Flight {
   bool fast = false;
 };
 
-// What the keys and the mouse are for; the panel shows it.
+// What the keys and the mouse are for; the help shows it. Rows of a group lie together.
 struct Shortcut {
+  const char* group;
   const char* keys;
   const char* does;
 };

@@ -9,6 +9,8 @@ namespace facet::view {
 
 namespace {
 
+constexpr double clickRadius = 4;  // a press that stays within is a click
+
 Input& inputOf(GLFWwindow* window) {
   Input& input = *static_cast<Input*>(glfwGetWindowUserPointer(window));
   input.any = true;
@@ -22,8 +24,14 @@ bool isScene(const Input& input) {
 
 void onCursor(GLFWwindow* window, double x, double y) {
   Input& input = inputOf(window);
-  const glm::dvec2 moved = glm::dvec2(x, y) - input.cursor;
+  glm::dvec2 moved = glm::dvec2(x, y) - input.cursor;
   input.cursor = {x, y};
+  if (input.drag == Drag::none) return;
+  if (!input.dragging) {
+    moved = input.cursor - input.pressedAt;
+    if (glm::length(moved) < clickRadius) return;
+    input.dragging = true;
+  }
   if (input.drag == Drag::orbit) input.orbit += moved;
   if (input.drag == Drag::pan) input.pan += moved;
   if (input.drag == Drag::look) input.look += moved;
@@ -32,7 +40,9 @@ void onCursor(GLFWwindow* window, double x, double y) {
 void onButton(GLFWwindow* window, int button, int action, int modifiers) {
   Input& input = inputOf(window);
   if (action == GLFW_RELEASE) {
-    if (button == input.dragButton) input.drag = Drag::none, input.dragButton = -1;
+    if (button != input.dragButton) return;
+    if (button == GLFW_MOUSE_BUTTON_LEFT && !input.dragging) input.clicks.push_back(input.pressedAt);
+    input.drag = Drag::none, input.dragButton = -1;
     return;
   }
   if (input.drag != Drag::none || !isScene(input)) return;
@@ -40,7 +50,10 @@ void onButton(GLFWwindow* window, int button, int action, int modifiers) {
   if (button == GLFW_MOUSE_BUTTON_LEFT) input.drag = shift ? Drag::pan : Drag::orbit;
   if (button == GLFW_MOUSE_BUTTON_MIDDLE) input.drag = Drag::pan;
   if (button == GLFW_MOUSE_BUTTON_RIGHT) input.drag = shift ? Drag::pan : Drag::look;
-  if (input.drag != Drag::none) input.dragButton = button;
+  if (input.drag == Drag::none) return;
+  input.dragButton = button;
+  input.pressedAt = input.cursor;
+  input.dragging = false;
 }
 
 void onScroll(GLFWwindow* window, double, double y) {
@@ -50,7 +63,8 @@ void onScroll(GLFWwindow* window, double, double y) {
 
 void onKey(GLFWwindow* window, int key, int, int action, int modifiers) {
   Input& input = inputOf(window);
-  if (action == GLFW_PRESS && !input.keyboardTaken) input.keys.push_back({key, (modifiers & GLFW_MOD_CONTROL) != 0});
+  if (action == GLFW_PRESS && !input.keyboardTaken)
+    input.keys.push_back({key, (modifiers & GLFW_MOD_CONTROL) != 0, (modifiers & GLFW_MOD_SHIFT) != 0});
 }
 
 void onDrop(GLFWwindow* window, int count, const char** paths) {
@@ -79,6 +93,7 @@ Input takeInput(Input& input) {
   Input taken = input;
   input.orbit = input.pan = input.look = glm::dvec2(0);
   input.wheel = 0;
+  input.clicks.clear();
   input.keys.clear();
   input.dropped.clear();
   input.any = false;

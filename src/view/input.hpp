@@ -19,7 +19,7 @@ struct Area {
 
 struct KeyPress {
   int key = 0;  // GLFW_KEY_...
-  bool control = false;
+  bool control = false, shift = false;
 };
 
 enum class Drag { none, orbit, pan, look };
@@ -28,6 +28,7 @@ struct Input {
   // Since the last look; cleared by takeInput.
   glm::dvec2 orbit = glm::dvec2(0), pan = glm::dvec2(0), look = glm::dvec2(0);  // pixels dragged, y down
   double wheel = 0;
+  std::vector<glm::dvec2> clicks;  // of the left button, where it was pressed and let go without a drag
   std::vector<KeyPress> keys;
   std::vector<std::string> dropped;  // paths
   bool any = false;                  // something happened
@@ -36,6 +37,8 @@ struct Input {
   Drag drag = Drag::none;
   int dragButton = -1;
   glm::dvec2 cursor = glm::dvec2(0);
+  glm::dvec2 pressedAt = glm::dvec2(0);
+  bool dragging = false;  // the pointer has left the place where the button was pressed
 
   // Set by the window each frame: what belongs to the panel.
   std::vector<Area> panels;

@@ -231,17 +231,6 @@ void notesSection(const ShownScene& shown) {
   list(shown.infos, quietColor);
 }
 
-void keysSection() {
-  if (!section("Keys and mouse", false) || !ImGui::BeginTable("keys", 2)) return;
-  for (const Shortcut& shortcut : shortcuts) {
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(shortcut.keys);
-    ImGui::TableNextColumn();
-    ImGui::TextDisabled("%s", shortcut.does);
-  }
-  ImGui::EndTable();
-}
-
 void header(ViewerState& state, PanelResult& result) {
   ImGui::TextUnformatted(state.shown.model.empty() ? "facet" : shortName(state.shown.model).c_str());
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", state.shown.model.c_str());
@@ -307,7 +296,6 @@ void drawPanel(ViewerState& state, PanelResult& result) {
       cameraSection(state, result);
       statisticsSection(state);
       notesSection(state.shown);
-      keysSection();
       ImGui::PopItemWidth();
     }
     ImGui::End();

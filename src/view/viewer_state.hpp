@@ -104,8 +104,8 @@ struct Inspection {
   std::string materialName;
   std::optional<glm::vec2> uv;
   std::array<std::optional<glm::vec3>, std::size(shading::channelNames)> values;  // by channel; not known, not there
-  int nextChannel = 1;                 // that is looked up next
-  std::optional<glm::vec3> radiance;   // scene-linear, of the picture on the screen
+  int nextChannel = 1;                                                            // that is looked up next
+  std::optional<glm::vec3> radiance;    // scene-linear, of the picture on the screen
   std::vector<Detail> materialDetails;  // of its material or the one that the tree has chosen
 };
 
@@ -142,8 +142,9 @@ struct ViewerState {
   ShownScene shown;
   Status status;
   RefinementStatus refinement;
-  std::string loading;       // what is being loaded; empty: nothing
-  std::string openGL;        // version and renderer
+  std::string loading;  // what is being loaded; empty: nothing
+  std::string openGL;   // version and renderer
+  bool helpVisible = false;
   bool panelVisible = true;  // the panels that are chosen to be shown; one key hides all
   bool browserVisible = true, settingsVisible = true, timelineVisible = true;
 };

@@ -13,6 +13,7 @@
 #include "gl/context.hpp"
 #include "gl/timer.hpp"
 #include "view/loader.hpp"
+#include "view/outline.hpp"
 #include "view/refinement.hpp"
 #include "view/viewer_state.hpp"
 
@@ -77,6 +78,7 @@ struct Viewport {
   std::optional<DrawnFrame> drawn;
   FrameClock clock;
   Refinement refinement;
+  Outline outline;
   bool shadersBroken = false;  // as they are in the file now; the last good frame stays
 };
 

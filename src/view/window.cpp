@@ -17,6 +17,7 @@
 #include "view/camera_control.hpp"
 #include "view/controls.hpp"
 #include "view/input.hpp"
+#include "view/inspector.hpp"
 #include "view/layout.hpp"
 #include "view/panel.hpp"
 #include "view/playback.hpp"
@@ -114,6 +115,13 @@ void copyToWindow(const frame::Targets& targets) {
                          targets.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
+// A picture of the window's size, blended by its straight alpha.
+void layOver(const gl::Texture& picture) {
+  const auto name = static_cast<uintptr_t>(picture.id());
+  ImGui::GetBackgroundDrawList()->AddImage(reinterpret_cast<ImTextureID>(name), {0, 0}, ImGui::GetIO().DisplaySize,
+                                           {0, 1}, {1, 0});
+}
+
 // Behind a transparent picture: checks, over which ImGui blends the display picture's straight alpha.
 void drawOverChecks(const frame::Targets& targets) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
@@ -125,13 +133,13 @@ void drawOverChecks(const frame::Targets& targets) {
       const ImVec2 at(static_cast<float>(x) * step, static_cast<float>(y) * step);
       draw.AddRectFilled(at, {at.x + step, at.y + step}, IM_COL32(112, 112, 112, 255));
     }
-  const auto name = static_cast<uintptr_t>(targets.display.id());
-  draw.AddImage(reinterpret_cast<ImTextureID>(name), {0, 0}, size, {0, 1}, {1, 0});
+  layOver(targets.display);
 }
 
 void drawWindow(Loop& loop, const Viewport& viewport, const ViewerState& state) {
   const bool transparent = state.settings.background == frame::Background::transparent;
   if (viewport.targets.shown && transparent) drawOverChecks(viewport.targets);
+  if (viewport.outline.shown) layOver(viewport.outline.line);
   ImGui::Render();
   int width = 0, height = 0;
   glfwGetFramebufferSize(loop.window, &width, &height);
@@ -182,6 +190,22 @@ void takeScreenshot(const Viewport& viewport, ViewerState& state) {
   written ? log::info("screenshot written: " + *written) : log::error(state.status.text);
 }
 
+// Clicks into the picture, what was asked of the selection, and its line.
+void followSelection(Loop& loop, const Input& input, const Actions& actions, Viewport& viewport, ViewerState& state) {
+  int width = 1, height = 1;
+  glfwGetWindowSize(loop.window, &width, &height);
+  for (const glm::dvec2& click : input.clicks) clickAt(viewport, state, click, {width, height});
+  if (actions.frameSelection) {
+    const scene::Bounds bounds = selectionBounds(viewport, state);
+    const std::optional<scene::View> view = currentView(viewport, state);
+    if (view && !bounds.empty()) {
+      freeCamera(state, *view);
+      state.camera = framedAll(state.camera, bounds, static_cast<double>(state.settings.width) / state.settings.height);
+    }
+  }
+  if (inspectNext(viewport, state)) loop.framesToDraw = std::max(loop.framesToDraw, 2);
+}
+
 // How long the window did not answer, where that could be felt.
 void noteSlowTurn(std::chrono::steady_clock::time_point start) {
   const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
@@ -203,7 +227,11 @@ bool turn(Loop& loop, Viewport& viewport, ViewerState& state, Loader& loader, st
   if (reloaded) reloadShaders(viewport, state);
   if (input.any || reloaded || flight.rightUpForward != glm::dvec3(0)) loop.framesToDraw = settlingFrames;
   advance(state, seconds);
-  const bool moves = state.playback.playing && chosenDuration(state) > 0;
+  if (state.turntable.on) {
+    if (const std::optional<scene::View> view = currentView(viewport, state)) freeCamera(state, *view);
+    state.camera = turntable(state.camera, seconds, state.turntable.degreesPerSecond);
+  }
+  const bool moves = state.turntable.on || (state.playback.playing && chosenDuration(state) > 0);
   if (wasLoading || moves) loop.framesToDraw = std::max(loop.framesToDraw, 1);
 
   if (loop.framesToDraw > 0) {
@@ -221,7 +249,12 @@ bool turn(Loop& loop, Viewport& viewport, ViewerState& state, Loader& loader, st
   }
   if (bringUp(viewport, state, loader)) loop.framesToDraw = settlingFrames + 1;
   nameWhatLoads(loader, viewport, model, state);
-  if (drawViewport(viewport, state)) loop.framesToDraw = std::max(loop.framesToDraw, 1);
+  followSelection(loop, input, actions, viewport, state);
+  if (drawViewport(viewport, state)) {
+    loop.framesToDraw = std::max(loop.framesToDraw, 1);
+    readRadianceThere(viewport, state);
+  }
+  if (updateOutline(viewport, state, contentScale(loop.window))) loop.framesToDraw = std::max(loop.framesToDraw, 1);
   if (actions.screenshot) takeScreenshot(viewport, state);
   if (loop.framesToDraw > 0) {
     drawWindow(loop, viewport, state);

@@ -87,8 +87,7 @@ TEST_CASE("pick: nearest first, through scaled, mirrored and many instances, not
   CHECK(picked(model, {{0.0005, 500, 5}, down}).at(0).node == 1);
 
   model.scenes[0].nodes = {0};
-  for (int i = 0; i < 3; ++i)
-    model.nodes[0].instances.push_back(glm::translate(glm::dmat4(1), {2.0 * i, 0, 0}));
+  for (int i = 0; i < 3; ++i) model.nodes[0].instances.push_back(glm::translate(glm::dmat4(1), {2.0 * i, 0, 0}));
   CHECK(picked(model, {{4.5, 0.25, 5}, down}).at(0).instance == 2);
 }
 

@@ -117,18 +117,18 @@ TEST_CASE("camera control: framing all keeps the direction and shows the whole s
 
 TEST_CASE("camera control: views along the axes look at the target from that side, at the same distance") {
   const OrbitCamera camera = example();
-  const auto check = [&](view::Side side, const glm::dvec3& from, const glm::dvec3& up) {
+  const auto check = [&](view::ViewFrom side, const glm::dvec3& from, const glm::dvec3& up) {
     const OrbitCamera seen = view::seenFrom(camera, side);
     CHECK(seen.target == camera.target);
     CHECK(glm::distance(view::eyeOf(seen), camera.target + from * camera.radius) < 1e-12);
     CHECK(glm::distance(scene::orbitView(seen, 1, {}).up, up) < 1e-12);
   };
-  check(view::Side::front, {0, 0, 1}, {0, 1, 0});
-  check(view::Side::back, {0, 0, -1}, {0, 1, 0});
-  check(view::Side::right, {1, 0, 0}, {0, 1, 0});
-  check(view::Side::left, {-1, 0, 0}, {0, 1, 0});
-  check(view::Side::top, {0, 1, 0}, {0, 0, -1});
-  check(view::Side::bottom, {0, -1, 0}, {0, 0, 1});
+  check(view::ViewFrom::front, {0, 0, 1}, {0, 1, 0});
+  check(view::ViewFrom::back, {0, 0, -1}, {0, 1, 0});
+  check(view::ViewFrom::right, {1, 0, 0}, {0, 1, 0});
+  check(view::ViewFrom::left, {-1, 0, 0}, {0, 1, 0});
+  check(view::ViewFrom::top, {0, 1, 0}, {0, 0, -1});
+  check(view::ViewFrom::bottom, {0, -1, 0}, {0, 0, 1});
 }
 
 TEST_CASE("camera control: a turntable goes round the target about +Y and keeps the height of the eye") {

@@ -95,6 +95,34 @@ TEST_CASE("controls: keys") {
   CHECK(state.camera == state.startCamera);
 }
 
+TEST_CASE("controls: views along the axes, turntable, framing the selection, help") {
+  view::ViewerState state = example();
+  press(state, GLFW_KEY_3);
+  CHECK(state.camera.theta == 90);
+  press(state, GLFW_KEY_KP_1, true);
+  CHECK(state.camera.theta == 180);
+  press(state, GLFW_KEY_7);
+  CHECK(state.camera.phi == 0);
+  CHECK(state.camera.radius == 5);
+  press(state, GLFW_KEY_O);
+  CHECK(state.turntable.on);
+
+  CHECK_FALSE(press(state, GLFW_KEY_F).frameSelection);
+  state.selection.node = 2;
+  CHECK(press(state, GLFW_KEY_F).frameSelection);
+  view::Input input;
+  input.keys.push_back({GLFW_KEY_F, false, true});
+  CHECK_FALSE(view::control(input, {}, {}, 480, state).frameSelection);
+
+  press(state, GLFW_KEY_F1);
+  CHECK(state.helpVisible);
+  CHECK_FALSE(press(state, GLFW_KEY_ESCAPE).quit);  // closes the help,
+  CHECK_FALSE(state.helpVisible);
+  CHECK_FALSE(press(state, GLFW_KEY_ESCAPE).quit);  // deselects,
+  CHECK(state.selection.node == -1);
+  CHECK(press(state, GLFW_KEY_ESCAPE).quit);
+}
+
 TEST_CASE("controls: a hand on the camera leaves the file's camera and starts from its view") {
   view::ViewerState state = example();
   scene::OrbitCamera placed;

@@ -1,9 +1,8 @@
-#include "view/inspector.hpp"
-
 #include <catch2/catch.hpp>
 
 #include "support/gltf_builder.hpp"
 #include "support/temporary_folder.hpp"
+#include "view/inspector.hpp"
 #include "view/viewer.hpp"
 
 using namespace facet;
@@ -27,17 +26,16 @@ std::vector<uint8_t> squares() {
   b.append("images", {{"uri", test::dataUri(test::pngBytes(2, 1, 4, 8, texels), "image/png")}});
   b.append("samplers", {{"magFilter", 9728}, {"minFilter", 9728}});
   b.append("textures", {{"source", 0}, {"sampler", 0}});
-  b.append("materials", {{"name", "holes"},
-                         {"alphaMode", "MASK"},
-                         {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
+  b.append(
+      "materials",
+      {{"name", "holes"}, {"alphaMode", "MASK"}, {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
   b.append("materials",
            {{"name", "plain"},
             {"emissiveFactor", {0.5, 0.25, 0.125}},
             {"pbrMetallicRoughness",
              {{"baseColorFactor", {0.1, 0.2, 0.3, 1}}, {"metallicFactor", 0.25}, {"roughnessFactor", 0.5}}}});
   for (int material = 0; material < 2; ++material)
-    b.append("meshes",
-             {{"primitives", {{{"attributes", attributes}, {"indices", index}, {"material", material}}}}});
+    b.append("meshes", {{"primitives", {{{"attributes", attributes}, {"indices", index}, {"material", material}}}}});
   b.append("nodes", {{"name", "near"}, {"mesh", 0}, {"translation", {0, 0, 1}}});
   b.append("nodes", {{"name", "far"}, {"mesh", 1}, {"translation", {-0.5, -0.5, 0}}, {"scale", {2, 2, 1}}});
   b.append("scenes", {{"nodes", {0, 1}}});
@@ -135,4 +133,31 @@ TEST_CASE("inspector: the selection's bounds are those of the node and all below
   const auto texture = std::ranges::find(details, std::string("baseColorTexture"), &view::Detail::name);
   REQUIRE(texture != details.end());
   CHECK(texture->value.find("2 x 1 sRGB8 + A8") != std::string::npos);
+}
+
+TEST_CASE("inspector: the outline runs around the selection, beside the picture", "[gl]") {
+  const test::TemporaryFolder folder;
+  Clicker viewer(folder);
+  const std::vector<uint8_t> before = viewer.display().data;
+  CHECK_FALSE(view::updateOutline(viewer.viewport, viewer.state, 1));
+  view::selectNode(viewer.state, 1);
+  CHECK(view::updateOutline(viewer.viewport, viewer.state, 1));
+  CHECK_FALSE(view::updateOutline(viewer.viewport, viewer.state, 1));
+  REQUIRE(viewer.viewport.outline.shown);
+  const int width = viewer.state.settings.width, height = viewer.state.settings.height;
+  std::vector<uint8_t> line(static_cast<size_t>(width * height) * 4);
+  glGetTextureImage(viewer.viewport.outline.line.id(), 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(line.size()),
+                    line.data());
+  const auto alpha = [&](const glm::dvec3& world, int right) {
+    const glm::dvec4 clip = view::currentView(viewer.viewport, viewer.state)->clipFromWorld * glm::dvec4(world, 1);
+    const glm::dvec2 p = (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * glm::dvec2(width, height);
+    return line[static_cast<size_t>((static_cast<int>(p.y) * width + static_cast<int>(p.x) + right) * 4 + 3)];
+  };
+  CHECK(alpha({0.5, 0.5, 0}, 0) == 0);   // within
+  CHECK(alpha({1.5, 0.5, 0}, 1) > 128);  // at the right edge
+  CHECK(alpha({1.5, 0.5, 0}, 8) == 0);   // far from it
+  CHECK(viewer.display().data == before);
+  view::selectNode(viewer.state, -1);
+  CHECK(view::updateOutline(viewer.viewport, viewer.state, 1));
+  CHECK_FALSE(viewer.viewport.outline.shown);
 }
