@@ -16,7 +16,7 @@ namespace facet::optics {
 struct AnalyticBrdf {
   glm::dvec3 f0{0.04};
   glm::dvec3 albedo{0};
-  AnisotropicAlpha alpha;
+  AnisotropicAlpha alpha = {};
   double phi = 0;  // of the direction of alpha.t, from the tangent [rad]
   DiffuseModel diffuse = DiffuseModel::lambert;
 };

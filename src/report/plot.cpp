@@ -15,6 +15,10 @@ constexpr std::array<const char*, 8> colors = {"#0072b2", "#d55e00", "#009e73", 
                                                "#7a6a00", "#56a0d0", "#444444", "#e69f00"};
 constexpr int legendRow = 18;
 
+std::string colorOf(const Plot& plot, size_t i) {
+  return plot.series[i].color.empty() ? colors[i % colors.size()] : plot.series[i].color;
+}
+
 std::string px(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2f", value);
@@ -160,7 +164,7 @@ std::string axes(const Plot& plot, const PlotFrame& frame) {
   return out;
 }
 
-std::string curve(const Plot& plot, const PlotFrame& frame, const Series& series, const char* color) {
+std::string curve(const Plot& plot, const PlotFrame& frame, const Series& series, const std::string& color) {
   std::string points, out;
   const auto flush = [&] {
     if (points.empty()) return;
@@ -180,7 +184,7 @@ std::string curve(const Plot& plot, const PlotFrame& frame, const Series& series
   return out;
 }
 
-std::string dots(const Plot& plot, const PlotFrame& frame, const Series& series, const char* color) {
+std::string dots(const Plot& plot, const PlotFrame& frame, const Series& series, const std::string& color) {
   std::string out;
   for (size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
     const bool ring = std::find(series.marked.begin(), series.marked.end(), i) != series.marked.end();
@@ -210,7 +214,7 @@ std::string legendText(const Plot& plot, const PlotFrame& frame) {
     if (series.name.empty()) continue;
     const double x = frame.left + static_cast<double>(place % legend.columns) * legend.columnWidth;
     const double y = frame.bottom + 58 + legendRow * static_cast<double>(place / legend.columns);
-    const char* color = colors[i % colors.size()];
+    const std::string color = colorOf(plot, i);
     if (series.line)
       out += "<line x1=\"" + px(x) + "\" y1=\"" + px(y - 4) + "\" x2=\"" + px(x + 24) + "\" y2=\"" + px(y - 4) +
              "\" stroke=\"" + color + "\" stroke-width=\"2.2\"" + (series.dashed ? " stroke-dasharray=\"6 4\"" : "") +
@@ -221,6 +225,24 @@ std::string legendText(const Plot& plot, const PlotFrame& frame) {
     ++place;
   }
   return out;
+}
+
+std::string drawn(const Plot& plot, const std::string& clip) {
+  const PlotFrame frame = frameOf(plot);
+  std::string out = text(frame.left, 23, plot.title, "font-size=\"15\" font-weight=\"bold\"");
+  out += axes(plot, frame);
+  out += "<clipPath id=\"" + clip + "\"><rect x=\"" + px(frame.left) + "\" y=\"" + px(frame.top) + "\" width=\"" +
+         px(frame.right - frame.left) + "\" height=\"" + px(frame.bottom - frame.top) + "\"/></clipPath>\n";
+  std::string curves, points;
+  for (size_t i = 0; i < plot.series.size(); ++i) {
+    const std::string color = colorOf(plot, i);
+    if (plot.series[i].line) curves += curve(plot, frame, plot.series[i], color);
+    points += dots(plot, frame, plot.series[i], color);
+  }
+  out += "<g clip-path=\"url(#" + clip + ")\">\n" + curves + "</g>\n" + points;
+  if (curves.empty() && points.empty())
+    out += text((frame.left + frame.right) / 2, (frame.top + frame.bottom) / 2, "no data", "text-anchor=\"middle\"");
+  return out + legendText(plot, frame);
 }
 
 }  // namespace
@@ -269,29 +291,29 @@ PlotFrame frameOf(const Plot& plot) {
   return {68, std::max(plot.width, 320) - 22.0, 38, std::max(plot.height, 200) - below, x.from, x.to, y.from, y.to};
 }
 
-std::string svg(const Plot& plot) {
-  const PlotFrame frame = frameOf(plot);
-  const std::string width = std::to_string(std::max(plot.width, 320)),
-                    height = std::to_string(std::max(plot.height, 200));
-  std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + width + " " + height + "\" width=\"" +
-                    width + "\" height=\"" + height +
+std::string svg(const Plot& plot) { return svg(std::vector{plot}); }
+
+std::string svg(const std::vector<Plot>& plots) {
+  const auto heightOf = [](const Plot& plot) { return std::max(plot.height, 200); };
+  int width = 320, height = 0;
+  for (const Plot& plot : plots) {
+    width = std::max(width, plot.width);
+    height += heightOf(plot);
+  }
+  std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + std::to_string(width) + " " +
+                    std::to_string(height) + "\" width=\"" + std::to_string(width) + "\" height=\"" +
+                    std::to_string(height) +
                     "\" style=\"max-width:100%;height:auto\" font-family=\"sans-serif\" font-size=\"13\" "
                     "fill=\"#222222\" role=\"img\">\n";
-  out += "<title>" + escaped(plot.title) + "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
-  out += text(frame.left, 23, plot.title, "font-size=\"15\" font-weight=\"bold\"");
-  out += axes(plot, frame);
-  out += "<clipPath id=\"axes\"><rect x=\"" + px(frame.left) + "\" y=\"" + px(frame.top) + "\" width=\"" +
-         px(frame.right - frame.left) + "\" height=\"" + px(frame.bottom - frame.top) + "\"/></clipPath>\n";
-  std::string curves, points;
-  for (size_t i = 0; i < plot.series.size(); ++i) {
-    const char* color = colors[i % colors.size()];
-    if (plot.series[i].line) curves += curve(plot, frame, plot.series[i], color);
-    points += dots(plot, frame, plot.series[i], color);
+  if (!plots.empty()) out += "<title>" + escaped(plots.front().title) + "</title>\n";
+  out += "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
+  int top = 0;
+  for (size_t i = 0; i < plots.size(); ++i) {
+    out += "<g transform=\"translate(0," + std::to_string(top) + ")\">\n" +
+           drawn(plots[i], "axes" + std::to_string(i)) + "</g>\n";
+    top += heightOf(plots[i]);
   }
-  out += "<g clip-path=\"url(#axes)\">\n" + curves + "</g>\n" + points;
-  if (curves.empty() && points.empty())
-    out += text((frame.left + frame.right) / 2, (frame.top + frame.bottom) / 2, "no data", "text-anchor=\"middle\"");
-  return out + legendText(plot, frame) + "</svg>\n";
+  return out + "</svg>\n";
 }
 
 }  // namespace facet::report

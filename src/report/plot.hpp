@@ -18,6 +18,7 @@ struct Series {
   bool line = true;
   bool dots = false;
   bool dashed = false;
+  std::string color = {};           // as CSS has it; empty: the next of eight
   std::vector<size_t> marked = {};  // indices of points with a ring around them, a Pareto front for instance
   // Beside the points, and what a browser shows under the pointer; may be shorter.
   std::vector<std::string> labels = {};
@@ -46,6 +47,8 @@ struct Plot {
 
 // XML, UTF-8. No data in range: axes from 0 to 1 (1 to 10), and a word that says so.
 std::string svg(const Plot& plot);
+// Several below each other in one picture.
+std::string svg(const std::vector<Plot>& plots);
 
 // Positions of ticks within [from, to]: linear ones at 1, 2 or 5 times a power of ten, about `wanted` of them;
 // logarithmic ones at powers of ten, with 2 and 5 between where the range spans less than two of them. from < to;

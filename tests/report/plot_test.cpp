@@ -52,13 +52,12 @@ TEST_CASE("plot: ticks at 1, 2, 5 and at powers of ten") {
 }
 
 TEST_CASE("plot: points stand where they must, linear and logarithmic") {
-  const Plot plot{
-      .title = "a < b & \"c\"",
-      .x = {.label = "x", .logarithmic = true},
-      .y = {.label = "y"},
-      .series = {{.name = "one", .x = {1, 10, 100}, .y = {0, 1, 2}, .dots = true, .marked = {1}},
-                 {.name = "two", .x = {1, 100}, .y = {2, 0}, .labels = {"first"}}},
-      .zones = {{10, 100, "zone"}}};
+  const Plot plot{.title = "a < b & \"c\"",
+                  .x = {.label = "x", .logarithmic = true},
+                  .y = {.label = "y"},
+                  .series = {{.name = "one", .x = {1, 10, 100}, .y = {0, 1, 2}, .dots = true, .marked = {1}},
+                             {.name = "two", .x = {1, 100}, .y = {2, 0}, .labels = {"first"}}},
+                  .zones = {{10, 100, "zone"}}};
   const PlotFrame frame = frameOf(plot);
   CHECK(frame.xFrom == 1);
   CHECK(frame.xTo == 100);
@@ -105,5 +104,19 @@ TEST_CASE("plot: a range that is given is kept, and what lies outside is cut off
                   .zones = {}};
   CHECK(frameOf(plot).xTo == 90);
   CHECK(frameOf(plot).yTo == 1);
-  CHECK(svg(plot).find("clip-path=\"url(#axes)\"") != std::string::npos);
+  CHECK(svg(plot).find("clip-path=\"url(#axes0)\"") != std::string::npos);
+}
+
+TEST_CASE("plot: several in one picture, each with its own frame") {
+  const Plot one{.title = "one", .series = {{.name = "s", .x = {0, 1}, .y = {0, 1}, .color = "#aa0000"}}};
+  Plot two = one;
+  two.title = "two";
+  two.height = 300;
+  const std::string picture = svg(std::vector{one, two});
+  CHECK(wellFormed(picture));
+  CHECK(picture.find("viewBox=\"0 0 720 740\"") != std::string::npos);
+  CHECK(picture.find("translate(0,440)") != std::string::npos);
+  CHECK(count(picture, "<polyline") == 2);
+  CHECK(count(picture, "url(#axes1)") == 1);
+  CHECK(count(picture, "stroke=\"#aa0000\"") == 4);
 }

@@ -1,0 +1,51 @@
+#pragma once
+
+// The analytic model that comes closest to a measured BRDF: GGX with Schlick's Fresnel term over a diffuse model.
+//
+// Ngan, Durand, Matusik 2005, "Experimental Analysis of BRDF Models"; Loew, Kronander, Ynnerman, Unger 2012, "BRDF
+// Models for Accurate and Efficient Rendering of Glossy Surfaces" (TOG 31(1)).
+
+#include <vector>
+
+#include "optics/measured.hpp"
+#include "optics/measured_proxy.hpp"
+#include "optics/microfacet.hpp"
+#include "optics/synthetic_brdf.hpp"
+
+namespace facet::optics {
+
+// Errors are root mean squares, over samples and channels, of c(f NoL) - c(f' NoL): the cosine as in Ngan et al., c so
+// that a highlight does not outweigh all else.
+enum class FitMetric : uint8_t {
+  log,       // ln(1 + x), Loew et al. eq. 13
+  cubeRoot,  // x^(1/3), x counted from 1e-6 up
+};
+
+struct FitSample {
+  Angles angles;
+  glm::dvec3 V, L, value;
+  double VoL;
+};
+// Every third theta_h, fourth theta_d and twelfth phi_d of MERL's cells, at their centres, so that the highlight gets
+// the share that the database gives it; of UTIA's entries every eighth azimuth of L and second of V. Both directions at
+// most 75 degrees from the normal: beyond that the databases hold extrapolated values. Without missing cells.
+std::vector<FitSample> fitSamples(const MeasuredBrdf& brdf);
+
+double fitError(const AnalyticBrdf& model, const std::vector<FitSample>& samples, FitMetric metric);
+
+struct BrdfFit {
+  AnalyticBrdf model;
+  double error = 0;  // in the metric of the fit
+};
+// f0 and albedo per channel, within [0, 1], by Gauss-Newton steps for each roughness that a downhill simplex (Nelder
+// and Mead 1965) tries; alpha in [1e-4, 1]; MERL isotropic, UTIA both alphas and their azimuth, starting at the proxy.
+// Of a synthetic table of the same model the parameters come back (1e-3 and better). Less than a second each.
+BrdfFit fitAnalytic(const MeasuredBrdf& brdf, const std::vector<FitSample>& samples, const MeasuredProxy& proxy,
+                    DiffuseModel diffuse, FitMetric metric);
+// All diffuse models, in the enumeration's order.
+std::vector<BrdfFit> fitAll(const MeasuredBrdf& brdf, FitMetric metric);
+
+// KHR_materials_anisotropy's strength of a pair of alphas: alpha.t = mix(alpha.b, 1, strength^2); t >= b.
+double anisotropyStrength(const AnisotropicAlpha& alpha);
+
+}  // namespace facet::optics
