@@ -31,6 +31,13 @@ constexpr Command table[] = {
      "  facet normalmap height.png -o normal.png\n"
      "  facet normalmap tiles.png -o tiles_normal.png --scale 0.05 --wrap",
      addNormalMap},
+    {"brdf", "what is in measured BRDFs (MERL, UTIA): energy, reciprocity, slices, fitted models",
+     "  facet brdf\n"
+     "  facet brdf gold-metallic-paint.binary --fit --plot gold.svg\n"
+     "  facet brdf resources/brdf/merl --format csv > merl.csv\n"
+     "  facet brdf builtin:ggx-0.35 --fit --metric cuberoot\n"
+     "  facet brdf --synthesize utia-brushed -o brushed.bin",
+     addBrdf},
     {"report", "how far each approximate formula is from its truth, as tables",
      "  facet report fresnel\n"
      "  facet report diffuse --format csv -o diffuse.csv\n"

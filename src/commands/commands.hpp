@@ -36,6 +36,7 @@ int run(std::span<const Command> table, int argc, char** argv);
 int badInput(const Error& error);
 
 // One per command, each in the file of its name.
+std::function<int()> addBrdf(CLI::App& app);
 std::function<int()> addCompare(CLI::App& app);
 std::function<int()> addInspect(CLI::App& app);
 std::function<int()> addNormalMap(CLI::App& app);

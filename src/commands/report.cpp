@@ -11,6 +11,7 @@
 #include "base/nearest.hpp"
 #include "commands/commands.hpp"
 #include "commands/option_text.hpp"
+#include "commands/write_tables.hpp"
 #include "frame/session.hpp"
 #include "report/topics.hpp"
 
@@ -21,14 +22,6 @@ namespace {
 struct ReportArguments {
   std::string topic, format, output, environment, model, shaderDir;
 };
-
-using Write = std::string (*)(const std::vector<report::Table>&);
-struct Format {
-  std::string_view name, extension;
-  Write write;
-};
-constexpr Format formats[] = {
-    {"markdown", ".md", report::markdown}, {"csv", ".csv", report::csv}, {"json", ".json", report::json}};
 
 // The topic of that name; none given: all of them.
 Result<std::vector<const report::Topic*>> chosenTopics(const std::string& wanted) {
@@ -44,24 +37,12 @@ Result<std::vector<const report::Topic*>> chosenTopics(const std::string& wanted
 }
 
 // Of what goes to the terminal or into one file: by --format, else by the file's ending. Null: -o is a folder.
-Result<const Format*> chosenFormat(const ReportArguments& arguments) {
-  std::vector<std::string_view> names;
+Result<const TableFormat*> chosenFormat(const ReportArguments& arguments) {
+  if (!arguments.format.empty() || arguments.output.empty()) return tableFormat(arguments.format);
   const std::string extension = std::filesystem::path(arguments.output).extension().string();
-  for (const Format& format : formats) {
-    if (arguments.format.empty() ? extension == format.extension : arguments.format == format.name) return &format;
-    names.push_back(format.name);
-  }
-  if (!arguments.format.empty())
-    return fail({}, "--format", inQuotes(arguments.format) + " is not known", suggestion(arguments.format, names));
-  return arguments.output.empty() ? formats : nullptr;
-}
-
-Result<void> writeFile(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) return fail(path.string(), {}, "cannot be written", "choose a folder that exists and is yours");
-  return {};
+  for (const TableFormat& format : tableFormats())
+    if (extension == format.extension) return &format;
+  return nullptr;
 }
 
 // report.md with the plots below the tables, report.csv, report.json, a file for each plot.
@@ -69,22 +50,22 @@ Result<void> writeFolder(const std::filesystem::path& folder, const report::Repo
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) return fail(folder.string(), {}, "cannot be made: " + error.message(), "choose another folder");
-  for (const Format& format : formats) {
+  for (const TableFormat& format : tableFormats()) {
     std::string text = format.write(made.tables);
     if (format.write == report::markdown)
       for (const report::NamedPlot& plot : made.plots)
         text += "\n### " + plot.title + "\n\n![" + plot.title + "](" + plot.name + ".svg)\n";
-    if (Result<void> r = writeFile(folder / ("report" + std::string(format.extension)), text); !r) return r;
+    if (Result<void> r = writeText(folder / ("report" + std::string(format.extension)), text); !r) return r;
   }
   for (const report::NamedPlot& plot : made.plots)
-    if (Result<void> r = writeFile(folder / (plot.name + ".svg"), plot.svg); !r) return r;
+    if (Result<void> r = writeText(folder / (plot.name + ".svg"), plot.svg); !r) return r;
   return {};
 }
 
 int runReport(const ReportArguments& arguments) {
   const auto topics = chosenTopics(arguments.topic);
   if (!topics) return badInput(topics.error());
-  const Result<const Format*> format = chosenFormat(arguments);
+  const Result<const TableFormat*> format = chosenFormat(arguments);
   if (!format) return badInput(format.error());
   report::ReportInput input;
   if (!arguments.environment.empty()) input.environment = arguments.environment;
@@ -113,7 +94,7 @@ int runReport(const ReportArguments& arguments) {
     return exitGood;
   }
   const Result<void> written =
-      *format ? writeFile(arguments.output, (*format)->write(whole.tables)) : writeFolder(arguments.output, whole);
+      *format ? writeText(arguments.output, (*format)->write(whole.tables)) : writeFolder(arguments.output, whole);
   return written ? exitGood : badInput(written.error());
 }
 

@@ -1,0 +1,200 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/log.hpp"
+#include "base/nearest.hpp"
+#include "commands/commands.hpp"
+#include "commands/option_text.hpp"
+#include "commands/write_tables.hpp"
+#include "io/measured.hpp"
+#include "io/merl.hpp"
+#include "report/measured.hpp"
+
+namespace facet::commands {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct BrdfArguments {
+  std::vector<std::string> files;
+  std::string brdfDir, format, plot, metric = "log", utiaDecode = "raw", synthesize, output;
+  bool fit = false;
+};
+
+constexpr std::string_view metricNames[] = {"log", "cuberoot"};
+
+struct Choices {
+  const TableFormat* format;
+  optics::FitMetric metric;
+  io::MeasuredOptions reading;
+};
+
+Result<Choices> choicesOf(const BrdfArguments& arguments) {
+  const Result<const TableFormat*> format = tableFormat(arguments.format);
+  if (!format) return tl::unexpected(format.error());
+  const auto metric = std::find(std::begin(metricNames), std::end(metricNames), arguments.metric);
+  if (metric == std::end(metricNames))
+    return fail({}, "--metric", inQuotes(arguments.metric) + " is not known",
+                suggestion(arguments.metric, metricNames));
+  const Result<io::UtiaDecode> decode = io::parseUtiaDecode(arguments.utiaDecode);
+  if (!decode) return fail({}, "--utia-decode", decode.error().problem, decode.error().remedy);
+  return Choices{*format,
+                 metric == std::begin(metricNames) ? optics::FitMetric::log : optics::FitMetric::cubeRoot,
+                 {.utiaDecode = *decode}};
+}
+
+int synthesize(const BrdfArguments& arguments) {
+  if (arguments.output.empty()) return badInput({{}, "--synthesize", "where to write it is not said", "give -o FILE"});
+  const Result<optics::MeasuredBrdf> brdf = io::readMeasured("builtin:" + arguments.synthesize);
+  if (!brdf) return badInput(brdf.error());
+  const std::vector<uint8_t> bytes =
+      brdf->kind == optics::MeasuredKind::merl ? io::encodeMerl(*brdf) : io::encodeUtia(*brdf);
+  const Result<void> written = writeText(arguments.output, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  return written ? exitGood : badInput(written.error());
+}
+
+// What --brdf and this command take by name.
+report::Table databases(const BrdfArguments& arguments) {
+  report::Table table{.name = "databases",
+                      .title = "Measured BRDFs that are found",
+                      .note =
+                          "Looked for in --brdf-dir, in resources/brdf/merl and resources/brdf/utia below the "
+                          "working directory and beside the program, and in $XDG_DATA_HOME/facet/brdf.",
+                      .columns = {"name", "kind", "where"},
+                      .rows = {}};
+  const auto kind = [](optics::MeasuredKind k) {
+    return std::string(k == optics::MeasuredKind::merl ? "MERL" : "UTIA");
+  };
+  for (const io::MeasuredFile& file : io::findDatabases(arguments.brdfDir))
+    table.rows.push_back({file.name, kind(file.kind), file.path.string()});
+  for (const optics::SyntheticBrdf& brdf : optics::syntheticBrdfs())
+    table.rows.push_back(
+        {"builtin:" + std::string(brdf.name), kind(brdf.kind), "made from a formula: " + std::string(brdf.summary)});
+  return table;
+}
+
+// Folders stand for the databases in them.
+Result<std::vector<std::string>> expanded(const BrdfArguments& arguments) {
+  std::vector<std::string> files;
+  for (const std::string& given : arguments.files) {
+    std::error_code error;
+    if (fs::is_directory(given, error)) {
+      const std::vector<io::MeasuredFile> found = io::findMeasured(given);
+      if (found.empty())
+        return fail(given, "", "holds no measured BRDF", "MERL's end in .binary, UTIA's in .bin; see facet brdf");
+      for (const io::MeasuredFile& file : found) files.push_back(file.path.string());
+      continue;
+    }
+    const Result<std::string> resolved = io::resolveMeasured(given, arguments.brdfDir);
+    if (!resolved) return tl::unexpected(resolved.error());
+    files.push_back(*resolved);
+  }
+  return files;
+}
+
+// How bright each way of reading makes a UTIA file: only one at most is right.
+void addDecodings(report::Table& table, const std::string& file) {
+  for (size_t i = 0; i < io::utiaDecodeNames().size(); ++i) {
+    const auto brdf = io::readMeasured(file, {.utiaDecode = static_cast<io::UtiaDecode>(i)});
+    if (!brdf) continue;
+    const glm::dvec3 V(0.5, 0, std::sqrt(0.75));
+    const glm::dvec3 albedo = optics::measuredAlbedo(*brdf, optics::fitProxy(*brdf), V, optics::LookUp::interpolated);
+    const bool bright = std::max({albedo.x, albedo.y, albedo.z}) > 1.01;
+    table.rows.push_back({brdf->name, std::string(io::utiaDecodeNames()[i]), albedo.x, albedo.y, albedo.z,
+                          std::string(bright ? "more than comes" : "")});
+  }
+}
+
+// One BRDF after the other, so that a folder of them takes no more memory than one.
+int describeAll(const BrdfArguments& arguments, const Choices& choices, const std::vector<std::string>& files) {
+  report::Table contents = report::measuredContents({}), albedo = report::albedoTable(),
+                reciprocity = report::reciprocityTable(), proxies = report::proxyTable(), grid = report::gridTable(),
+                fits = report::fitTable(choices.metric);
+  report::Table decodings{.name = "utia-decoding",
+                          .title = "Albedo at 30 degrees by the way of reading UTIA's values (--utia-decode)",
+                          .note = "",
+                          .columns = {"name", "decoding", "red", "green", "blue", "remark"},
+                          .rows = {}};
+  report::Slices slices = report::measuredSlices();
+  int status = exitGood;
+  for (const std::string& file : files) {
+    const Result<optics::MeasuredBrdf> brdf = io::readMeasured(file, choices.reading);
+    if (!brdf) {
+      status = badInput(brdf.error());
+      continue;
+    }
+    for (const Note& note : io::measuredNotes(*brdf))
+      if (note.severity == Note::Severity::warning) log::warning(file + ": " + note.text);
+    contents.rows.push_back(report::measuredContents({*brdf}).rows.front());
+    const optics::MeasuredProxy proxy = optics::fitProxy(*brdf);
+    report::addAlbedoRows(albedo, *brdf, proxy);
+    report::addReciprocityRow(reciprocity, *brdf);
+    report::addProxyRow(proxies, *brdf, proxy);
+    const bool builtin = file.starts_with("builtin:");
+    if (builtin) report::addGridRow(grid, *brdf, optics::findSynthetic(brdf->name)->formula);
+    if (!builtin && brdf->kind == optics::MeasuredKind::utia) addDecodings(decodings, file);
+    std::vector<optics::BrdfFit> fitted;
+    if (arguments.fit) fitted = optics::fitAll(*brdf, choices.metric);
+    if (arguments.fit) report::addFitRows(fits, *brdf, fitted);
+    const auto best =
+        std::min_element(fitted.begin(), fitted.end(), [](const auto& a, const auto& b) { return a.error < b.error; });
+    if (!arguments.plot.empty())
+      report::addSlices(slices, *brdf, files.size() == 1, best == fitted.end() ? nullptr : &*best);
+  }
+  std::vector<report::Table> tables;
+  for (report::Table* table : {&contents, &albedo, &decodings, &reciprocity, &proxies, &grid, &fits})
+    if (!table->rows.empty()) tables.push_back(std::move(*table));
+  if (tables.empty()) return status;
+  if (!arguments.plot.empty()) {
+    const Result<void> written =
+        writeText(arguments.plot, report::svg(std::vector{slices.thetaH, slices.thetaD, slices.inPlane}));
+    if (!written) return badInput(written.error());
+  }
+  std::cout << choices.format->write(tables) << std::flush;
+  return status;
+}
+
+int runBrdf(const BrdfArguments& arguments) {
+  const Result<Choices> choices = choicesOf(arguments);
+  if (!choices) return badInput(choices.error());
+  if (!arguments.synthesize.empty()) return synthesize(arguments);
+  if (!arguments.output.empty())
+    return badInput({{}, "-o", "only --synthesize writes a file there", "--plot writes the slices"});
+  if (arguments.files.empty()) {
+    std::cout << choices->format->write({databases(arguments)}) << std::flush;
+    return exitGood;
+  }
+  const Result<std::vector<std::string>> files = expanded(arguments);
+  if (!files) return badInput(files.error());
+  return describeAll(arguments, *choices, *files);
+}
+
+}  // namespace
+
+std::function<int()> addBrdf(CLI::App& app) {
+  auto arguments = std::make_shared<BrdfArguments>();
+  app.add_option(
+      "FILE", arguments->files,
+      "MERL .binary or UTIA .bin files, folders of them, names of found databases, builtin:NAME; none: lists "
+      "what is found");
+  app.add_flag("--fit", arguments->fit, "fit GGX over each diffuse model");
+  app.add_option("--metric", arguments->metric, "of the fit: log or cuberoot (log)")->type_name("NAME");
+  app.add_option("--plot", arguments->plot, "write slices by theta_h, theta_d and in the plane of view")
+      ->type_name("D.svg");
+  app.add_option("--utia-decode", arguments->utiaDecode, "what UTIA's values are: raw, srgb or srgb140 (raw)")
+      ->type_name("NAME");
+  app.add_option("--brdf-dir", arguments->brdfDir, "look for databases here first")->type_name("DIR");
+  app.add_option("--synthesize", arguments->synthesize, "write the built-in BRDF of that name as a file")
+      ->type_name("NAME");
+  app.add_option("-o,--output", arguments->output, "where --synthesize writes")->type_name("FILE");
+  app.add_option("--format", arguments->format, "markdown, csv or json (markdown)")->type_name("NAME");
+  return [arguments] { return runBrdf(*arguments); };
+}
+
+}  // namespace facet::commands

@@ -1,0 +1,37 @@
+#include "commands/write_tables.hpp"
+
+#include <fstream>
+
+#include "base/nearest.hpp"
+#include "commands/option_text.hpp"
+
+namespace facet::commands {
+
+namespace {
+
+constexpr TableFormat formats[] = {
+    {"markdown", ".md", report::markdown}, {"csv", ".csv", report::csv}, {"json", ".json", report::json}};
+
+}  // namespace
+
+std::span<const TableFormat> tableFormats() { return formats; }
+
+Result<const TableFormat*> tableFormat(std::string_view name) {
+  if (name.empty()) return formats;
+  std::vector<std::string_view> names;
+  for (const TableFormat& format : formats) {
+    if (name == format.name) return &format;
+    names.push_back(format.name);
+  }
+  return fail({}, "--format", inQuotes(name) + " is not known", suggestion(name, names));
+}
+
+Result<void> writeText(const std::filesystem::path& path, std::string_view text) {
+  std::ofstream file(path, std::ios::binary);
+  file.write(text.data(), static_cast<std::streamsize>(text.size()));
+  file.close();
+  if (!file) return fail(path.string(), {}, "cannot be written", "choose a folder that exists and is yours");
+  return {};
+}
+
+}  // namespace facet::commands
