@@ -209,14 +209,16 @@ Slices measuredSlices() {
                 .zones = {{optics::utiaLastTheta, 90, "extrapolated"}}};
   };
   Slices slices{
-      plot("Half angle: theta_d = 1 degree, phi_d = 90 degrees", "theta_h [degrees]", 0),
-      plot("Difference angle: theta_h = 1 degree, phi_d = 90 degrees", "theta_d [degrees]", 0),
-      plot("In the plane of view, V at 45 degrees", "polar angle of L, mirror direction at 45 [degrees]", -90)};
+      plot("half angle, theta_d = 1 degree, phi_d = 90 degrees", "theta_h [degrees]", 0),
+      plot("difference angle, theta_h = 1 degree, phi_d = 90 degrees", "theta_d [degrees]", 0),
+      plot("in the plane of view, V at 45 degrees", "polar angle of L, mirror direction at 45 [degrees]", -90)};
   slices.inPlane.zones.push_back({-90, -optics::utiaLastTheta, ""});
   return slices;
 }
 
 void addSlices(Slices& slices, const MeasuredBrdf& brdf, bool byChannel, const optics::BrdfFit* fit) {
+  if (byChannel)
+    for (Plot* plot : {&slices.thetaH, &slices.thetaD, &slices.inPlane}) plot->title = brdf.name + ": " + plot->title;
   addCurves(slices.thetaH, brdf, byChannel, fit, halfDifferencePairs(true));
   addCurves(slices.thetaD, brdf, byChannel, fit, halfDifferencePairs(false));
   addCurves(slices.inPlane, brdf, byChannel, fit, inPlanePairs());

@@ -140,9 +140,10 @@ std::string axes(const Plot& plot, const PlotFrame& frame) {
     const double to = std::clamp(frame.x(zone.to, plot.x.logarithmic), frame.left, frame.right);
     out += "<rect x=\"" + px(std::min(from, to)) + "\" y=\"" + px(frame.top) + "\" width=\"" + px(std::abs(to - from)) +
            "\" height=\"" + px(frame.bottom - frame.top) + "\" fill=\"#eeeeee\"/>\n";
-    if (!zone.label.empty())
-      out +=
-          text((from + to) / 2, frame.top + 14, zone.label, "text-anchor=\"middle\" fill=\"#555555\" font-size=\"11\"");
+    if (zone.label.empty()) continue;
+    const double half = 3.2 * static_cast<double>(zone.label.size());  // of the word, about
+    out += text(std::clamp((from + to) / 2, frame.left + half, std::max(frame.right - half, frame.left + half)),
+                frame.top + 14, zone.label, "text-anchor=\"middle\" fill=\"#555555\" font-size=\"11\"");
   }
   const int wantedX = std::max(2, plot.width / 110), wantedY = std::max(2, plot.height / 65);
   for (const double tick : ticks(frame.xFrom, frame.xTo, plot.x.logarithmic, wantedX)) {
