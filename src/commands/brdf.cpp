@@ -129,8 +129,12 @@ int describeAll(const BrdfArguments& arguments, const Choices& choices, const st
       status = badInput(brdf.error());
       continue;
     }
-    for (const Note& note : io::measuredNotes(*brdf))
+    // MERL's own missing cells are in the table; another grid is worth a line.
+    for (const Note& note : io::measuredNotes(*brdf)) {
       if (note.severity == Note::Severity::warning) log::warning(file + ": " + note.text);
+      if (note.severity == Note::Severity::info && brdf->phiSteps != optics::merlPhiSteps)
+        log::info(file + ": " + note.text);
+    }
     contents.rows.push_back(report::measuredContents({*brdf}).rows.front());
     const optics::MeasuredProxy proxy = optics::fitProxy(*brdf);
     report::addAlbedoRows(albedo, *brdf, proxy);
