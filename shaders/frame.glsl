@@ -6,3 +6,7 @@ vec3 environmentFromWorld(vec3 d) {
   float c = frame.environmentRotation.x, s = frame.environmentRotation.y;
   return vec3(c * d.x - s * d.z, d.y, s * d.x + c * d.z);
 }
+vec3 worldFromEnvironment(vec3 d) {
+  float c = frame.environmentRotation.x, s = frame.environmentRotation.y;
+  return vec3(c * d.x + s * d.z, d.y, c * d.z - s * d.x);
+}

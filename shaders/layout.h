@@ -81,7 +81,7 @@ struct FrameUniforms {
   vec4 eye;                   // xyz metres from the scene's origin; w 1 perspective, 0 orthographic
   vec4 towardsEye;            // orthographic: unit direction to the viewer
   vec4 environmentRotation;   // x cos, y sin of the rotation about +Y
-  vec4 environmentScale;      // x: radiance of a stored 1; y: of the background
+  vec4 environmentScale;      // x: radiance of a stored 1; y: of the background; z: strength
   vec4 options;               // x: factor on occlusion strength; y: index of the draw among those gathered, z: their number
   vec4 picture;               // x, y size of the whole in pixels; z first row of the target; w pixels per metre, 1 m away
   vec4 distanceFromDepth;     // a, b, c, d: distance along the view's axis = (b - d depth) / (a - c depth)
@@ -123,10 +123,10 @@ struct MorphWeight {
 };
 
 struct LightUniforms {
-  vec4 position;   // xyz metres from the scene's origin; w: type, 0 directional, 1 point, 2 spot
+  vec4 position;   // xyz metres from the scene's origin; w: type, 0 directional, 1 point, 2 spot, 3 the environment's sun
   vec4 direction;  // xyz unit, the way it shines; w: 1 / range^2 (0: no range)
   vec4 color;      // rgb linear * intensity (candela or lux)
-  vec4 cone;       // x scale, y offset of the spot's cosine ramp
+  vec4 cone;       // x scale, y offset of the spot's cosine ramp; sun: x angular radius (its direction is the map's)
 };
 
 #ifdef __cplusplus

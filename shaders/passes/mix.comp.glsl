@@ -1,14 +1,15 @@
-// One layer of LD as a mixture of blurred copies of the environment (optics/zonal.hpp). COUNT copies, each with its
-// weight; they sum to 1.
+// One layer of LD as a mixture of blurred copies of the environment (optics/zonal.hpp). The weights sum
+// to 1.
 #include "layout.h"
 #include "mapping.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(binding = 0) uniform samplerCube copies[COUNT];
+layout(binding = 0) uniform samplerCube copies[16];
 layout(binding = 0, rgba16f) writeonly uniform imageCubeArray layer;
 layout(location = 0) uniform int cube;
 layout(location = 1) uniform int firstFace;
-layout(location = 2) uniform float weights[COUNT];
+layout(location = 2) uniform int count;
+layout(location = 3) uniform float weights[16];
 
 void main() {
   int size = imageSize(layer).x;
@@ -16,6 +17,6 @@ void main() {
   if (texel.x >= size || texel.y >= size) return;
   vec3 N = normalize(directionFromCube(texel.z, (vec2(texel.xy) + 0.5) * (2.0 / float(size)) - 1.0));
   vec3 sum = vec3(0.0);
-  for (int i = 0; i < COUNT; ++i) sum += weights[i] * textureLod(copies[i], N, 0.0).rgb;
+  for (int i = 0; i < count; ++i) sum += weights[i] * textureLod(copies[i], N, 0.0).rgb;
   imageStore(layer, ivec3(texel.xy, cube * 6 + texel.z), vec4(min(sum, maxHalf), 1.0));
 }

@@ -30,6 +30,15 @@ layout::LightUniforms lightUniforms(const scene::Light& light, const scene::Plac
   return out;
 }
 
+layout::LightUniforms sunUniforms(const scene::Sun& sun) {
+  layout::LightUniforms out;
+  out.position = glm::vec4(0, 0, 0, 3);
+  out.direction = glm::vec4(glm::vec3(-sun.direction), 0);
+  out.color = glm::vec4(glm::vec3(sun.irradiance), 0);
+  out.cone = glm::vec4(static_cast<float>(sun.angularRadius), 0, 0, 0);
+  return out;
+}
+
 // Four points on a ring above and before the scene, which together light its centre with about 3 lux each.
 void addDemoLights(DrawList& list) {
   const double radius = std::max(list.bounds.radius(), 1e-30);
@@ -242,6 +251,7 @@ DrawList buildDrawList(const scene::Model& model, int scene, const DrawOptions& 
     for (const scene::PlacedLight& light : flat.lights)
       list.lights.push_back(lightUniforms(pose.lights.of(model.lights, light.light), light, list.origin));
   if (options.demoLights) addDemoLights(list);
+  if (options.sun && options.features.environment) list.lights.push_back(sunUniforms(*options.sun));
   list.features = options.features;
   list.features.punctualLights = !list.lights.empty();
   const std::vector<int> firstJoints = addJoints(list, flat);

@@ -12,6 +12,7 @@
 #include "layout.h"
 #include "scene/model.hpp"
 #include "scene/nodes.hpp"
+#include "scene/sun.hpp"
 #include "shading/features.hpp"
 
 namespace facet::frame {
@@ -23,6 +24,7 @@ struct DrawOptions {
   shading::FrameFeatures features = {};  // punctualLights is set by buildDrawList
   bool sceneLights = true;               // the file's lights
   bool demoLights = false;               // four point lights around the scene
+  std::optional<scene::Sun> sun = {};    // the environment's, where its tables do without it
   MaterialOverride material = {};
   int variant = -1;     // index in Model::variants; -1: the primitives' own materials
   bool moving = false;  // other poses will follow: morph targets keep their program while all weights are 0

@@ -45,7 +45,7 @@ layout::FrameUniforms frameUniforms(const FrameInput& in, int draw, int draws, c
   const float angle = glm::radians(in.settings.environmentRotationDeg);
   u.environmentRotation = glm::vec4(std::cos(angle), std::sin(angle), 0, 0);
   const float scale = in.tables.radianceScale * in.settings.environmentStrength;
-  u.environmentScale = glm::vec4(scale, scale, 0, 0);
+  u.environmentScale = glm::vec4(scale, scale, in.settings.environmentStrength, 0);
   u.options = glm::vec4(in.settings.occlusion, static_cast<float>(draw), static_cast<float>(draws), 0);
   u.picture = glm::vec4(in.settings.width, in.settings.height, in.firstRow,
                         static_cast<float>(view.clipFromView[1][1] * in.settings.height / 2));

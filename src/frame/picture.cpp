@@ -245,7 +245,7 @@ std::string chooseEnvironment(const PictureSettings& settings, const std::string
 
 Result<void> prepareTables(EnvironmentOnGpu& environment, const ibl::Needs& needs, shading::ProgramStore& programs) {
   return ibl::prepareTables(environment.tables, environment.environment, environment.content, needs, programs,
-                            environment.cache);
+                            environment.cache, {.takeSunOut = environment.sun.has_value()});
 }
 
 Targets createTargets(const PictureSettings& settings, const gl::ContextInfo& context, int rows) {
@@ -302,6 +302,7 @@ Result<PreparedPicture> preparePicture(const PictureSettings& settings, SceneOnG
   if (!pose) return tl::unexpected(pose.error());
   DrawOptions options = drawOptions(settings, lit);
   options.variant = *variant;
+  options.sun = environment.sun;
   prepared.list = buildDrawList(model, *sceneIndex, options, *pose);
   const DrawList& list = prepared.list;
   const Result<scene::View> view =

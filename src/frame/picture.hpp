@@ -29,8 +29,9 @@ struct SceneOnGpu {
 struct EnvironmentOnGpu {
   const scene::Environment* environment = nullptr;
   ibl::Tables tables;
-  ibl::TableCache cache = {};  // the default: none
-  std::string content = {};    // ibl::contentKey, where it is known
+  std::optional<scene::Sun> sun = {};  // a light of its own: prepareTables leaves it out of the tables
+  ibl::TableCache cache = {};          // the default: none
+  std::string content = {};            // ibl::contentKey, where it is known
 };
 
 // What of them is not there yet, from the cache or computed.

@@ -31,11 +31,11 @@ constexpr Entry entries[] = {{"DFG", &Tables::dfg, &Needs::dfg, false},
 std::string methodKey(const Method& m) {
   static_assert(sizeof(Method) == 96, "a new parameter belongs into this key");
   std::ostringstream text;
-  text << std::hexfloat << static_cast<int>(m.cube) << ' ' << m.cubeTaps << ' ' << m.steepTaps << ' ' << m.steepness
-       << ' ' << m.equirectWidth << ' ' << static_cast<int>(m.ld) << ' ' << m.samples << ' ' << m.filterGain << ' '
-       << m.sumSize << ' ' << static_cast<int>(m.irradiance) << ' ' << m.irradianceSize << ' ' << m.harmonicsOrder
-       << ' ' << static_cast<int>(m.dfg) << ' ' << m.dfgSize << ' ' << m.dfgRadii << ' ' << m.dfgAngles << ' '
-       << m.dfgSamples << ' ' << m.sheenSize << ' ' << m.sheenHeights << ' ' << m.sheenAngles;
+  text << std::hexfloat << m.takeSunOut << ' ' << static_cast<int>(m.cube) << ' ' << m.cubeTaps << ' ' << m.steepTaps
+       << ' ' << m.steepness << ' ' << m.equirectWidth << ' ' << static_cast<int>(m.ld) << ' ' << m.samples << ' '
+       << m.filterGain << ' ' << m.sumSize << ' ' << static_cast<int>(m.irradiance) << ' ' << m.irradianceSize << ' '
+       << m.harmonicsOrder << ' ' << static_cast<int>(m.dfg) << ' ' << m.dfgSize << ' ' << m.dfgRadii << ' '
+       << m.dfgAngles << ' ' << m.dfgSamples << ' ' << m.sheenSize << ' ' << m.sheenHeights << ' ' << m.sheenAngles;
   return text.str();
 }
 

@@ -117,18 +117,19 @@ void addMixture(std::vector<Step>& steps, const LayerTarget& layer, const Scratc
                 ProgramStore& programs) {
   const auto parts = mixtureOf(layer.perceptualRoughness);
   const auto run = [=, &programs](int face, int faces) -> Result<void> {
-    const auto program = programs.compute("passes/mix.comp.glsl", {{"COUNT", std::to_string(parts.size())}});
+    const auto program = programs.compute("passes/mix.comp.glsl");
     if (!program) return tl::unexpected(program.error());
     glUseProgram((*program)->id());
     (*program)->set(0, layer.cube);
     (*program)->set(1, face);
+    (*program)->set(2, static_cast<int>(parts.size()));
     for (size_t i = 0; i < parts.size(); ++i) {
       const size_t part = parts[i].first;
       const gl::Texture& texture = part == 0                 ? scratch->environmentCube()
                                    : part < blurredCopyCount ? scratch->blurred[part]
                                                              : scratch->summed[part - blurredCopyCount];
       texture.bind(static_cast<GLuint>(i));
-      (*program)->set(2 + static_cast<GLint>(i), parts[i].second);
+      (*program)->set(3 + static_cast<GLint>(i), parts[i].second);
     }
     glBindImageTexture(0, layer.array, layer.level, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA16F);
     dispatchFaces(layer.size, faces);

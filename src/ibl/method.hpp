@@ -30,6 +30,9 @@ enum class DfgMethod {
 };
 
 struct Method {
+  // scene::findSun's is left out of cube, layers and irradiance: a light of its own. The background keeps it.
+  bool takeSunOut = false;
+
   CubeMethod cube = CubeMethod::areaExact;
   int cubeTaps = 4;          // per texel along each axis
   int steepTaps = 16;        // where the taps differ by more than steepness times the map's mean radiance: suns, lamps.

@@ -6,6 +6,7 @@
 
 #include "ibl/albedo.hpp"
 #include "ibl/layers.hpp"
+#include "scene/sun.hpp"
 
 namespace facet::ibl {
 
@@ -108,7 +109,8 @@ Precompute planTables(const Tables& tables, const scene::Environment* environmen
   if (tables.cube) {
     work.scratch->presentCube = &tables.cube;
   } else {
-    work.scratch->source = cubeSource(*environment, made.radianceScale, method);
+    const std::optional<scene::FoundSun> found = method.takeSunOut ? scene::findSun(*environment) : std::nullopt;
+    work.scratch->source = cubeSource(found ? found->rest : *environment, made.radianceScale, method);
     work.scratch->cube = cubeTexture(GL_RGBA32F, mirrorSize, gl::mipLevels(mirrorSize, mirrorSize), "environment cube");
     addCubeSteps(work, programs, method);
   }

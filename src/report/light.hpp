@@ -9,7 +9,9 @@ namespace facet::report {
 
 Result<Report> lightReport(const ReportInput& input);
 
-// Its parts. The specular look-up by each run-time model against the integral over the environment.
+// Its parts. The tables by each method: cube, irradiance, layers, their spacing, DFG.
+Result<Report> lightTables(const ReportInput& input);
+// The specular look-up by each run-time model against the integral over the environment.
 Result<Report> lightLobes(const ReportInput& input);
 // A picture of the model by each run-time model and number of samples, against the converged one.
 Result<Report> lightPictures(const ReportInput& input);

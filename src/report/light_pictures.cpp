@@ -99,7 +99,7 @@ Result<Report> lightPictures(const ReportInput& input) {
 
 Result<Report> lightReport(const ReportInput& input) {
   Report report;
-  for (const auto part : {lightLobes, lightPictures}) {
+  for (const auto part : {lightTables, lightLobes, lightPictures}) {
     Result<Report> made = part(input);
     if (!made) return made;
     std::ranges::move(made->tables, std::back_inserter(report.tables));

@@ -18,6 +18,7 @@ struct Sun {
 
   double solidAngle() const;  // sr
   glm::dvec3 radiance() const { return irradiance / solidAngle(); }
+  bool operator==(const Sun&) const = default;
 };
 
 // The connected texels around the brightest one, across the seam of longitudes too, where they are a sun: more than 100

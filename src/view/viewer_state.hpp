@@ -160,6 +160,7 @@ struct ListRequest {
   int channel = 0, imageLightSamples = 0;
   optics::Models models;
   bool sceneLights = true, demoLights = false;
+  std::optional<scene::Sun> sun;  // the environment's
   bool skyVisible = false;
   MaterialChoice material;
   std::string animation;

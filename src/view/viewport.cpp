@@ -246,6 +246,8 @@ void takeEnvironment(Viewport& viewport, ViewerState& state, EnvironmentLoaded l
   slot->source = loaded.source;
   slot->environment = *loaded.environment;
   slot->onGpu.environment = slot->environment.get();
+  if (slot->environment)
+    if (auto found = scene::findSun(*slot->environment)) slot->onGpu.sun = found->sun;
   slot->onGpu.cache = viewport.tableCache;
   slot->notes = std::move(loaded.notes);
   viewport.environments.push_back(std::move(slot));
@@ -275,7 +277,8 @@ bool bringUp(Viewport& viewport, ViewerState& state, Loader& loader) {
     startEnvironment(loader, source);
     viewport.loadingEnvironment = source;
   }
-  const ListRequest request = listRequest(state, *index, *variant, source != "none");
+  ListRequest request = listRequest(state, *index, *variant, source != "none");
+  if (environment) request.sun = environment->onGpu.sun;
   const bool isShown = scene == viewport.scene.get() && environment == viewport.environment;
   if ((isShown && request == viewport.built) || request == viewport.failed) return false;
   // While an animation plays, images that it has brought to light are waited for, not asked for anew each frame.
@@ -288,7 +291,9 @@ bool bringUp(Viewport& viewport, ViewerState& state, Loader& loader) {
     state.settings.animation.clear();
     return false;
   }
-  frame::DrawList list = frame::buildDrawList(model, *index, drawOptions(state, *variant, source != "none"), *pose);
+  frame::DrawOptions options = drawOptions(state, *variant, source != "none");
+  options.sun = request.sun;
+  frame::DrawList list = frame::buildDrawList(model, *index, options, *pose);
   std::vector<bool> missing = frame::missingImages(model, list, scene->onGpu.gpu);
   for (size_t i = 0; i < scene->pixels.size(); ++i) missing[i] = missing[i] && scene->pixels[i].width == 0;
   const bool complete = std::ranges::none_of(missing, std::identity());
