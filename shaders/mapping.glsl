@@ -33,6 +33,13 @@ float cubeSolidAngleDensity(vec2 st) {
   return 1.0 / (r2 * sqrt(r2));
 }
 
+// Solid angle [sr] of a texel of a face of size^2 around st: the density's mean to the second order in the texel's half h,
+// f + h^2 / 6 (f_ss + f_tt). Off by 1e-4 of it at size 8, by 1e-3 at 4.
+float cubeTexelSolidAngle(vec2 st, float size) {
+  float h = 1.0 / size, R = 1.0 + dot(st, st);
+  return 4.0 * h * h * cubeSolidAngleDensity(st) * (1.0 + h * h / 6.0 * (9.0 * R - 15.0) / (R * R));
+}
+
 // Some orthonormal frame around the unit vector n: Duff et al. 2017, "Building an Orthonormal Basis, Revisited".
 mat3 frameAround(vec3 n) {
   float s = n.z >= 0.0 ? 1.0 : -1.0;

@@ -29,13 +29,14 @@ constexpr Entry entries[] = {{"DFG", &Tables::dfg, &Needs::dfg, false},
 
 // All of them: another value makes other tables.
 std::string methodKey(const Method& m) {
-  static_assert(sizeof(Method) == 96, "a new parameter belongs into this key");
+  static_assert(sizeof(Method) == 120, "a new parameter belongs into this key");
   std::ostringstream text;
-  text << std::hexfloat << m.takeSunOut << ' ' << static_cast<int>(m.cube) << ' ' << m.cubeTaps << ' ' << m.steepTaps
-       << ' ' << m.steepness << ' ' << m.equirectWidth << ' ' << static_cast<int>(m.ld) << ' ' << m.samples << ' '
-       << m.filterGain << ' ' << m.sumSize << ' ' << static_cast<int>(m.irradiance) << ' ' << m.irradianceSize << ' '
-       << m.harmonicsOrder << ' ' << static_cast<int>(m.dfg) << ' ' << m.dfgSize << ' ' << m.dfgRadii << ' '
-       << m.dfgAngles << ' ' << m.dfgSamples << ' ' << m.sheenSize << ' ' << m.sheenHeights << ' ' << m.sheenAngles;
+  text << std::hexfloat << static_cast<int>(m.cube) << ' ' << m.cubeTaps << ' ' << m.steepTaps << ' ' << m.steepness
+       << ' ' << m.equirectWidth << ' ' << static_cast<int>(m.ld) << ' ' << m.samples << ' ' << m.filterGain << ' '
+       << m.sumSize << ' ' << m.cutTolerance << ' ' << m.cutAcross << ' ' << m.cutByG2 << m.takeSunOut << ' '
+       << static_cast<int>(m.irradiance) << ' ' << m.irradianceSize << ' ' << m.harmonicsOrder << ' '
+       << static_cast<int>(m.dfg) << ' ' << m.dfgSize << ' ' << m.dfgRadii << ' ' << m.dfgAngles << ' ' << m.dfgSamples
+       << ' ' << m.sheenSize << ' ' << m.sheenHeights << ' ' << m.sheenAngles;
   return text.str();
 }
 
@@ -199,6 +200,8 @@ Result<void> prepareTables(Tables& tables, const scene::Environment* environment
     for (const Entry& entry : entries)
       if (isWanted(entry)) missing.push_back(&entry);
   }
+  if (!loaded.empty() && method.takeSunOut && environment)
+    if (const std::optional<scene::FoundSun> found = scene::findSun(*environment)) tables.sun = found->sun;
   if (Result<void> r = computeTables(tables, environment, needs, programs, method); !r) return r;
   for (const Entry* entry : missing)
     if (const std::vector<std::byte> bytes = pack(tables.*entry->texture, tables.radianceScale); !bytes.empty())

@@ -199,6 +199,45 @@ void addSampled(std::vector<Step>& steps, const LayerTarget& layer, const Scratc
   addByFaces(steps, "LD layers", layer.size, alpha == 0 ? 1 : static_cast<uint64_t>(method.samples), run);
 }
 
+// ---- Cuts
+// ------------------------------------------------------------------------------------------------------------
+
+constexpr int cutRows = 32;  // of a face, in one step
+
+void addCut(std::vector<Step>& steps, const LayerTarget& layer, const ScratchPointer& scratch, ProgramStore& programs,
+            const Method& method) {
+  const double alpha = layer.perceptualRoughness * layer.perceptualRoughness;
+  const CutParameters parameters{method.cutTolerance, method.cutAcross, method.cutByG2};
+  for (int face = 0; face < 6; ++face)
+    for (int row = 0; row < layer.size; row += cutRows) {
+      const CutTarget target{
+          layer.array, layer.cube, layer.level, layer.size, face, row, std::min(cutRows, layer.size)};
+      steps.push_back({"LD layers", 0, [=, &programs] {
+                         return drawCut(target, alpha, scratch->tree, scratch->environmentCube(), programs, parameters);
+                       }});
+    }
+}
+
+void addCuts(std::vector<Step>& steps, const std::vector<LayerTarget>& wanted, const ScratchPointer& scratch,
+             ProgramStore& programs, const Method& method) {
+  steps.push_back({"LD layers", texels(mirrorSize) * 4 / 3, [=, &programs]() -> Result<void> {
+                     Result<CutTree> tree = buildCutTree(scratch->environmentCube(), programs);
+                     if (!tree) return tl::unexpected(tree.error());
+                     scratch->tree = std::move(*tree);
+                     return {};
+                   }});
+  for (const LayerTarget& layer : wanted)
+    if (layer.perceptualRoughness == 0)
+      addSampled(steps, layer, scratch, programs, method);
+    else
+      addCut(steps, layer, scratch, programs, method);
+  steps.push_back({"LD layers", 0, [=]() -> Result<void> {
+                     scratch->counted += scratch->tree.readVisits();
+                     scratch->tree = {};
+                     return {};
+                   }});
+}
+
 // ---- Irradiance -----------------------------------------------------------------------------------------------------
 
 constexpr double riemannStep = 0.025;  // rad
@@ -235,6 +274,7 @@ void addHarmonics(std::vector<Step>& steps, const ScratchPointer& scratch, const
 void addLayerSteps(std::vector<Step>& steps, const std::vector<LayerTarget>& wanted, const ScratchPointer& scratch,
                    ProgramStore& programs, const Method& method) {
   if (method.ld == LdMethod::mixture) return addMixtures(steps, wanted, scratch, programs, method);
+  if (method.ld == LdMethod::cut) return addCuts(steps, wanted, scratch, programs, method);
   for (const LayerTarget& layer : wanted) addSampled(steps, layer, scratch, programs, method);
 }
 

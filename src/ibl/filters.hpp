@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "gl/texture.hpp"
+#include "ibl/cut.hpp"
 #include "ibl/method.hpp"
 #include "ibl/source.hpp"
 #include "optics/zonal.hpp"
@@ -31,6 +32,8 @@ struct Scratch {
   std::vector<gl::Texture> blurred;                     // optics::blurredCopies; [0] stays empty: the cube itself
   gl::Texture summed[std::size(optics::summedAlphas)];  // RGBA32F cubes; the last is irradiance / pi
   bool sumPlanned[std::size(optics::summedAlphas)] = {};
+  CutTree tree;
+  uint64_t counted = 0;  // fetches whose number only the steps found
 
   const gl::Texture& environmentCube() const { return presentCube ? *presentCube : cube; }
 };

@@ -16,6 +16,7 @@ enum class LdMethod {
   importance,  // the lobe sampled, Hammersley points, unfiltered (Karis 2013)
   filtered,  // the same number of equal shares on a spiral, each reading the level of its size (Krivanek, Colbert 2008)
   mixture,   // a mixture of blurred copies (optics/zonal.hpp)
+  cut,       // a sum over an adaptive cut through a tree of texels (ibl/cut.hpp): slow, and near the truth everywhere
 };
 
 enum class IrradianceMethod {
@@ -30,9 +31,6 @@ enum class DfgMethod {
 };
 
 struct Method {
-  // scene::findSun's is left out of cube, layers and irradiance: a light of its own. The background keeps it.
-  bool takeSunOut = false;
-
   CubeMethod cube = CubeMethod::areaExact;
   int cubeTaps = 4;          // per texel along each axis
   int steepTaps = 16;        // where the taps differ by more than steepness times the map's mean radiance: suns, lamps.
@@ -40,9 +38,13 @@ struct Method {
   int equirectWidth = 1024;  // a wider map is first reduced, texels weighted by solid angle
 
   LdMethod ld = LdMethod::mixture;
-  int samples = 1024;     // importance, filtered: in each texel
-  double filterGain = 1;  // filtered: K, the level's texels in shares of a sample
-  int sumSize = 16;       // mixture, irradiance: face of the level that is summed over
+  int samples = 1024;          // importance, filtered: in each texel
+  double filterGain = 1;       // filtered: K, the level's texels in shares of a sample
+  int sumSize = 16;            // mixture, irradiance: face of the level that is summed over
+  double cutTolerance = 0.01;  // cut: largest error of a node, of the result
+  double cutAcross = 1.5;      // cut: nodes across the kernel's scale, at least
+  bool cutByG2 = false;        // cut: the kernel D G2(N = V) in place of D NoL
+  bool takeSunOut = false;     // scene::findSun: Tables::sun is what was taken, the tables hold the rest
 
   IrradianceMethod irradiance = IrradianceMethod::summed;
   int irradianceSize = 32;  // face of the irradiance map

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <chrono>
+#include <utility>
 
 #include "ibl/albedo.hpp"
 #include "ibl/layers.hpp"
@@ -92,6 +93,7 @@ Precompute planTables(const Tables& tables, const scene::Environment* environmen
   work.made = std::make_unique<Tables>();
   Tables& made = *work.made;
   made.radianceScale = tables.radianceScale;
+  made.sun = tables.sun;
   if (needs.dfg && !tables.dfg) addDfgSteps(work.steps, made.dfg, programs, method);
   if (needs.sheen && !tables.sheen) addSheenSteps(work.steps, made.sheen, programs, method);
   const bool background = needs.background && !tables.background;
@@ -106,10 +108,12 @@ Precompute planTables(const Tables& tables, const scene::Environment* environmen
   made.radianceScale = radianceScaleFor(*environment);
   if (background) made.background = uploadEquirect(*environment, GL_RGBA16F, made.radianceScale, "background");
   if (!filtered) return work;
+  std::optional<scene::FoundSun> found;
+  if (method.takeSunOut && !tables.cube) found = scene::findSun(*environment);
+  made.sun = found ? std::optional(found->sun) : tables.sun;
   if (tables.cube) {
     work.scratch->presentCube = &tables.cube;
   } else {
-    const std::optional<scene::FoundSun> found = method.takeSunOut ? scene::findSun(*environment) : std::nullopt;
     work.scratch->source = cubeSource(found ? found->rest : *environment, made.radianceScale, method);
     work.scratch->cube = cubeTexture(GL_RGBA32F, mirrorSize, gl::mipLevels(mirrorSize, mirrorSize), "environment cube");
     addCubeSteps(work, programs, method);
@@ -128,6 +132,7 @@ void finish(Precompute&& work, Tables& tables) {
   assert(work.done());
   Tables& made = *work.made;
   tables.radianceScale = made.radianceScale;
+  tables.sun = made.sun;
   for (gl::Texture Tables::*texture :
        {&Tables::dfg, &Tables::sheen, &Tables::mirrorLayers, &Tables::roughLayers, &Tables::background})
     if (made.*texture) tables.*texture = std::move(made.*texture);
@@ -153,6 +158,7 @@ Result<void> computeTables(Tables& tables, const scene::Environment* environment
       if (Result<void> r = runStep(work); !r) return r;
     }
     glFinish();
+    entry.fetches += std::exchange(work.scratch->counted, uint64_t{0});
     entry.milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
     entry.bytes = bytesOf(*work.made, *work.scratch, table);
     if (table == "environment cube") entry.milliseconds += planMs;  // its source was uploaded then

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "ibl/method.hpp"
 #include "layout.h"
 #include "scene/environment.hpp"
+#include "scene/sun.hpp"
 #include "shading/programs.hpp"
 
 namespace facet::ibl {
@@ -46,6 +48,7 @@ struct Tables {
   gl::Texture cube;         // RGBA32F cube with levels; alpha = solid angle
   gl::Texture background;   // RGBA16F equirectangular, full resolution
   float radianceScale = 1;  // radiance = stored value * radianceScale (a power of two, so that half floats hold it)
+  std::optional<scene::Sun> sun;  // taken out of all of these but the background (Method::takeSunOut)
   std::vector<TableStatistics> statistics;
 
   size_t bytes() const;  // of all that are there

@@ -200,6 +200,23 @@ Check checkCubeDensity() {
   return check;
 }
 
+Check checkCubeTexel() {
+  Check check{"cubeTexelSolidAngle",
+              {{"mapping.glsl"}, "out0.x = cubeTexelSolidAngle((in0.xy * 2.0 + 1.0) / in0.z - 1.0, in0.z);"},
+              {"column", "row", "size"},
+              {}};
+  for (const int size : {8, 32, 256})
+    for (const int column : {0, 1, size / 2, size - 1})
+      for (const int row : {0, size / 3, size - 1}) check.inputs.emplace_back(column, row, size, 0);
+  check.twin = [](CheckVectors in) {
+    return CheckValues{
+        optics::cubeTexelSolidAngle(static_cast<int>(in[0].x), static_cast<int>(in[0].y), static_cast<int>(in[0].z))};
+  };
+  check.tolerance = 2e-4;
+  check.reason = "a series in the texel's size, cut after its square, at size 8";
+  return check;
+}
+
 Check checkFrame() {
   Check check{
       "frameAround",
@@ -282,7 +299,8 @@ std::vector<Check> displayChecks() {
 }
 
 std::vector<Check> mappingChecks() {
-  return {checkToEquirect(), checkFromEquirect(), checkFromCube(), checkCubeDensity(), checkFrame(), checkLayer()};
+  return {checkToEquirect(), checkFromEquirect(), checkFromCube(), checkCubeDensity(),
+          checkCubeTexel(),  checkFrame(),        checkLayer()};
 }
 
 }  // namespace facet::report
