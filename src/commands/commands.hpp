@@ -39,6 +39,7 @@ int badInput(const Error& error);
 std::function<int()> addCompare(CLI::App& app);
 std::function<int()> addInspect(CLI::App& app);
 std::function<int()> addNormalMap(CLI::App& app);
+std::function<int()> addRegress(CLI::App& app);
 std::function<int()> addRender(CLI::App& app);
 std::function<int()> addReport(CLI::App& app);
 std::function<int()> addSelftest(CLI::App& app);

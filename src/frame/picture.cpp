@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "base/whole_number.hpp"
+#include "frame/material_choice.hpp"
 #include "scene/animation.hpp"
 #include "scene/builtin_scenes.hpp"
 
@@ -139,6 +140,7 @@ DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment) {
   options.sceneLights = settings.lights != Lights::none;
   options.demoLights = settings.lights == Lights::demo;
   options.moving = !settings.animation.empty();
+  if (settings.material.on) options.material = overridingMaterial(settings.material);
   return options;
 }
 
