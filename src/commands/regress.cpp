@@ -13,6 +13,7 @@
 #include "commands/commands.hpp"
 #include "commands/json_file.hpp"
 #include "commands/regress_job.hpp"
+#include "commands/shard.hpp"
 #include "commands/suite.hpp"
 
 namespace facet::commands {

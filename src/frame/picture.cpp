@@ -288,6 +288,15 @@ scene::Bounds framingOf(SceneOnGpu& scene, const PictureSettings& settings, int 
   return known->bounds;
 }
 
+std::map<std::string, int> variantsOf(const DrawList& list) {
+  std::map<shading::VariantKey, int> draws;
+  for (const std::vector<Draw>* drawn : list.classes())
+    for (const Draw& draw : *drawn) ++draws[draw.key];
+  std::map<std::string, int> variants;
+  for (const auto& [key, count] : draws) variants[shading::variantName(key)] += count;
+  return variants;
+}
+
 }  // namespace
 
 Result<PreparedPicture> preparePicture(const PictureSettings& settings, SceneOnGpu& scene,
@@ -365,6 +374,8 @@ Result<Picture> drawPicture(const PictureSettings& settings, const PictureReques
   statistics.textureBytes = scene.gpu.textureBytes();
   statistics.geometryBytes = scene.gpu.geometryBytes();
   statistics.tableBytes = environment.tables.bytes();
+  statistics.targetBytes = targetBytes(targets);
+  statistics.variants = variantsOf(list);
   if (request.radiance) countExtremes(picture.radiance, statistics);
   return picture;
 }
