@@ -223,7 +223,10 @@ int runSuite(const RegressArguments& arguments) {
     });
   }
   if (!ran) {
-    log::error(ran.error().file.empty() ? ran.error().problem : describe(ran.error()));
+    // A process of ours has said it as a line of the log.
+    std::string said = ran.error().file.empty() ? ran.error().problem : describe(ran.error());
+    if (constexpr std::string_view prefix = "facet: error: "; said.starts_with(prefix)) said.erase(0, prefix.size());
+    log::error(said);
     return exitNoOpenGL;
   }
   if (!accepted) return badInput(accepted.error());
