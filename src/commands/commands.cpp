@@ -27,6 +27,12 @@ constexpr Command table[] = {
      "  facet compare before.png after.png --metric above --tolerance 0.02 --max-error 0.001 --diff difference.png\n"
      "  facet compare before.png after.png --json",
      addCompare},
+    {"regress", "a suite of pictures against their baselines, with reports for people and CI systems",
+     "  facet regress tests/pictures\n"
+     "  facet regress tests/pictures --accept --filter glass\n"
+     "  facet regress tests/pictures --shard 2/4 -o results-2\n"
+     "  facet regress --merge results-1 results-2 results-3 results-4 -o results",
+     addRegress},
     {"normalmap", "a grey height map made a normal map",
      "  facet normalmap height.png -o normal.png\n"
      "  facet normalmap tiles.png -o tiles_normal.png --scale 0.05 --wrap",

@@ -40,6 +40,7 @@ std::function<int()> addBrdf(CLI::App& app);
 std::function<int()> addCompare(CLI::App& app);
 std::function<int()> addInspect(CLI::App& app);
 std::function<int()> addNormalMap(CLI::App& app);
+std::function<int()> addRegress(CLI::App& app);
 std::function<int()> addRender(CLI::App& app);
 std::function<int()> addReport(CLI::App& app);
 std::function<int()> addSelftest(CLI::App& app);

@@ -1,5 +1,3 @@
-#include "report/compare.hpp"
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -14,6 +12,7 @@
 #include "base/nearest.hpp"
 #include "commands/commands.hpp"
 #include "commands/option_text.hpp"
+#include "report/metrics.hpp"
 
 namespace facet::commands {
 
@@ -21,23 +20,7 @@ namespace {
 
 using report::Comparison;
 
-// One number for --max-error; 0 says that the pictures are equal in this respect.
-struct Metric {
-  std::string_view name;
-  double (*value)(const Comparison&);
-};
-
-constexpr Metric metrics[] = {
-    {"drmse", [](const Comparison& c) { return c.displayRmse; }},
-    {"rel-rmse", [](const Comparison& c) { return c.relRmse; }},
-    {"bias",
-     [](const Comparison& c) {
-       return std::max({std::abs(c.bias[0]), std::abs(c.bias[1]), std::abs(c.bias[2])});
-     }},
-    {"largest", [](const Comparison& c) { return c.largest; }},
-    {"above", [](const Comparison& c) { return c.shareAbove; }},
-    {"ssim", [](const Comparison& c) { return 1 - c.ssim; }},
-};
+using report::Metric;
 
 struct CompareSettings {
   std::string reference, picture, diff;
@@ -56,13 +39,10 @@ struct Task {
 
 Result<Task> checkedTask(const CompareSettings& settings) {
   Task task;
-  std::vector<std::string_view> names;
-  for (const Metric& metric : metrics) {
-    if (metric.name == settings.metric) task.metric = &metric;
-    names.push_back(metric.name);
-  }
+  task.metric = report::findMetric(settings.metric);
   if (!task.metric) {
-    return fail({}, "--metric", inQuotes(settings.metric) + " is not known", suggestion(settings.metric, names));
+    return fail({}, "--metric", inQuotes(settings.metric) + " is not known",
+                suggestion(settings.metric, report::metricNames()));
   }
   task.options.maskFromAlpha = settings.maskFromAlpha;
   const auto numberOf = [](const char* option, const std::string& text, double max) {
@@ -96,6 +76,7 @@ void printJson(const CompareSettings& settings, const Task& task, const Comparis
   json["bias"] = c.bias;
   json["displayRmse"] = c.displayRmse;
   json["ssim"] = c.ssim;
+  json["flip"] = {{"mean", c.flipMean}, {"largest", c.flipLargest}, {"shareNoticeable", c.shareNoticeable}};
   json["largest"] = {{"difference", c.largest}, {"x", c.largestX}, {"y", c.largestY}};
   json["tolerance"] = task.options.tolerance;
   json["shareAbove"] = c.shareAbove;
@@ -115,8 +96,8 @@ std::string format(const char* pattern, Values... values) {
 }
 
 void printLine(const Task& task, const Comparison& c) {
-  std::cout << format("dRMSE %.2f/255  relRMSE %.4f  bias %+.2f%% %+.2f%% %+.2f%%  SSIM %.4f", c.displayRmse, c.relRmse,
-                      100 * c.bias[0], 100 * c.bias[1], 100 * c.bias[2], c.ssim)
+  std::cout << format("dRMSE %.2f/255  relRMSE %.4f  bias %+.2f%% %+.2f%% %+.2f%%  FLIP %.4f  SSIM %.4f", c.displayRmse,
+                      c.relRmse, 100 * c.bias[0], 100 * c.bias[1], 100 * c.bias[2], c.flipMean, c.ssim)
             << format("  largest %.4f at %d,%d  above %g: %.3f%%  (%llu px)\n", c.largest, c.largestX, c.largestY,
                       task.options.tolerance, 100 * c.shareAbove, static_cast<unsigned long long>(c.pixels));
   if (!c.finite()) {
@@ -158,15 +139,10 @@ std::function<int()> addCompare(CLI::App& app) {
   app.add_option("REF", settings->reference, "the reference, PNG or EXR")->required();
   app.add_option("IMG", settings->picture, "the picture to judge, PNG or EXR")->required();
   app.add_option("--max-error", settings->maxError, "exit 1 if the metric is above this")->type_name("E");
-  app.add_option("--metric", settings->metric,
-                 "what --max-error limits (drmse):\n"
-                 "drmse     RMSE of the sRGB pictures in 1/255\n"
-                 "rel-rmse  linear RMSE / mean\n"
-                 "bias      largest of the channels' |mean error| / mean\n"
-                 "largest   largest display difference, 0..1\n"
-                 "above     share of pixels above the tolerance, 0..1\n"
-                 "ssim      1 - SSIM")
-      ->type_name("NAME");
+  std::string help = "what --max-error limits (drmse):";
+  for (const Metric& metric : report::metrics())
+    help += format("\n%-13s", std::string(metric.name).c_str()) + std::string(metric.summary);
+  app.add_option("--metric", settings->metric, help)->type_name("NAME");
   app.add_option("--tolerance", settings->tolerance, "display difference that counts as none, 0..1 (0.01)")
       ->type_name("T");
   app.add_flag("--mask-from-alpha", settings->maskFromAlpha, "judge only where the reference's alpha is above 0.5");

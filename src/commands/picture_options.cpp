@@ -11,6 +11,8 @@
 #include "base/nearest.hpp"
 #include "base/srgb.hpp"
 #include "commands/option_text.hpp"
+#include "frame/material_choice.hpp"
+#include "optics/presets.hpp"
 
 namespace facet::commands {
 
@@ -193,39 +195,110 @@ std::string writeTime(const PictureSettings& settings) {
   return settings.animation.empty() ? std::string() : number(settings.timeSeconds);
 }
 
+// "#rrggbb", sRGB, or three linear numbers; [0, 1]. Linear Rec. 709.
+Result<glm::vec3> parseColor(Text text) {
+  glm::vec3 color;
+  unsigned rgb = 0;
+  if (text.size() == 7 && text[0] == '#' &&
+      std::from_chars(text.data() + 1, text.data() + 7, rgb, 16).ptr == text.data() + 7) {
+    for (int c = 0; c < 3; ++c) color[c] = static_cast<float>(linearFromSrgb(((rgb >> (16 - 8 * c)) & 255u) / 255.0));
+    return color;
+  }
+  const std::vector<Text> parts = split(text, ',');
+  if (parts.size() != 3)
+    return fail({}, {}, inQuotes(text) + " is no colour", "give #rrggbb or three linear numbers such as 0.8,0.2,0.1");
+  for (size_t c = 0; c < 3; ++c) {
+    const Result<double> value = parseNumber(parts[c], 0, 1);
+    if (!value) return tl::unexpected(value.error());
+    color[static_cast<int>(c)] = static_cast<float>(*value);
+  }
+  return color;
+}
+
+// #rrggbb where that is the same colour to the last bit.
+std::string writeColor(const glm::vec3& color) {
+  std::string text = "#";
+  for (int c = 0; c < 3; ++c) {
+    const auto byte = static_cast<unsigned>(std::lround(srgbFromLinear(glm::clamp<double>(color[c], 0, 1)) * 255));
+    text += "0123456789abcdef"[byte >> 4];
+    text += "0123456789abcdef"[byte & 15];
+  }
+  if (*parseColor(text) == color) return text;
+  return number(color.r) + "," + number(color.g) + "," + number(color.b);
+}
+
+// One material for everything: each of its options is one of that material, so that it switches it on.
+
+Result<void> parseMaterial(Text text, PictureSettings& settings) {
+  std::vector<Text> names = {"plain"};
+  for (const optics::MetalPreset& metal : optics::metalPresets()) names.push_back(metal.name);
+  for (const optics::DielectricPreset& dielectric : optics::dielectricPresets()) names.push_back(dielectric.name);
+  if (std::ranges::find(names, text) == names.end())
+    return fail({}, {}, inQuotes(text) + " is not known", suggestion(text, names));
+  settings.material.on = true;
+  choosePreset(settings.material, text == "plain" ? Text() : text);
+  return {};
+}
+
+std::string writeMaterial(const PictureSettings& settings) {
+  if (!settings.material.on) return {};
+  return settings.material.preset.empty() ? "plain" : settings.material.preset;
+}
+
+Result<void> parseMaterialColor(Text text, PictureSettings& settings) {
+  return parseColor(text).map([&](const glm::vec3& color) {
+    settings.material.on = true;
+    settings.material.baseColor = color;
+  });
+}
+
+// What --material alone would make.
+frame::MaterialChoice presetAlone(const frame::MaterialChoice& choice) {
+  frame::MaterialChoice alone;
+  choosePreset(alone, choice.preset);
+  return alone;
+}
+
+std::string writeMaterialColor(const PictureSettings& settings) {
+  const frame::MaterialChoice& choice = settings.material;
+  return choice.on && choice.baseColor != presetAlone(choice).baseColor ? writeColor(choice.baseColor) : std::string();
+}
+
+template <auto member, int min, int max>
+Result<void> parseMaterialNumber(Text text, PictureSettings& settings) {
+  return parseNumber(text, min, max).map([&](double value) {
+    settings.material.on = true;
+    settings.material.*member = static_cast<float>(value);
+  });
+}
+
+template <auto member>
+std::string writeMaterialNumber(const PictureSettings& settings) {
+  const frame::MaterialChoice& choice = settings.material;
+  return choice.on && choice.*member != presetAlone(choice).*member ? number(choice.*member) : std::string();
+}
+
 Result<void> parseBackground(Text text, PictureSettings& settings) {
   if (text == "env" || text == "transparent") {
     settings.background = text == "env" ? frame::Background::environment : frame::Background::transparent;
     return {};
   }
-  unsigned rgb = 0;
-  const bool color = text.size() == 7 && text[0] == '#' &&
-                     std::from_chars(text.data() + 1, text.data() + 7, rgb, 16).ptr == text.data() + 7;
+  const Result<glm::vec3> color = parseColor(text);
   if (!color) return fail({}, {}, inQuotes(text) + " is no background", "give env, transparent or a colour as #rrggbb");
   settings.background = frame::Background::color;
-  for (int c = 0; c < 3; ++c) {
-    settings.backgroundColor[c] = static_cast<float>(linearFromSrgb(((rgb >> (16 - 8 * c)) & 255u) / 255.0));
-  }
+  settings.backgroundColor = *color;
   return {};
 }
 
 std::string writeBackground(const PictureSettings& settings) {
-  if (settings.background != frame::Background::color) {
-    return settings.background == frame::Background::environment ? "env" : "transparent";
-  }
-  std::string text = "#";
-  for (int c = 0; c < 3; ++c) {
-    const double encoded = srgbFromLinear(glm::clamp<double>(settings.backgroundColor[c], 0, 1));
-    const auto byte = static_cast<unsigned>(std::lround(encoded * 255));
-    text += "0123456789abcdef"[byte >> 4];
-    text += "0123456789abcdef"[byte & 15];
-  }
-  return text;
+  if (settings.background == frame::Background::color) return writeColor(settings.backgroundColor);
+  return settings.background == frame::Background::environment ? "env" : "transparent";
 }
 
 // ---- The table ------------------------------------------------------------------------------------------------------
 
 using S = PictureSettings;
+using M = frame::MaterialChoice;
 
 constexpr PictureOption table[] = {
     {"size", "WxH", "size in pixels (1024x1024)", parseSize, writeSize, 'x'},
@@ -238,6 +311,17 @@ constexpr PictureOption table[] = {
     {"scene", "N", "index of the scene (the file's default)", parseScene, writeScene},
     {"variant", "NAME|INDEX", "the file's material variant (none: its own materials)", parseText<&S::variant>,
      writeText<&S::variant>},
+    {"material", "NAME",
+     "one material for everything: plain, or a substance of the panel's such as gold, silver, water, diamond (none)",
+     parseMaterial, writeMaterial},
+    {"material-color", "#rrggbb|R,G,B", "its base colour; as numbers linear (0.8,0.8,0.8; a metal's own)",
+     parseMaterialColor, writeMaterialColor},
+    {"material-metallic", "0..1", "its metallic (0; a metal's 1)", parseMaterialNumber<&M::metallic, 0, 1>,
+     writeMaterialNumber<&M::metallic>},
+    {"material-roughness", "0..1", "its perceptual roughness (0.4)", parseMaterialNumber<&M::perceptualRoughness, 0, 1>,
+     writeMaterialNumber<&M::perceptualRoughness>},
+    {"material-ior", "1..3", "its index of refraction (1.5; a substance's own)", parseMaterialNumber<&M::ior, 1, 3>,
+     writeMaterialNumber<&M::ior>},
     {"bump", "HEIGHT.png", "grey height map for the materials of a built-in scene (none)", parseText<&S::bump>,
      writeText<&S::bump>, ',', true},
     {"bump-scale", "X", "height of its white above its black, in widths of the map (0.02)",
@@ -252,7 +336,8 @@ constexpr PictureOption table[] = {
      parseNumberInto<&S::environmentRotationDeg, -36000, 36000>, writeNumber<&S::environmentRotationDeg>},
     {"env-strength", "X", "factor on the environment's radiance (1)",
      parseNumberInto<&S::environmentStrength, 0, 1'000'000>, writeNumber<&S::environmentStrength>},
-    {"background", "env|transparent|#rrggbb", "what is behind the model (env)", parseBackground, writeBackground},
+    {"background", "env|transparent|#rrggbb", "what is behind the model (env); also a colour as R,G,B, linear",
+     parseBackground, writeBackground},
     {"lights", "scene|none|demo", "the file's lights, none, or four more (scene)", parseName<lightChoices, &S::lights>,
      writeName<lightChoices, &S::lights>},
     {"diffuse", "NAME", "diffuse model: lambert, burley, frostbite, oren-nayar, eon, codww2 (lambert)",
@@ -333,11 +418,14 @@ void addPictureOptions(CLI::App& app, PictureArguments& arguments) {
 }
 
 Result<void> apply(const PictureArguments& arguments, PictureSettings& settings) {
-  for (const auto& [name, text] : arguments) {
-    const PictureOption* option = find(name);
-    if (!option) return fail({}, "--" + std::string(name), "there is no such option", suggestion(name, optionNames()));
-    if (auto parsed = option->parse(text, settings); !parsed) {
-      return fail({}, "--" + std::string(name), parsed.error().problem, parsed.error().remedy);
+  for (const auto& [name, text] : arguments)
+    if (!find(name))
+      return fail({}, "--" + std::string(name), "there is no such option", suggestion(name, optionNames()));
+  for (const PictureOption& option : table) {
+    const auto given = arguments.find(option.name);
+    if (given == arguments.end()) continue;
+    if (auto parsed = option.parse(given->second, settings); !parsed) {
+      return fail({}, "--" + std::string(option.name), parsed.error().problem, parsed.error().remedy);
     }
   }
   return checkTogether(settings);
@@ -346,18 +434,21 @@ Result<void> apply(const PictureArguments& arguments, PictureSettings& settings)
 Result<void> apply(const nlohmann::json& object, std::span<const Text> others, const std::string& folder,
                    const std::string& file, const std::string& pointer, PictureSettings& settings) {
   for (const auto& [key, value] : object.items()) {
-    if (std::find(others.begin(), others.end(), key) != others.end()) continue;
-    const std::string place = pointer + "/" + pointerToken(key);
-    const PictureOption* option = find(key);
-    if (!option) {
-      std::vector<Text> names = optionNames();
-      names.insert(names.end(), others.begin(), others.end());
-      return fail(file, place, "there is no such option", suggestion(key, names));
+    if (find(key) || std::find(others.begin(), others.end(), key) != others.end()) continue;
+    std::vector<Text> names = optionNames();
+    names.insert(names.end(), others.begin(), others.end());
+    return fail(file, pointer + "/" + pointerToken(key), "there is no such option", suggestion(key, names));
+  }
+  for (const PictureOption& option : table) {
+    const auto given = object.find(std::string(option.name));
+    if (given == object.end()) continue;
+    Result<std::string> text = textOf(*given, option);
+    if (text && isPathValue(option, *text)) text = (std::filesystem::path(folder) / *text).string();
+    const Result<void> parsed = text ? option.parse(*text, settings) : tl::unexpected(text.error());
+    if (!parsed) {
+      const std::string place = pointer + "/" + pointerToken(option.name);
+      return fail(file, place, parsed.error().problem, parsed.error().remedy);
     }
-    Result<std::string> text = textOf(value, *option);
-    if (text && isPathValue(*option, *text)) text = (std::filesystem::path(folder) / *text).string();
-    const Result<void> parsed = text ? option->parse(*text, settings) : tl::unexpected(text.error());
-    if (!parsed) return fail(file, place, parsed.error().problem, parsed.error().remedy);
   }
   return {};
 }

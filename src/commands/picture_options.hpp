@@ -30,6 +30,8 @@ struct PictureOption {
   bool isPath = false;   // in a job relative to the job file's folder
 };
 
+// In the order in which they are applied, whatever order they are given in: a substance comes before what differs from
+// it.
 std::span<const PictureOption> pictureOptions();
 
 // "builtin:..." or "none": a name, not a file.
@@ -54,7 +56,7 @@ Result<void> apply(const nlohmann::json& object, std::span<const std::string_vie
 Result<void> checkTogether(const frame::PictureSettings& settings);
 
 // The shortest command that shows (`facet MODEL ...`) or, with an output, renders (`facet render MODEL -o OUTPUT ...`)
-// the same picture; quoted for a POSIX shell. A background colour is rounded to 8 bit.
+// the same picture, to the last bit; quoted for a POSIX shell.
 std::string commandLine(const frame::PictureSettings& settings, const std::string& model,
                         const std::string& output = {});
 

@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -11,6 +12,7 @@
 #include "commands/jobs.hpp"
 #include "commands/notes_json.hpp"
 #include "commands/picture_options.hpp"
+#include "commands/shard.hpp"
 #include "frame/session.hpp"
 #include "report/left_out.hpp"
 
@@ -20,7 +22,7 @@ namespace {
 
 struct RenderArguments {
   PictureArguments picture;
-  std::string model, output, stats, jobs;
+  std::string model, output, stats, jobs, shard;
   bool strict = false, noCache = false, glDebug = false;
   int repeat = 0;
   int frames = 0;  // 0: one picture
@@ -34,6 +36,13 @@ bool isExr(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return extension == ".exr";
+}
+
+// Median of the frames after the first, which pays for what is done once.
+double steadyFrameMs(const std::vector<double>& frameMs) {
+  std::vector<double> steady(frameMs.begin() + 1, frameMs.end());
+  std::ranges::sort(steady);
+  return (steady[(steady.size() - 1) / 2] + steady[steady.size() / 2]) / 2;
 }
 
 nlohmann::ordered_json statsJson(const Job& job, const frame::Session& session, const frame::Picture& picture,
@@ -52,10 +61,17 @@ nlohmann::ordered_json statsJson(const Job& job, const frame::Session& session, 
     times[stage.name] = {{"wallMs", stage.wallMs}, {"cpuMs", stage.cpuMs}, {"peakMB", stage.peakMB}};
   out["stages"] = times;
   out["frameMs"] = s.frameMs;
+  if (s.frameMs.size() > 1) out["steadyFrameMs"] = steadyFrameMs(s.frameMs);
   out["peakMemoryMB"] = Stages::peakMegabytes();
-  out["gpuBytes"] = {{"textures", s.textureBytes}, {"geometry", s.geometryBytes}, {"tables", s.tableBytes}};
+  out["gpuBytes"] = {{"textures", s.textureBytes},
+                     {"geometry", s.geometryBytes},
+                     {"tables", s.tableBytes},
+                     {"targets", s.targetBytes}};
   out["imagesDecoded"] = s.imagesDecoded;
   out["programs"] = {{"compiled", s.programsCompiled}, {"fromDiskCache", s.programsFromDisk}};
+  json variants = json::array();
+  for (const auto& [name, draws] : s.variants) variants.push_back({{"name", name}, {"draws", draws}});
+  out["variants"] = variants;
   json tables = json::array();
   for (const ibl::TableStatistics& table : s.tables)
     tables.push_back(
@@ -137,8 +153,11 @@ Result<std::vector<Job>> listJobs(const RenderArguments& arguments) {
     if (arguments.frames > 0) return fail({}, "--frames", "does not go with --jobs", "give the jobs their times");
     if (!arguments.model.empty() || !arguments.output.empty())
       return fail({}, "--jobs", "names models and outputs itself", "leave out MODEL and -o");
-    return readJobs(arguments.jobs, arguments.picture);
+    const Result<Shard> shard = parseShard(arguments.shard.empty() ? "1/1" : arguments.shard);
+    if (!shard) return tl::unexpected(shard.error());
+    return readJobs(arguments.jobs, arguments.picture).map([&](const auto& jobs) { return shardOf(jobs, *shard); });
   }
+  if (!arguments.shard.empty()) return fail({}, "--shard", "is a part of many pictures", "give --jobs FILE.json, too");
   if (arguments.model.empty()) return fail({}, "MODEL", "is missing", "give a .gltf or .glb file or builtin:spheres");
   if (arguments.output.empty()) return fail({}, "-o", "is missing", "give -o PICTURE.png or -o PICTURE.exr");
   Job job{arguments.model, arguments.output, arguments.stats, {}};
@@ -190,6 +209,8 @@ std::function<int()> addRender(CLI::App& app) {
   app.add_option("-o,--output", arguments->output, "the picture: .png (display) or .exr (scene-linear)")
       ->type_name("FILE");
   app.add_option("--jobs", arguments->jobs, "many pictures in one process: a JSON list of jobs")->type_name("FILE");
+  app.add_option("--shard", arguments->shard, "of --jobs only each N-th from the I-th on, for many machines")
+      ->type_name("I/N");
   app.add_option("--stats", arguments->stats, "times, memory, work and what was left out, as JSON")->type_name("FILE");
   app.add_option("--repeat", arguments->repeat, "draw N more frames, for timing")
       ->type_name("N")
@@ -199,7 +220,8 @@ std::function<int()> addRender(CLI::App& app) {
       ->check(CLI::Range(1, maxFrames));
   app.add_option("--fps", arguments->fps, "frames per second (30)")->type_name("F")->check(CLI::Range(1e-3, 1e6));
   app.add_flag("--strict", arguments->strict, "any warning makes the exit status 2");
-  app.add_flag("--no-cache", arguments->noCache, "neither read nor write the caches of compiled shaders and of light tables");
+  app.add_flag("--no-cache", arguments->noCache,
+               "neither read nor write the caches of compiled shaders and of light tables");
   app.add_flag("--gl-debug", arguments->glDebug, "log OpenGL's debug messages");
   addPictureOptions(app, arguments->picture);
   return [arguments] { return runRender(*arguments); };

@@ -47,6 +47,7 @@ Targets createValueTargets(int width, int height, GLenum format);
 // Adds the copy of what is behind where the list has transmitting surfaces and the targets have none yet; frees it
 // where the list has none.
 void prepareBehind(Targets& targets, const DrawList& list);
+size_t targetBytes(const Targets& targets);  // of the textures
 
 struct FrameStatistics {
   std::vector<std::string> passes;

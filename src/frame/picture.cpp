@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "base/whole_number.hpp"
+#include "frame/material_choice.hpp"
 #include "scene/animation.hpp"
 #include "scene/builtin_scenes.hpp"
 
@@ -139,6 +140,7 @@ DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment) {
   options.sceneLights = settings.lights != Lights::none;
   options.demoLights = settings.lights == Lights::demo;
   options.moving = !settings.animation.empty();
+  if (settings.material.on) options.material = overridingMaterial(settings.material);
   return options;
 }
 
@@ -286,6 +288,15 @@ scene::Bounds framingOf(SceneOnGpu& scene, const PictureSettings& settings, int 
   return known->bounds;
 }
 
+std::map<std::string, int> variantsOf(const DrawList& list) {
+  std::map<shading::VariantKey, int> draws;
+  for (const std::vector<Draw>* drawn : list.classes())
+    for (const Draw& draw : *drawn) ++draws[draw.key];
+  std::map<std::string, int> variants;
+  for (const auto& [key, count] : draws) variants[shading::variantName(key)] += count;
+  return variants;
+}
+
 }  // namespace
 
 Result<PreparedPicture> preparePicture(const PictureSettings& settings, SceneOnGpu& scene,
@@ -364,6 +375,8 @@ Result<Picture> drawPicture(const PictureSettings& settings, const PictureReques
   statistics.textureBytes = scene.gpu.textureBytes();
   statistics.geometryBytes = scene.gpu.geometryBytes();
   statistics.tableBytes = environment.tables.bytes();
+  statistics.targetBytes = targetBytes(targets);
+  statistics.variants = variantsOf(list);
   if (request.radiance) countExtremes(picture.radiance, statistics);
   return picture;
 }

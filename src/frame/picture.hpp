@@ -3,7 +3,9 @@
 // Settings + model + environment -> one picture. What several pictures share (programs, a scene's GPU data, an
 // environment's tables) is passed in and grows on demand.
 
+#include <map>
 #include <optional>
+#include <string>
 
 #include "base/stages.hpp"
 #include "frame/frame.hpp"
@@ -82,7 +84,8 @@ struct PictureStatistics {
   int imagesDecoded = 0;
   int programsCompiled = 0, programsFromDisk = 0;
   std::vector<ibl::TableStatistics> tables;
-  size_t textureBytes = 0, geometryBytes = 0, tableBytes = 0;
+  size_t textureBytes = 0, geometryBytes = 0, tableBytes = 0, targetBytes = 0;
+  std::map<std::string, int> variants;  // programs by name (shading::variantName) -> draws, before culling
   uint64_t clampedPixels = 0;    // all samples of a channel at the largest half float; counted where radiance is read
   uint64_t nonFinitePixels = 0;  // likewise
   std::vector<double> frameMs;   // the first frame, then the repeated ones; each waited for

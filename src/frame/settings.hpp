@@ -24,6 +24,19 @@ enum class Background { environment, transparent, color };
 enum class ToneMapper { none, reinhard, uncharted2, aces, agx, neutral };
 enum class Lights { scene, none, demo };  // the file's, no lights at all, the file's and four of ours
 
+// One material for everything, in place of the file's. What has no normals, because its own material is unlit, stays
+// unlit.
+struct MaterialChoice {
+  bool on = false;
+  glm::vec3 baseColor = glm::vec3(0.8f);  // linear Rec. 709, [0, 1]
+  float metallic = 0;
+  float perceptualRoughness = 0.4f;
+  float ior = 1.5f;    // of the dielectric, [1, 3]
+  std::string preset;  // metal or dielectric (optics/presets.hpp); empty: none
+
+  bool operator==(const MaterialChoice&) const = default;
+};
+
 struct PictureSettings {
   int width = 1024, height = 1024;  // pixels, [1, 16384]
 
@@ -33,6 +46,8 @@ struct PictureSettings {
   std::string camera;                // name or index of a camera in the file; empty: none. Excludes orbit and target.
   int scene = -1;                    // index; -1: the file's default scene
   std::string variant;               // KHR_materials_variants: name or index; empty: the file's own materials
+
+  MaterialChoice material;
 
   std::string bump;         // grey height map for the materials of a built-in scene; empty: none
   double bumpScale = 0.02;  // height of white above black, in widths of the map

@@ -76,6 +76,14 @@ void flipRows(std::vector<T>& data, size_t rowLength) {
 
 }  // namespace
 
+size_t targetBytes(const Targets& targets) {
+  size_t sum = 0;
+  for (const gl::Texture* texture : {&targets.multisample, &targets.depth, &targets.color, &targets.sum,
+                                     &targets.before, &targets.display, &targets.behind.color, &targets.behind.depth})
+    if (*texture) sum += texture->bytes();
+  return sum;
+}
+
 io::RadianceImage readRadiance(const Targets& targets) {
   io::RadianceImage out;
   out.width = targets.width;

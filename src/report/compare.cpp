@@ -8,6 +8,7 @@
 
 #include "base/parallel.hpp"
 #include "base/srgb.hpp"
+#include "report/flip.hpp"
 #include "report/ssim.hpp"
 
 namespace facet::report {
@@ -50,13 +51,15 @@ Result<void> checkSizes(const io::RadianceImage& a, const io::RadianceImage& b) 
 struct Sums {
   glm::dvec3 reference = glm::dvec3(0), error = glm::dvec3(0);
   double squaredError = 0, squaredDisplayError = 0, ssim = 0;
+  double flip = 0, flipLargest = 0;
   double largest = -1;
   int largestX = 0, largestY = 0;
-  uint64_t pixels = 0, above = 0, nonFiniteReference = 0, nonFinitePicture = 0;
+  uint64_t pixels = 0, above = 0, nonFiniteReference = 0, nonFinitePicture = 0, noticeable = 0;
 
   void add(const Sums& row) {
     reference += row.reference, error += row.error;
     squaredError += row.squaredError, squaredDisplayError += row.squaredDisplayError, ssim += row.ssim;
+    flip += row.flip, flipLargest = std::max(flipLargest, row.flipLargest), noticeable += row.noticeable;
     if (row.largest > largest) largest = row.largest, largestX = row.largestX, largestY = row.largestY;
     pixels += row.pixels, above += row.above;
     nonFiniteReference += row.nonFiniteReference, nonFinitePicture += row.nonFinitePicture;
@@ -86,6 +89,9 @@ Comparison figures(const Sums& sums) {
   for (int c = 0; c < 3; ++c) result.bias[static_cast<size_t>(c)] = sums.error[c] / n / scale(mean[c]);
   result.displayRmse = std::sqrt(sums.squaredDisplayError / (3 * n)) * 255;
   result.ssim = sums.ssim / n;
+  result.flipMean = sums.flip / n;
+  result.flipLargest = sums.flipLargest;
+  result.shareNoticeable = static_cast<double>(sums.noticeable) / n;
   result.largest = sums.largest;
   result.largestX = sums.largestX, result.largestY = sums.largestY;
   result.shareAbove = static_cast<double>(sums.above) / n;
@@ -143,13 +149,15 @@ Result<Comparison> compare(const io::RadianceImage& reference, const io::Radianc
   if (auto checked = checkSizes(reference, picture); !checked) return tl::unexpected(checked.error());
   const size_t width = static_cast<size_t>(reference.width), height = static_cast<size_t>(reference.height);
   std::vector<float> lumaReference(width * height), lumaPicture(width * height);
+  std::vector<glm::dvec3> colorsReference(width * height), colorsPicture(width * height);
   std::vector<Sums> rows(height);
   parallelFor(height, [&](size_t y) {
     for (size_t x = 0; x < width; ++x) {
       const size_t i = y * width + x;
       const glm::vec4 r = reference.pixels[i], p = picture.pixels[i];
-      lumaReference[i] = luma(display(finiteColor(r)));
-      lumaPicture[i] = luma(display(finiteColor(p)));
+      colorsReference[i] = finiteColor(r), colorsPicture[i] = finiteColor(p);
+      lumaReference[i] = luma(display(colorsReference[i]));
+      lumaPicture[i] = luma(display(colorsPicture[i]));
       if (!isFinite(r)) ++rows[y].nonFiniteReference;
       if (!isFinite(p)) ++rows[y].nonFinitePicture;
       if (!counts(r, options)) continue;
@@ -157,10 +165,15 @@ Result<Comparison> compare(const io::RadianceImage& reference, const io::Radianc
     }
   });
   const std::vector<float> similarity = ssimMap(lumaReference, lumaPicture, reference.width, reference.height);
+  const std::vector<float> flip = flipMap(colorsReference, colorsPicture, reference.width, reference.height);
   Sums sums;
   for (size_t y = 0; y < height; ++y) {
     for (size_t i = y * width; i < (y + 1) * width; ++i) {
-      if (counts(reference.pixels[i], options)) rows[y].ssim += similarity[i];
+      if (!counts(reference.pixels[i], options)) continue;
+      rows[y].ssim += similarity[i];
+      rows[y].flip += flip[i];
+      rows[y].flipLargest = std::max<double>(rows[y].flipLargest, flip[i]);
+      if (flip[i] > flipJustNoticeable) ++rows[y].noticeable;
     }
     sums.add(rows[y]);
   }

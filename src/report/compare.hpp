@@ -18,12 +18,16 @@ struct CompareOptions {
 };
 
 // Linear figures are of the associated colour, hence over black; display means that colour clamped to [0, 1] and sRGB
-// encoded. A non-finite component counts as 0 in relRmse, bias, displayRmse and SSIM, as 1 in the display difference.
+// encoded. A non-finite component counts as 0 in relRmse, bias, displayRmse, SSIM and FLIP, as 1 in the display
+// difference.
 struct Comparison {
   double relRmse = 0;               // root mean squared linear error / mean of the reference
   std::array<double, 3> bias = {};  // mean signed linear error / mean of the reference, per channel
   double displayRmse = 0;           // root mean squared display error, in 1/255
   double ssim = 1;                  // structural similarity of the display pictures' luma, [-1, 1]
+  double flipMean = 0;              // mean of FLIP over the pixels, [0, 1] (report/flip.hpp)
+  double flipLargest = 0;           // its largest
+  double shareNoticeable = 0;       // share of the pixels where it exceeds a just noticeable difference, [0, 1]
   double largest = 0;               // largest display difference of any channel or alpha, [0, 1]
   int largestX = 0, largestY = 0;   // where; row 0 is the top
   double shareAbove = 0;            // share of the pixels whose display difference exceeds the tolerance, [0, 1]

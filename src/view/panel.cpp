@@ -160,9 +160,9 @@ void presetChoice(MaterialChoice& material) {
 }
 
 void materialSection(ViewerState& state) {
-  if (!section("Material", state.material.on || !state.shown.variants.empty())) return;
+  if (!section("Material", state.settings.material.on || !state.shown.variants.empty())) return;
   variantChoice(state);
-  MaterialChoice& material = state.material;
+  MaterialChoice& material = state.settings.material;
   ImGui::Checkbox("one for everything", &material.on);
   if (!material.on) return;
   presetChoice(material);

@@ -13,31 +13,6 @@
 
 namespace facet::view {
 
-namespace {
-
-scene::Material overriding(const MaterialChoice& choice) {
-  scene::Material material;
-  material.baseColorFactor = glm::vec4(choice.baseColor, 1);
-  material.metallicFactor = choice.metallic;
-  material.perceptualRoughnessFactor = choice.perceptualRoughness;
-  material.ior = choice.ior;
-  if (optics::findMetal(choice.preset)) material.conductor = choice.preset;
-  return material;
-}
-
-}  // namespace
-
-void choosePreset(MaterialChoice& choice, std::string_view name) {
-  choice.preset = name;
-  if (const optics::MetalPreset* metal = optics::findMetal(name)) {
-    choice.baseColor = metal->f0();
-    choice.metallic = 1;
-  } else if (const optics::DielectricPreset* dielectric = optics::findDielectric(name)) {
-    choice.ior = static_cast<float>(dielectric->ior);
-    choice.metallic = 0;
-  }
-}
-
 std::string presetText(std::string_view name) {
   char figures[128] = "";
   std::string_view source;
@@ -75,7 +50,6 @@ frame::PictureSettings movingSettings(const frame::PictureSettings& settings) {
 frame::DrawOptions drawOptions(const ViewerState& state, int variant, bool hasEnvironment) {
   frame::DrawOptions options = frame::drawOptions(movingSettings(state.settings), hasEnvironment);
   options.variant = variant;
-  if (state.material.on) options.material = overriding(state.material);
   return options;
 }
 
@@ -93,7 +67,7 @@ ListRequest listRequest(const ViewerState& state, int scene, int variant, bool h
   request.demoLights = options.demoLights;
   request.skyVisible =
       hasEnvironment && request.channel == 0 && state.settings.background == frame::Background::environment;
-  if (state.material.on) request.material = state.material;
+  if (state.settings.material.on) request.material = state.settings.material;
   request.animation = state.settings.animation;
   if (!request.animation.empty()) request.timeSeconds = state.settings.timeSeconds;
   return request;

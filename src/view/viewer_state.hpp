@@ -11,6 +11,7 @@
 
 #include "frame/draw_list.hpp"
 #include "frame/frame.hpp"
+#include "frame/material_choice.hpp"
 #include "frame/settings.hpp"
 #include "scene/camera.hpp"
 #include "scene/pick.hpp"
@@ -18,23 +19,10 @@
 
 namespace facet::view {
 
-// One material for everything, in place of the file's. What has no normals, because its own material is unlit, stays
-// unlit.
-struct MaterialChoice {
-  bool on = false;
-  glm::vec3 baseColor = glm::vec3(0.8f);  // linear Rec. 709
-  float metallic = 0;
-  float perceptualRoughness = 0.4f;
-  float ior = 1.5f;    // of the dielectric, [1, 3]
-  std::string preset;  // metal or dielectric (optics/presets.hpp); empty: none
+using frame::choosePreset;
+using frame::MaterialChoice;
 
-  bool operator==(const MaterialChoice&) const = default;
-};
-
-// A metal sets the base colour to its F at normal incidence and metallic to 1, a dielectric the index of refraction and
-// metallic to 0. Roughness, and a dielectric's colour, are not the substance's: they stay. Empty: all stays.
-void choosePreset(MaterialChoice& choice, std::string_view name);
-// Where its figures come from and what they are, for a tooltip; empty for unknown names.
+// Where a preset's figures come from and what they are, for a tooltip; empty for unknown names.
 std::string presetText(std::string_view name);
 
 struct Status {
@@ -132,7 +120,6 @@ struct ViewerState {
   frame::PictureSettings settings;
   scene::OrbitCamera camera;
   scene::OrbitCamera startCamera;  // what reset returns to
-  MaterialChoice material;
   Playback playback;
   Turntable turntable;
   Selection selection;
@@ -173,7 +160,7 @@ bool differsInTimeOnly(ListRequest a, const ListRequest& b);
 ListRequest listRequest(const ViewerState& state, int scene, int variant, bool hasEnvironment);
 frame::DrawOptions drawOptions(const ViewerState& state, int variant, bool hasEnvironment);
 
-// The settings whose command shows what is on the screen. The material in place of the file's has no option.
+// The settings whose command shows what is on the screen.
 frame::PictureSettings commandSettings(const ViewerState& state);
 
 // Errors: the settings name a camera that the scene doesn't have.

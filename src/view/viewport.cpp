@@ -84,23 +84,13 @@ void move(Viewport& viewport, ViewerState& state, frame::DrawList list, const Li
   state.shown.bounds = viewport.list.bounds;
 }
 
-size_t bytesOf(std::initializer_list<const gl::Texture*> textures) {
-  size_t sum = 0;
-  for (const gl::Texture* texture : textures)
-    if (*texture) sum += texture->bytes();
-  return sum;
-}
-
 void measureMemory(const Viewport& viewport, ViewerStatistics& statistics) {
   const frame::GpuScene& gpu = viewport.scene->onGpu.gpu;
-  const frame::Targets& t = viewport.targets;
   statistics.imagesDecoded = gpu.imagesDecoded;
   statistics.textureBytes = gpu.textureBytes();
   statistics.geometryBytes = gpu.geometryBytes();
   statistics.tableBytes = viewport.environment->onGpu.tables.bytes();
-  const frame::Targets& g = viewport.refinement.targets;
-  statistics.targetBytes = bytesOf({&t.multisample, &t.depth, &t.color, &t.display, &t.behind.color, &t.behind.depth});
-  statistics.targetBytes += bytesOf({&g.depth, &g.color, &g.sum, &g.before, &g.behind.color, &g.behind.depth});
+  statistics.targetBytes = frame::targetBytes(viewport.targets) + frame::targetBytes(viewport.refinement.targets);
   statistics.programsCompiled = viewport.programs.statistics().compiled;
   statistics.programsFromDisk = viewport.programs.statistics().fromDisk;
 }

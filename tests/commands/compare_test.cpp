@@ -5,6 +5,7 @@
 #include "base/srgb.hpp"
 #include "io/image.hpp"
 #include "io/radiance.hpp"
+#include "report/flip.hpp"
 #include "support/command.hpp"
 #include "support/gltf_builder.hpp"
 #include "support/skip.hpp"
@@ -43,7 +44,7 @@ TEST_CASE("compare: a PNG and an EXR of the same radiance do not differ") {
                     b = exr(folder, "b.exr", static_cast<float>(linearFromSrgb(128 / 255.)));
   const Outcome outcome = runFacet({"compare", a, b, "--max-error", "0.001"});
   CHECK(outcome.text ==
-        "dRMSE 0.00/255  relRMSE 0.0000  bias +0.00% +0.00% +0.00%  SSIM 1.0000  largest 0.0000 at 0,0  "
+        "dRMSE 0.00/255  relRMSE 0.0000  bias +0.00% +0.00% +0.00%  FLIP 0.0000  SSIM 1.0000  largest 0.0000 at 0,0  "
         "above 0.01: 0.000%  (32 px)\n"
         "within: drmse 0 <= 0.001\n");
   CHECK(outcome.status == 0);
@@ -54,13 +55,14 @@ TEST_CASE("compare: each metric is limited by --max-error") {
   const std::string a = exr(folder, "a.exr", 0.5f), b = exr(folder, "b.exr", 0.4f);
   const double shown = srgbFromLinear(0.5) - srgbFromLinear(0.4);
   const double p = srgbFromLinear(0.5), q = srgbFromLinear(0.4), c1 = 1e-4;
+  const double flip = report::flipColorDifference(glm::dvec3(0.5), glm::dvec3(0.4f));
   struct Row {
     std::string metric;
     double value;
   };
-  const Row row =
-      GENERATE_COPY(Row{"drmse", 255 * shown}, Row{"rel-rmse", 0.2}, Row{"bias", 0.2}, Row{"largest", shown},
-                    Row{"above", 1}, Row{"ssim", 1 - (2 * p * q + c1) / (p * p + q * q + c1)});
+  const Row row = GENERATE_COPY(Row{"drmse", 255 * shown}, Row{"rel-rmse", 0.2}, Row{"bias", 0.2},
+                                Row{"largest", shown}, Row{"above", 1}, Row{"flip", flip}, Row{"flip-largest", flip},
+                                Row{"noticeable", 1}, Row{"ssim", 1 - (2 * p * q + c1) / (p * p + q * q + c1)});
   const auto statusAt = [&](double limit) {
     return runFacet({"compare", a, b, "--metric", row.metric, "--max-error", std::to_string(limit)}).status;
   };

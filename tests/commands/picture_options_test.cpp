@@ -56,6 +56,7 @@ PictureSettings unusual() {
   s.fovYDeg = 33.3;
   s.scene = 3;
   s.variant = "night & day";
+  s.material = {true, {0.1f, 1.0f / 3, 0.7f}, 0.25f, 0.05f, 2.125f, "diamond"};
   s.bump = "h.png", s.bumpScale = -0.125;
   s.diffuse = optics::DiffuseModel::callOfDuty, s.fresnel = optics::FresnelModel::f82Tint;
   s.distribution = optics::NormalDistribution::blinn, s.masking = optics::Masking::cavity;
@@ -63,7 +64,7 @@ PictureSettings unusual() {
   s.environment = "it's here/a b.hdr";
   s.environmentRotationDeg = -0.1f, s.environmentStrength = 1e-3f;
   s.background = frame::Background::color;
-  for (int c = 0; c < 3; ++c) s.backgroundColor[c] = static_cast<float>(linearFromSrgb((16 * c + 7) / 255.0));
+  s.backgroundColor = {0.3f, static_cast<float>(linearFromSrgb(7 / 255.0)), 1e-5f};
   s.lights = frame::Lights::demo;
   s.occlusion = 0;
   s.exposureStops = -2.5f;
@@ -113,6 +114,17 @@ TEST_CASE("each option sets its own field") {
   CHECK(set("background", "#ff0080").background == frame::Background::color);
   CHECK(set("background", "#ff0080").backgroundColor ==
         glm::vec3(1, 0, static_cast<float>(linearFromSrgb(128 / 255.0))));
+  CHECK(set("background", "0.5,0,1").backgroundColor == glm::vec3(0.5f, 0, 1));
+  CHECK(set("material", "plain").material.on);
+  CHECK(set("material", "gold").material.preset == "gold");
+  CHECK(set("material", "gold").material.metallic == 1);
+  CHECK(set("material", "water").material.ior == Approx(1.333).margin(0.001));
+  CHECK(set("material-color", "#ffffff").material.baseColor == glm::vec3(1));
+  CHECK(set("material-color", "0.25,0,1").material.baseColor == glm::vec3(0.25f, 0, 1));
+  CHECK(set("material-color", "0.25,0,1").material.on);
+  CHECK(set("material-metallic", "0.5").material.metallic == 0.5f);
+  CHECK(set("material-roughness", "0").material.perceptualRoughness == 0);
+  CHECK(set("material-ior", "2").material.ior == 2);
   CHECK(set("lights", "none").lights == frame::Lights::none);
   CHECK(set("occlusion", "0.5").occlusion == 0.5f);
   CHECK(set("exposure", "-1.5").exposureStops == -1.5f);
@@ -156,6 +168,14 @@ TEST_CASE("every way to be wrong has its sentence") {
        "--background: '#12345' is no background; give env, transparent or a colour as #rrggbb."},
       {"background", "#12345g",
        "--background: '#12345g' is no background; give env, transparent or a colour as #rrggbb."},
+      {"background", "1,0", "--background: '1,0' is no background; give env, transparent or a colour as #rrggbb."},
+      {"material", "gould", "--material: 'gould' is not known; perhaps gold is meant."},
+      {"material-color", "red",
+       "--material-color: 'red' is no colour; give #rrggbb or three linear numbers such as 0.8,0.2,0.1."},
+      {"material-color", "0,0,2", "--material-color: 2 is out of range; give a number from 0 to 1."},
+      {"material-metallic", "-1", "--material-metallic: -1 is out of range; give a number from 0 to 1."},
+      {"material-roughness", "2", "--material-roughness: 2 is out of range; give a number from 0 to 1."},
+      {"material-ior", "0.9", "--material-ior: 0.9 is out of range; give a number from 1 to 3."},
       {"lights", "secne", "--lights: 'secne' is not known; perhaps scene is meant."},
       {"lights", "all", "--lights: 'all' is not known; choose one of scene, none, demo."},
       {"occlusion", "1.01", "--occlusion: 1.01 is out of range; give a number from 0 to 1."},
@@ -185,6 +205,20 @@ TEST_CASE("every option of the table has a row above: its parser refuses somethi
   }
 }
 
+TEST_CASE("a substance comes before what differs from it, in whatever order both are given") {
+  const Result<PictureSettings> words = fromWords({"--material-metallic", "0.5", "--material", "gold"});
+  const Result<PictureSettings> job = fromJson({{"material-metallic", 0.5}, {"material", "gold"}});
+  for (const Result<PictureSettings>& settings : {words, job}) {
+    REQUIRE(settings);
+    CHECK(settings->material.metallic == 0.5f);
+    CHECK(settings->material.preset == "gold");
+    CHECK(commands::commandLine(*settings, "a.glb") == "facet a.glb --material gold --material-metallic 0.5");
+  }
+  PictureSettings off = *words;
+  off.material.on = false;
+  CHECK(commands::commandLine(off, "a.glb") == "facet a.glb");
+}
+
 TEST_CASE("a camera of the file excludes a place of one's own") {
   CHECK(describe(fromArguments({{"camera", "0"}, {"orbit", "0,90"}}).error()) ==
         "--orbit: the camera of the file has its own place; give either this or --camera.");
@@ -206,6 +240,7 @@ TEST_CASE("what write gives, parse reads back") {
     CHECK(option.write(read) == text);
   }
   CHECK(read.target == settings.target);
+  CHECK(read.material == settings.material);
   CHECK(read.backgroundColor == settings.backgroundColor);
   CHECK(read.environmentRotationDeg == settings.environmentRotationDeg);
   CHECK(read.orbit->radius == settings.orbit->radius);

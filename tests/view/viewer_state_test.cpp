@@ -61,7 +61,7 @@ TEST_CASE("viewer state: only what the draw list reads asks for a new one") {
   state.settings.exposureStops = 3;
   state.settings.environmentRotationDeg = 90;
   state.settings.occlusion = 0.5f;
-  state.material.metallic = 1;  // switched off
+  state.settings.material.metallic = 1;  // switched off
   state.camera.theta = 9;
   CHECK(view::listRequest(state, 0, -1, true) == before);
   const auto changes = [&](auto change) {
@@ -74,7 +74,7 @@ TEST_CASE("viewer state: only what the draw list reads asks for a new one") {
   CHECK(changes([](view::ViewerState& s) { s.settings.channel = "uv"; }));
   CHECK(changes([](view::ViewerState& s) { s.settings.lights = frame::Lights::demo; }));
   CHECK(changes([](view::ViewerState& s) { s.settings.background = frame::Background::transparent; }));
-  CHECK(changes([](view::ViewerState& s) { s.material.on = true; }));
+  CHECK(changes([](view::ViewerState& s) { s.settings.material.on = true; }));
   CHECK_FALSE(changes([](view::ViewerState& s) { s.settings.samples = 16; }));  // only at rest
   CHECK(changes([](view::ViewerState& s) { s.settings.diffuse = optics::DiffuseModel::eon; }));
   CHECK(changes([](view::ViewerState& s) { s.settings.masking = optics::Masking::cavity; }));
@@ -89,7 +89,7 @@ TEST_CASE("viewer state: the material choice takes every draw's place") {
   const Result<io::LoadedModel> loaded = io::loadGltfBytes(glb, "triangle.glb");
   REQUIRE(loaded);
   view::ViewerState state;
-  state.material = {true, {0.1f, 0.2f, 0.3f}, 0.75f, 0.25f, 1.5f, {}};
+  state.settings.material = {true, {0.1f, 0.2f, 0.3f}, 0.75f, 0.25f, 1.5f, {}};
   const frame::DrawList list = frame::buildDrawList(loaded->model, 0, view::drawOptions(state, -1, true));
   REQUIRE(list.opaque.size() == 1);
   const scene::Material& material = list.materials[static_cast<size_t>(list.opaque[0].material)];
@@ -126,21 +126,21 @@ TEST_CASE("screenshot: the name tells the time and overwrites nothing") {
 
 TEST_CASE("Presets: a metal brings colour and conductor, a dielectric its index, sources are told") {
   view::ViewerState state;
-  state.material.on = true;
-  state.material.perceptualRoughness = 0.25f;
-  view::choosePreset(state.material, "gold");
+  state.settings.material.on = true;
+  state.settings.material.perceptualRoughness = 0.25f;
+  view::choosePreset(state.settings.material, "gold");
   frame::DrawOptions options = view::drawOptions(state, -1, true);
   CHECK(options.material->conductor == "gold");
   CHECK(options.material->metallicFactor == 1);
   CHECK(options.material->perceptualRoughnessFactor == 0.25f);
   CHECK(options.material->baseColorFactor.r == Approx(optics::findMetal("gold")->f0().r));
-  const glm::vec3 colour = state.material.baseColor;
-  view::choosePreset(state.material, "diamond");
+  const glm::vec3 colour = state.settings.material.baseColor;
+  view::choosePreset(state.settings.material, "diamond");
   options = view::drawOptions(state, -1, true);
   CHECK(options.material->conductor.empty());
   CHECK(options.material->metallicFactor == 0);
   CHECK(options.material->ior == Approx(2.4175));
-  CHECK(state.material.baseColor == colour);
+  CHECK(state.settings.material.baseColor == colour);
   CHECK(view::presetText("gold").find("Johnson and Christy 1972") != std::string::npos);
   CHECK(view::presetText("diamond").find("2.417") != std::string::npos);
   CHECK(view::presetText("unobtainium").empty());

@@ -1,5 +1,11 @@
 #include <catch2/catch.hpp>
+#include <fstream>
+#include <iterator>
 
+#include "commands/option_text.hpp"
+#include "commands/picture_options.hpp"
+#include "io/image.hpp"
+#include "support/command.hpp"
 #include "support/gltf_builder.hpp"
 #include "support/temporary_folder.hpp"
 #include "view/viewer.hpp"
@@ -99,11 +105,71 @@ TEST_CASE("viewport: what a setting needs is fetched when it is set, a failed en
   CHECK(viewer.state.settings.environment == "none");
   CHECK(viewer.state.environments == view::builtinEnvironmentSources());
 
-  viewer.state.material.on = true;  // lit, and without the file's image
+  viewer.state.settings.material.on = true;  // lit, and without the file's image
   viewer.state.settings.environment = "builtin:white";
   viewer.settle();
   CHECK(viewer.state.shown.environment == "builtin:white");
   CHECK(viewer.viewport.environment->onGpu.tables.dfg);
   CHECK(viewer.viewport.environment->onGpu.tables.irradiance);
   CHECK(viewer.viewport.environment->onGpu.tables.background);
+}
+
+TEST_CASE("viewport: the copied command renders the picture on the screen, byte by byte", "[gl]") {
+  const test::TemporaryFolder folder;
+  const std::string file = folder.write("red triangle.glb", texturedTriangle({255, 40, 10}));
+  struct Row {
+    std::string model;  // empty: the file
+    void (*set)(view::ViewerState&);
+  };
+  const Row row = GENERATE(values<Row>({
+      {"builtin:spheres",
+       [](view::ViewerState& s) {
+         s.settings.material.on = true;
+         view::choosePreset(s.settings.material, "gold");
+         s.settings.material.perceptualRoughness = 1.0f / 3;
+         s.settings.fresnel = optics::FresnelModel::exact;
+         s.camera.theta = 12.3456789, s.camera.fovY = 33.3;
+       }},
+      {"builtin:spheres",
+       [](view::ViewerState& s) {
+         s.settings.material = {true, {0.1f, 0.2f, 0.7f}, 0.5f, 0.15f, 1.9f, {}};
+         s.settings.lights = frame::Lights::demo;
+         s.settings.background = frame::Background::color;
+         s.settings.backgroundColor = {0.123f, 1.0f / 3, 0.01f};
+         s.settings.samples = 5;
+         s.settings.environment = "builtin:sky";
+         s.settings.environmentRotationDeg = 33.3f, s.settings.environmentStrength = 0.7f;
+       }},
+      {"builtin:metals",
+       [](view::ViewerState& s) {
+         s.settings.diffuse = optics::DiffuseModel::eon, s.settings.toneMapper = frame::ToneMapper::agx;
+         s.settings.exposureStops = -0.3f, s.settings.occlusion = 0.25f;
+         s.camera.target = {0.1, -0.2, 0.3}, s.camera.phi = 77.7;
+       }},
+      {"",
+       [](view::ViewerState& s) {
+         s.camera.target = {0.3, 0.3, 0};
+         s.settings.toneMapper = frame::ToneMapper::aces;
+       }},
+  }));
+  Viewer viewer;
+  viewer.load(row.model.empty() ? file : row.model);
+  row.set(viewer.state);
+  viewer.settle();
+  viewer.converge();
+  REQUIRE(io::writePng(folder.file("window.png"), viewer.display()));
+
+  const std::string line =
+      commands::commandLine(view::commandSettings(viewer.state), viewer.state.shown.model, folder.file("command.png"));
+  INFO(line);
+  REQUIRE(line.starts_with("facet render "));
+  const test::Outcome outcome = test::runShell(commands::shellWord(test::facetPath()) + line.substr(5));
+  INFO(outcome.text);
+  REQUIRE(outcome.status == 0);
+  const auto bytes = [&](const char* name) {
+    std::ifstream stream(folder.file(name), std::ios::binary);
+    return std::vector<char>(std::istreambuf_iterator<char>(stream), {});
+  };
+  CHECK(bytes("window.png").size() > 200);
+  CHECK(bytes("command.png") == bytes("window.png"));
 }

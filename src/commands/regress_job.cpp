@@ -1,0 +1,124 @@
+#include "commands/regress_job.hpp"
+
+#include <chrono>
+#include <iostream>
+#include <string>
+
+#include "base/log.hpp"
+#include "base/whole_number.hpp"
+#include "commands/commands.hpp"
+#include "report/compare.hpp"
+
+namespace facet::commands {
+
+namespace {
+
+using report::JobResult;
+using report::JobStatus;
+
+// Without what belongs to this machine: the picture's name alone.
+std::string commandOf(const SuiteJob& job) { return commandLine(job.settings, job.model, job.name + ".png"); }
+
+struct Files {
+  std::string picture, baseline, difference;
+};
+
+Files filesOf(const SuiteJob& job) { return {job.name + ".png", job.name + ".baseline.png", job.name + ".diff.png"}; }
+
+Result<io::Pixels> render(const SuiteJob& job, frame::Session& session, JobResult& result) {
+  Notes notes;
+  Stages stages;
+  Result<frame::Picture> picture = session.render(job.model, job.settings, {.display = true}, notes, stages);
+  if (!picture) return tl::unexpected(picture.error());
+  for (const Note& note : notes)
+    if (note.severity == Note::Severity::warning) result.warnings.push_back(describe({"", note.place, note.text, {}}));
+  return std::move(picture->display);
+}
+
+Result<void> compareWithBaseline(const Suite& suite, const SuiteJob& job, const io::Pixels& display,
+                                 const std::filesystem::path& results, JobResult& result) {
+  const std::filesystem::path file = suite.baseline(job.name);
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) {
+    result.status = JobStatus::missing;
+    result.message = "there is no baseline; look at the picture and take it as such with --accept";
+    return {};
+  }
+  const Files files = filesOf(job);
+  std::filesystem::copy_file(file, results / files.baseline, std::filesystem::copy_options::overwrite_existing, error);
+  if (error) return fail(file.string(), "", "cannot be copied to " + results.string(), "check both folders");
+  result.baseline = files.baseline;
+  const Result<io::RadianceImage> before = report::readPicture(file);
+  if (!before) return tl::unexpected(before.error());
+  const io::RadianceImage after = report::linearPicture(display);
+  const Result<report::Comparison> comparison = report::compare(*before, after);
+  if (!comparison) {
+    result.status = JobStatus::differs;
+    result.message = comparison.error().problem;
+    return {};
+  }
+  for (const report::Metric& metric : report::metrics())
+    result.figures.emplace_back(metric.name, metric.value(*comparison));
+  const std::vector<std::string> passed = report::passedLimits(*comparison, job.limits);
+  result.status = passed.empty() ? JobStatus::passed : JobStatus::differs;
+  for (const std::string& phrase : passed) result.message += (result.message.empty() ? "" : ", ") + phrase;
+  if (comparison->largest == 0) return {};
+  const Result<io::Pixels> map = report::heatMap(*before, after);
+  if (!map) return tl::unexpected(map.error());
+  result.difference = files.difference;
+  return io::writePng(results / files.difference, *map);
+}
+
+Result<void> tryJob(const Suite& suite, const SuiteJob& job, const std::filesystem::path& results,
+                    frame::Session& session, JobResult& result) {
+  const Files files = filesOf(job);
+  std::error_code ignored;
+  for (const std::string& file : {files.picture, files.baseline, files.difference})
+    std::filesystem::remove(results / file, ignored);  // of an earlier run
+  const Result<io::Pixels> display = render(job, session, result);
+  if (!display) return tl::unexpected(display.error());
+  if (Result<void> written = io::writePng(results / files.picture, *display); !written) return written;
+  result.picture = files.picture;
+  return compareWithBaseline(suite, job, *display, results, result);
+}
+
+}  // namespace
+
+JobResult startedResult(const SuiteJob& job) {
+  JobResult result;
+  result.index = job.index;
+  result.name = job.name;
+  result.model = job.model;
+  result.command = commandOf(job);
+  for (const report::Limit& limit : job.limits) result.limits.emplace_back(limit.metric->name, limit.most);
+  return result;
+}
+
+JobResult runJob(const Suite& suite, const SuiteJob& job, const std::filesystem::path& results,
+                 frame::Session& session) {
+  JobResult result = startedResult(job);
+  const auto start = std::chrono::steady_clock::now();
+  if (Result<void> done = tryJob(suite, job, results, session, result); !done) {
+    result.status = JobStatus::failed;
+    result.message = describe(done.error());
+  }
+  result.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+int answerJobs(const Suite& suite, const std::filesystem::path& results, const frame::SessionOptions& options) {
+  Result<std::unique_ptr<frame::Session>> session = frame::Session::create(options);
+  if (!session) {
+    log::error(describe(session.error()));
+    return exitNoOpenGL;
+  }
+  for (std::string line; std::getline(std::cin, line);) {
+    const std::optional<int> index = wholeNumber(line);
+    if (!index || *index < 0 || *index >= static_cast<int>(suite.jobs.size())) return exitBadInput;
+    const JobResult result = runJob(suite, suite.jobs[static_cast<size_t>(*index)], results, **session);
+    std::cout << (*session)->context().renderer << '\t' << report::jobText(result) << std::endl;
+  }
+  return exitGood;
+}
+
+}  // namespace facet::commands

@@ -1,0 +1,43 @@
+#pragma once
+
+// suite.json of `facet regress`: {"defaults": {...}, "jobs": [{"name": ..., "model": ..., ...}, ...]}. A job is an
+// object of its name, its model, the options of a picture, and "tolerance": {METRIC: LIMIT, ...} (report/metrics.hpp).
+// Defaults are options and a tolerance for all jobs, which a job's own win over. Relative paths are taken below the
+// suite's folder.
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "commands/picture_options.hpp"
+#include "report/metrics.hpp"
+
+namespace facet::commands {
+
+struct SuiteJob {
+  int index = 0;     // place in the file
+  std::string name;  // of the baseline, too: letters, digits, - _ .
+  std::string model;
+  frame::PictureSettings settings;
+  report::Limits limits;
+};
+
+struct Suite {
+  std::filesystem::path folder;
+  std::string name;  // of the folder
+  std::vector<SuiteJob> jobs;
+
+  std::filesystem::path baseline(const std::string& job) const { return folder / "baselines" / (job + ".png"); }
+};
+
+// Where a suite gives no tolerance of its own. What another driver or compiler changes stays well below, and a wrong
+// term on a visible part of a picture goes well beyond (README.md).
+inline constexpr std::pair<std::string_view, double> defaultTolerance[] = {{"flip", 0.01}, {"noticeable", 0.005}};
+
+// DIR/suite.json. What the command line gives (overrides) wins over the file.
+Result<Suite> readSuite(const std::filesystem::path& folder, const PictureArguments& overrides = {});
+Result<Suite> parseSuite(std::string_view text, const std::string& name, const std::filesystem::path& folder,
+                         const PictureArguments& overrides = {});
+
+}  // namespace facet::commands

@@ -1,0 +1,28 @@
+#include "frame/material_choice.hpp"
+
+#include "optics/presets.hpp"
+
+namespace facet::frame {
+
+void choosePreset(MaterialChoice& choice, std::string_view name) {
+  choice.preset = name;
+  if (const optics::MetalPreset* metal = optics::findMetal(name)) {
+    choice.baseColor = metal->f0();
+    choice.metallic = 1;
+  } else if (const optics::DielectricPreset* dielectric = optics::findDielectric(name)) {
+    choice.ior = static_cast<float>(dielectric->ior);
+    choice.metallic = 0;
+  }
+}
+
+scene::Material overridingMaterial(const MaterialChoice& choice) {
+  scene::Material material;
+  material.baseColorFactor = glm::vec4(choice.baseColor, 1);
+  material.metallicFactor = choice.metallic;
+  material.perceptualRoughnessFactor = choice.perceptualRoughness;
+  material.ior = choice.ior;
+  if (optics::findMetal(choice.preset)) material.conductor = choice.preset;
+  return material;
+}
+
+}  // namespace facet::frame
