@@ -103,7 +103,7 @@ TEST_CASE("viewport: what a setting needs is fetched when it is set, a failed en
   viewer.state.settings.environment = "builtin:white";
   viewer.settle();
   CHECK(viewer.state.shown.environment == "builtin:white");
-  CHECK(viewer.viewport.environment->onGpu.tables.dfg);
-  CHECK(viewer.viewport.environment->onGpu.tables.irradiance);
-  CHECK(viewer.viewport.environment->onGpu.tables.background);
+  CHECK(viewer.viewport.environments.shown->onGpu.tables.dfg);
+  CHECK(viewer.viewport.environments.shown->onGpu.tables.irradiance);
+  CHECK(viewer.viewport.environments.shown->onGpu.tables.background);
 }
