@@ -36,7 +36,7 @@ TEST_CASE("environments: shown at once with coarse tables, then as facet render 
   viewer.load("builtin:spheres");
   sharpened(viewer);
   const io::Pixels studio = viewer.display();
-  CHECK(studio.data == headless("builtin:spheres", viewer.state.settings).data);
+  CHECK((studio.data == headless("builtin:spheres", viewer.state.settings).data));
 
   viewer.state.settings.environment = "builtin:sky";
   viewer.settle();
@@ -45,12 +45,12 @@ TEST_CASE("environments: shown at once with coarse tables, then as facet render 
   CHECK(view::drawViewport(viewer.viewport, viewer.state));
   CHECK(view::refinementText(viewer.state.refinement) == "the light is a preview and sharpens");
   const io::Pixels coarse = viewer.display();
-  CHECK(coarse.data != studio.data);
+  CHECK((coarse.data != studio.data));
   CHECK(sharpened(viewer) > 5);
   CHECK(view::refinementText(viewer.state.refinement).empty());
   const io::Pixels final = viewer.display();
-  CHECK(final.data != coarse.data);
-  CHECK(final.data == headless("builtin:spheres", viewer.state.settings).data);
+  CHECK((final.data != coarse.data));
+  CHECK((final.data == headless("builtin:spheres", viewer.state.settings).data));
   CHECK_FALSE(view::atWork(viewer.viewport, viewer.state));
 
   // The one before is still there: nothing to be made.
@@ -58,7 +58,7 @@ TEST_CASE("environments: shown at once with coarse tables, then as facet render 
   viewer.settle();
   CHECK_FALSE(shown(viewer).preview);
   view::drawViewport(viewer.viewport, viewer.state);
-  CHECK(viewer.display().data == studio.data);
+  CHECK((viewer.display().data == studio.data));
 }
 
 TEST_CASE("environments: another choice cancels what sharpens", "[gl]") {
@@ -82,7 +82,7 @@ TEST_CASE("environments: another choice cancels what sharpens", "[gl]") {
   viewer.settle();
   CHECK(shown(viewer).preview);
   sharpened(viewer);
-  CHECK(viewer.display().data == headless("builtin:spheres", viewer.state.settings).data);
+  CHECK((viewer.display().data == headless("builtin:spheres", viewer.state.settings).data));
 }
 
 TEST_CASE("environments: final tables are stored and come back at once", "[gl]") {
@@ -100,7 +100,7 @@ TEST_CASE("environments: final tables are stored and come back at once", "[gl]")
     CHECK_FALSE(view::atWork(viewer.viewport, viewer.state));
     view::drawViewport(viewer.viewport, viewer.state);
     if (cached)
-      CHECK(viewer.display().data == first.data);
+      CHECK((viewer.display().data == first.data));
     else
       first = viewer.display();
   }
@@ -122,7 +122,7 @@ TEST_CASE("environments: with time enough there is no preview, the picture at re
   sharpened(viewer);
   CHECK(shown(viewer).onGpu.tables.cube);
   viewer.converge();
-  CHECK(viewer.display().data == headless("builtin:spheres", viewer.state.settings).data);
+  CHECK((viewer.display().data == headless("builtin:spheres", viewer.state.settings).data));
 }
 
 TEST_CASE("environments: those that are not shown stay within a bound", "[gl]") {
