@@ -245,9 +245,16 @@ std::string chooseEnvironment(const PictureSettings& settings, const std::string
   return shaded && scene::anythingLit(model, scene) ? "builtin:studio" : "none";
 }
 
+void findSun(EnvironmentOnGpu& environment) {
+  environment.sun.reset();
+  if (environment.environment)
+    if (auto found = scene::findSun(*environment.environment)) environment.sun = found->sun;
+  environment.method.takeSunOut = environment.sun.has_value();
+}
+
 Result<void> prepareTables(EnvironmentOnGpu& environment, const ibl::Needs& needs, shading::ProgramStore& programs) {
   return ibl::prepareTables(environment.tables, environment.environment, environment.content, needs, programs,
-                            environment.cache, {.takeSunOut = environment.sun.has_value()});
+                            environment.cache, environment.method);
 }
 
 Targets createTargets(const PictureSettings& settings, const gl::ContextInfo& context, int rows) {

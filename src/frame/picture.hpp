@@ -31,10 +31,14 @@ struct SceneOnGpu {
 struct EnvironmentOnGpu {
   const scene::Environment* environment = nullptr;
   ibl::Tables tables;
-  std::optional<scene::Sun> sun = {};  // a light of its own: prepareTables leaves it out of the tables
+  std::optional<scene::Sun> sun = {};  // a light of its own, which the tables do without
+  ibl::Method method = {};             // of the tables
   ibl::TableCache cache = {};          // the default: none
   std::string content = {};            // ibl::contentKey, where it is known
 };
+
+// Looks for a sun in the environment's texels.
+void findSun(EnvironmentOnGpu& environment);
 
 // What of them is not there yet, from the cache or computed.
 Result<void> prepareTables(EnvironmentOnGpu& environment, const ibl::Needs& needs, shading::ProgramStore& programs);

@@ -50,7 +50,7 @@ Result<LoadedEnvironment*> Session::findEnvironment(const std::string& source, N
     if (!loaded) return tl::unexpected(loaded.error());
     made->environment = std::move(*loaded);
     made->onGpu.environment = &made->environment;
-    if (auto found = scene::findSun(made->environment)) made->onGpu.sun = found->sun;
+    findSun(made->onGpu);
   }
   made->onGpu.cache = tableCache_;
   entry = std::move(made);

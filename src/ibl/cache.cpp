@@ -13,50 +13,24 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-struct Entry {
-  const char* name;
-  gl::Texture Tables::*texture;
-  bool Needs::*need;
-  bool ofEnvironment;
-};
-// The background is the file's own texels: nothing to be saved.
-constexpr Entry entries[] = {{"DFG", &Tables::dfg, &Needs::dfg, false},
-                             {"sheen", &Tables::sheen, &Needs::sheen, false},
-                             {"irradiance", &Tables::irradiance, &Needs::irradiance, true},
-                             {"LD mirror layers", &Tables::mirrorLayers, &Needs::layers, true},
-                             {"LD rough layers", &Tables::roughLayers, &Needs::layers, true},
-                             {"environment cube", &Tables::cube, &Needs::cube, true}};
-
 // All of them: another value makes other tables.
 std::string methodKey(const Method& m) {
   static_assert(sizeof(Method) == 120, "a new parameter belongs into this key");
   std::ostringstream text;
-  text << std::hexfloat << static_cast<int>(m.cube) << ' ' << m.cubeTaps << ' ' << m.steepTaps << ' ' << m.steepness
-       << ' ' << m.equirectWidth << ' ' << static_cast<int>(m.ld) << ' ' << m.samples << ' ' << m.filterGain << ' '
-       << m.sumSize << ' ' << m.cutTolerance << ' ' << m.cutAcross << ' ' << m.cutByG2 << m.takeSunOut << ' '
-       << static_cast<int>(m.irradiance) << ' ' << m.irradianceSize << ' ' << m.harmonicsOrder << ' '
-       << static_cast<int>(m.dfg) << ' ' << m.dfgSize << ' ' << m.dfgRadii << ' ' << m.dfgAngles << ' ' << m.dfgSamples
-       << ' ' << m.sheenSize << ' ' << m.sheenHeights << ' ' << m.sheenAngles;
+  text << std::hexfloat;
+  for (const int choice : {int(m.cube), int(m.ld), int(m.irradiance), int(m.dfg), int(m.cutByG2), int(m.takeSunOut)})
+    text << choice << ' ';
+  for (const int number :
+       {m.cubeTaps, m.steepTaps, m.equirectWidth, m.samples, m.sumSize, m.irradianceSize, m.harmonicsOrder, m.dfgSize,
+        m.dfgRadii, m.dfgAngles, m.dfgSamples, m.sheenSize, m.sheenHeights, m.sheenAngles})
+    text << number << ' ';
+  text << m.steepness << ' ' << m.filterGain << ' ' << m.cutTolerance << ' ' << m.cutAcross;
   return text.str();
 }
 
-bool isLayer(const Entry& entry, size_t layer) {
-  return entry.texture == (layers[layer].mirror ? &Tables::mirrorLayers : &Tables::roughLayers);
-}
-// The layers of an array that are needed: 1 or 0 for each.
-std::string neededLayers(const Entry& entry, const Needs& needs) {
-  std::string text;
-  if (entry.need != &Needs::layers) return text;
-  const LayerRange range = layersFor(needs.lowestRoughness, needs.highestRoughness);
-  for (int i = range.first; i <= range.last; ++i)
-    if (isLayer(entry, static_cast<size_t>(i))) text += std::to_string(i) + " ";
-  return text;
-}
-
-std::string entryKey(const Entry& entry, const TableCache& cache, const std::string& content, const Method& method,
-                     const Needs& needs) {
-  return "facet table\n" + std::string(entry.name) + "\n" + (entry.ofEnvironment ? content : "-") + "\n" +
-         methodKey(method) + "\n" + neededLayers(entry, needs) + "\n" + cache.version;
+std::string keyOf(const Piece& piece, const TableCache& cache, const std::string& content, const Method& method) {
+  return "facet table\n" + piece.name + "\n" + (piece.ofEnvironment ? content : "-") + "\n" + methodKey(method) + "\n" +
+         cache.version;
 }
 
 // How a texture's texels are moved; bytes 0: of a format that is not stored.
@@ -79,17 +53,28 @@ Transfer transferOf(GLenum format) {
   }
 }
 
-int facesOf(const gl::TextureDescription& d) {
-  if (d.target == GL_TEXTURE_CUBE_MAP) return 6;
-  return d.target == GL_TEXTURE_CUBE_MAP_ARRAY ? 6 * d.layers : 1;
+// The part of a texture that a piece is.
+struct Region {
+  int firstLevel = 0, levels = 1;
+  int firstFace = 0, faces = 1;
+};
+Region regionOf(const Piece& piece, const gl::TextureDescription& d) {
+  if (piece.layer >= 0) {
+    const Layer& layer = layers[static_cast<size_t>(piece.layer)];
+    return {layer.level, 1, 6 * layer.cube, 6};
+  }
+  return {0, d.levels, 0, d.target == GL_TEXTURE_CUBE_MAP ? 6 : 1};
 }
-size_t levelBytes(const gl::TextureDescription& d, int level) {
-  const auto size = [&](int edge) { return static_cast<size_t>(std::max(1, edge >> level)); };
-  return size(d.width) * size(d.height) * static_cast<size_t>(facesOf(d)) * transferOf(d.format).bytes;
+
+int edge(int size, int level) { return std::max(1, size >> level); }
+
+size_t levelBytes(const gl::TextureDescription& d, const Region& region, int level) {
+  return static_cast<size_t>(edge(d.width, level)) * static_cast<size_t>(edge(d.height, level)) *
+         static_cast<size_t>(region.faces) * transferOf(d.format).bytes;
 }
-size_t texelBytes(const gl::TextureDescription& d) {
+size_t regionBytes(const gl::TextureDescription& d, const Region& region) {
   size_t sum = 0;
-  for (int level = 0; level < d.levels; ++level) sum += levelBytes(d, level);
+  for (int i = 0; i < region.levels; ++i) sum += levelBytes(d, region, region.firstLevel + i);
   return sum;
 }
 
@@ -100,77 +85,48 @@ struct StoredTexture {
   float radianceScale = 1;
 };
 
-std::vector<std::byte> pack(const gl::Texture& texture, float radianceScale) {
-  StoredTexture stored{texture.description(), 0, 0, radianceScale};
-  glGetTextureParameteriv(texture.id(), GL_TEXTURE_MIN_FILTER, &stored.minFilter);
-  glGetTextureParameteriv(texture.id(), GL_TEXTURE_MAG_FILTER, &stored.magFilter);
-  const gl::TextureDescription& d = stored.description;
-  const Transfer transfer = transferOf(d.format);
-  if (transfer.bytes == 0) return {};
-  std::vector<std::byte> bytes(sizeof stored + texelBytes(d));
-  std::memcpy(bytes.data(), &stored, sizeof stored);
-  glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
-  std::byte* at = bytes.data() + sizeof stored;
-  for (int level = 0; level < d.levels; ++level) {
-    const size_t size = levelBytes(d, level);
-    glGetTextureImage(texture.id(), level, transfer.format, transfer.type, static_cast<GLsizei>(size), at);
-    at += size;
-  }
-  return bytes;
-}
-
-// An empty texture where the bytes are none; they passed the checksum, so that they are this build's own.
-gl::Texture unpack(const std::vector<std::byte>& bytes, const char* name, float& radianceScale) {
-  StoredTexture stored;
-  if (bytes.size() < sizeof stored) return {};
-  std::memcpy(&stored, bytes.data(), sizeof stored);
-  const gl::TextureDescription& d = stored.description;
-  const Transfer transfer = transferOf(d.format);
-  if (transfer.bytes == 0 || bytes.size() != sizeof stored + texelBytes(d)) return {};
-  gl::Texture texture(d, name);
+gl::Texture created(const StoredTexture& stored, const std::string& name) {
+  gl::Texture texture(stored.description, name);
   texture.filterLinear();
   texture.parameter(GL_TEXTURE_MIN_FILTER, stored.minFilter);
   texture.parameter(GL_TEXTURE_MAG_FILTER, stored.magFilter);
-  const std::byte* at = bytes.data() + sizeof stored;
-  for (int level = 0; level < d.levels; ++level) {
-    const int width = std::max(1, d.width >> level), height = std::max(1, d.height >> level);
-    if (d.target == GL_TEXTURE_2D)
-      glTextureSubImage2D(texture.id(), level, 0, 0, width, height, transfer.format, transfer.type, at);
-    else
-      glTextureSubImage3D(texture.id(), level, 0, 0, 0, width, height, facesOf(d), transfer.format, transfer.type, at);
-    at += levelBytes(d, level);
-  }
-  radianceScale = stored.radianceScale;
   return texture;
 }
 
-bool wanted(const Entry& entry, const Tables& tables, const Needs& needs) {
-  if (entry.need == &Needs::layers && neededLayers(entry, needs).empty()) return false;
-  return needs.*entry.need && !(tables.*entry.texture);
+bool sameStorage(const gl::TextureDescription& a, const gl::TextureDescription& b) {
+  return a.target == b.target && a.format == b.format && a.width == b.width && a.height == b.height &&
+         a.layers == b.layers && a.levels == b.levels;
 }
 
-std::vector<TableStatistics> load(Tables& tables, const Needs& needs, const TableCache& cache,
-                                  const std::string& content, const Method& method) {
-  std::vector<TableStatistics> loaded;
-  for (const Entry& entry : entries) {
-    if (!wanted(entry, tables, needs)) continue;
-    const auto start = Clock::now();
-    const auto bytes = readCached(cache.disk, entryKey(entry, cache, content, method, needs));
-    if (!bytes) continue;
-    float radianceScale = 1;
-    gl::Texture texture = unpack(*bytes, entry.name, radianceScale);
-    if (!texture) continue;
-    if (entry.ofEnvironment) tables.radianceScale = radianceScale;
-    const std::chrono::duration<double, std::milli> spent = Clock::now() - start;
-    loaded.push_back({std::string(entry.name) + " (cached)", texture.bytes(), 0, spent.count()});
-    tables.*entry.texture = std::move(texture);
-    if (entry.need == &Needs::layers) {
-      const LayerRange range = layersFor(needs.lowestRoughness, needs.highestRoughness);
-      for (int i = range.first; i <= range.last; ++i)
-        if (const auto layer = static_cast<size_t>(i); isLayer(entry, layer)) tables.layersMade[layer] = true;
-    }
+void upload(const gl::Texture& texture, const Region& region, const std::byte* at) {
+  const gl::TextureDescription& d = texture.description();
+  const Transfer transfer = transferOf(d.format);
+  for (int level = region.firstLevel; level < region.firstLevel + region.levels; ++level) {
+    const int width = edge(d.width, level), height = edge(d.height, level);
+    if (d.target == GL_TEXTURE_2D)
+      glTextureSubImage2D(texture.id(), level, 0, 0, width, height, transfer.format, transfer.type, at);
+    else
+      glTextureSubImage3D(texture.id(), level, 0, 0, region.firstFace, width, height, region.faces, transfer.format,
+                          transfer.type, at);
+    at += levelBytes(d, region, level);
   }
-  return loaded;
+}
+
+// False where the bytes are none of the piece's; they passed the checksum, so that they are this build's own.
+bool unpack(const std::vector<std::byte>& bytes, const Piece& piece, Tables& tables) {
+  StoredTexture stored;
+  if (bytes.size() < sizeof stored) return false;
+  std::memcpy(&stored, bytes.data(), sizeof stored);
+  const Region region = regionOf(piece, stored.description);
+  if (transferOf(stored.description.format).bytes == 0) return false;
+  if (bytes.size() != sizeof stored + regionBytes(stored.description, region)) return false;
+  gl::Texture& texture = tables.*piece.texture;
+  if (!texture) texture = created(stored, piece.name);
+  if (!sameStorage(texture.description(), stored.description)) return false;
+  upload(texture, region, bytes.data() + sizeof stored);
+  if (piece.layer >= 0) tables.layersMade[static_cast<size_t>(piece.layer)] = true;
+  if (piece.ofEnvironment) tables.radianceScale = stored.radianceScale;
+  return true;
 }
 
 }  // namespace
@@ -188,24 +144,80 @@ std::string contentKey(const scene::Environment& environment) {
          hexText(hash[1]);
 }
 
+std::vector<Piece> missingPieces(const Tables& tables, const Needs& needs) {
+  std::vector<Piece> pieces;
+  const auto add = [&](const char* name, gl::Texture Tables::*texture, bool need, bool ofEnvironment) {
+    if (need && !(tables.*texture)) pieces.push_back({name, texture, -1, ofEnvironment});
+  };
+  add("DFG", &Tables::dfg, needs.dfg, false);
+  add("sheen", &Tables::sheen, needs.sheen, false);
+  add("irradiance", &Tables::irradiance, needs.irradiance, true);
+  add("environment cube", &Tables::cube, needs.cube, true);
+  if (!needs.layers) return pieces;
+  const LayerRange range = layersFor(needs.lowestRoughness, needs.highestRoughness);
+  for (int i = range.first; i <= range.last; ++i)
+    if (!tables.layersMade[static_cast<size_t>(i)])
+      pieces.push_back({"LD layer " + std::to_string(i),
+                        layers[static_cast<size_t>(i)].mirror ? &Tables::mirrorLayers : &Tables::roughLayers, i, true});
+  return pieces;
+}
+
+PackedPiece packPiece(const Tables& tables, const Piece& piece, const std::string& content, const TableCache& cache,
+                      const Method& method) {
+  const gl::Texture& texture = tables.*piece.texture;
+  StoredTexture stored{texture.description(), 0, 0, tables.radianceScale};
+  glGetTextureParameteriv(texture.id(), GL_TEXTURE_MIN_FILTER, &stored.minFilter);
+  glGetTextureParameteriv(texture.id(), GL_TEXTURE_MAG_FILTER, &stored.magFilter);
+  const gl::TextureDescription& d = stored.description;
+  const Transfer transfer = transferOf(d.format);
+  const Region region = regionOf(piece, d);
+  PackedPiece packed{keyOf(piece, cache, content, method), {}};
+  if (transfer.bytes == 0) return packed;
+  packed.bytes.resize(sizeof stored + regionBytes(d, region));
+  std::memcpy(packed.bytes.data(), &stored, sizeof stored);
+  glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+  std::byte* at = packed.bytes.data() + sizeof stored;
+  for (int level = region.firstLevel; level < region.firstLevel + region.levels; ++level) {
+    const size_t size = levelBytes(d, region, level);
+    glGetTextureSubImage(texture.id(), level, 0, 0, region.firstFace, edge(d.width, level), edge(d.height, level),
+                         region.faces, transfer.format, transfer.type, static_cast<GLsizei>(size), at);
+    at += size;
+  }
+  return packed;
+}
+
+void loadTables(Tables& tables, const scene::Environment* environment, std::string& content, const Needs& needs,
+                const TableCache& cache, const Method& method) {
+  tables.statistics.clear();
+  if (cache.disk.folder.empty()) return;
+  for (const Piece& piece : missingPieces(tables, needs)) {
+    if (content.empty() && piece.ofEnvironment) content = contentKey(*environment);
+    const auto start = Clock::now();
+    const auto bytes = readCached(cache.disk, keyOf(piece, cache, content, method));
+    if (!bytes || !unpack(*bytes, piece, tables)) continue;
+    const std::chrono::duration<double, std::milli> spent = Clock::now() - start;
+    const std::string name = (piece.layer >= 0 ? "LD layers" : piece.name) + " (cached)";
+    std::vector<TableStatistics>& booked = tables.statistics;
+    if (booked.empty() || booked.back().name != name) booked.push_back({name, 0, 0, 0});
+    booked.back().bytes += bytes->size() - sizeof(StoredTexture);
+    booked.back().milliseconds += spent.count();
+  }
+}
+
 Result<void> prepareTables(Tables& tables, const scene::Environment* environment, std::string& content,
                            const Needs& needs, shading::ProgramStore& programs, const TableCache& cache,
                            const Method& method) {
-  const auto isWanted = [&](const Entry& entry) { return wanted(entry, tables, needs); };
-  std::vector<const Entry*> missing;
-  std::vector<TableStatistics> loaded;
-  if (!cache.disk.folder.empty() && std::ranges::any_of(entries, isWanted)) {
-    if (content.empty() && environment) content = contentKey(*environment);
-    loaded = load(tables, needs, cache, content, method);
-    for (const Entry& entry : entries)
-      if (isWanted(entry)) missing.push_back(&entry);
-  }
+  loadTables(tables, environment, content, needs, cache, method);
+  const std::vector<TableStatistics> loaded = tables.statistics;
   if (!loaded.empty() && method.takeSunOut && environment)
     if (const std::optional<scene::FoundSun> found = scene::findSun(*environment)) tables.sun = found->sun;
+  const std::vector<Piece> missing = missingPieces(tables, needs);
   if (Result<void> r = computeTables(tables, environment, needs, programs, method); !r) return r;
-  for (const Entry* entry : missing)
-    if (const std::vector<std::byte> bytes = pack(tables.*entry->texture, tables.radianceScale); !bytes.empty())
-      writeCached(cache.disk, entryKey(*entry, cache, content, method, needs), bytes);
+  if (!cache.disk.folder.empty())
+    for (const Piece& piece : missing) {
+      const PackedPiece packed = packPiece(tables, piece, content, cache, method);
+      writeCached(cache.disk, packed.key, packed.bytes);
+    }
   tables.statistics.insert(tables.statistics.begin(), loaded.begin(), loaded.end());
   return {};
 }

@@ -11,7 +11,7 @@
 
 namespace facet::ibl {
 
-inline constexpr uintmax_t cachedTableBytes = uintmax_t{256} << 20;  // about a dozen environments
+inline constexpr uintmax_t cachedTableBytes = uintmax_t{256} << 20;  // a dozen environments
 
 struct TableCache {
   DiskCache disk;
@@ -24,8 +24,31 @@ TableCache userTableCache(const std::string& driver);
 // Names an environment's content.
 std::string contentKey(const scene::Environment& environment);
 
-// computeTables of what neither the tables nor the cache hold; what was computed goes into the cache. content: the
-// environment's contentKey, made here where it is empty. tables.statistics names what came from the cache, too.
+// What of the needed tables is not there yet and the cache holds goes into the tables; tables.statistics names it.
+// content: the environment's, made here where it is empty.
+void loadTables(Tables& tables, const scene::Environment* environment, std::string& content, const Needs& needs,
+                const TableCache& cache, const Method& method = {});
+
+// What may be kept: a table, or a layer of LD.
+struct Piece {
+  std::string name;
+  gl::Texture Tables::*texture = nullptr;
+  int layer = -1;  // of LD
+  bool ofEnvironment = false;
+};
+// What is needed and not there yet, but for the background, which is the file's own texels.
+std::vector<Piece> missingPieces(const Tables& tables, const Needs& needs);
+
+// A piece, read back from the GPU, on its way into the cache.
+struct PackedPiece {
+  std::string key;
+  std::vector<std::byte> bytes;
+};
+PackedPiece packPiece(const Tables& tables, const Piece& piece, const std::string& content, const TableCache& cache,
+                      const Method& method = {});
+
+// computeTables of what neither the tables nor the cache hold; what was computed goes into the cache.
+// tables.statistics names what came from the cache, too.
 Result<void> prepareTables(Tables& tables, const scene::Environment* environment, std::string& content,
                            const Needs& needs, shading::ProgramStore& programs, const TableCache& cache,
                            const Method& method = {});

@@ -51,7 +51,8 @@ Result<std::optional<glm::vec4>> valueAt(Viewport& viewport, const Inspection& a
   settings.samples = 1;
   settings.background = frame::Background::transparent;
   const frame::FrameInput in{
-      model, part, viewport.scene->onGpu.gpu, viewport.environment->onGpu.tables, at.view, settings, at.pixel.y & ~1};
+      model,    part,           viewport.scene->onGpu.gpu, viewport.environments.shown->onGpu.tables, at.view,
+      settings, at.pixel.y & ~1};
   if (Result<void> r = frame::preparePrograms(in, viewport.programs); !r) return tl::unexpected(r.error());
   const frame::Targets targets = frame::createValueTargets(settings.width, 2, GL_RGBA32F);
   frame::setTextureDetail(in.gpu, 1, viewport.context);

@@ -2,6 +2,7 @@
 
 #include <new>
 
+#include "ibl/cache.hpp"
 #include "io/sources.hpp"
 
 namespace facet::view {
@@ -23,14 +24,16 @@ ModelLoaded loadModel(const std::string& source, const io::Bump& bump) {
 }
 
 EnvironmentLoaded loadEnvironment(const std::string& source) {
-  EnvironmentLoaded out{source, nullptr, {}};
+  EnvironmentLoaded out{source, nullptr, {}, {}};
   if (source == "none") return out;
   try {
     Result<scene::Environment> loaded = io::loadEnvironmentSource(source, out.notes);
-    if (loaded)
+    if (loaded) {
+      out.content = ibl::contentKey(*loaded);
       out.environment = std::make_shared<const scene::Environment>(std::move(*loaded));
-    else
+    } else {
       out.environment = tl::unexpected(loaded.error());
+    }
   } catch (const std::bad_alloc&) {
     out.environment = tooLarge(source);
   }

@@ -28,6 +28,7 @@ struct EnvironmentLoaded {
   std::string source;
   Result<std::shared_ptr<const scene::Environment>> environment;  // null for "none"
   Notes notes;
+  std::string content;  // ibl::contentKey
 };
 
 struct ImagesDecoded {

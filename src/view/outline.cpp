@@ -44,8 +44,12 @@ Result<void> drawMask(Viewport& viewport, const ViewerState& state, const scene:
   frame::PictureSettings settings = state.settings;
   settings.samples = 1;
   settings.background = frame::Background::transparent;
-  const frame::FrameInput in{viewport.scene->loaded->model,      part, viewport.scene->onGpu.gpu,
-                             viewport.environment->onGpu.tables, view, settings};
+  const frame::FrameInput in{viewport.scene->loaded->model,
+                             part,
+                             viewport.scene->onGpu.gpu,
+                             viewport.environments.shown->onGpu.tables,
+                             view,
+                             settings};
   if (Result<void> r = frame::preparePrograms(in, viewport.programs); !r) return r;
   frame::Gathering gathering = frame::beginGathering(in, viewport.outline.mask);
   return frame::gatherRows(in, viewport.outline.mask, gathering, settings.height, viewport.programs);

@@ -18,8 +18,12 @@ constexpr int64_t fewestRows = 32;  // a draw's fixed costs count more in thinne
 bool wantsRefinement(const frame::PictureSettings& settings) { return settings.samples > frame::convergedAbove; }
 
 frame::FrameInput frameInput(const Viewport& viewport, const ViewerState& state, const scene::View& view) {
-  return {viewport.scene->loaded->model,      viewport.list, viewport.scene->onGpu.gpu,
-          viewport.environment->onGpu.tables, view,          state.settings};
+  return {viewport.scene->loaded->model,
+          viewport.list,
+          viewport.scene->onGpu.gpu,
+          viewport.environments.shown->onGpu.tables,
+          view,
+          state.settings};
 }
 
 void giveUp(Refinement& refinement, ViewerState& state, const Error& error) {
@@ -38,10 +42,12 @@ Result<bool> prepare(Viewport& viewport, const ViewerState& state, const scene::
     resting.imageLightSamples = frame::drawOptions(state.settings, resting.environment).features.imageLightSamples;
     frame::setFeatures(viewport.list, resting);
   }
-  EnvironmentSlot& environment = *viewport.environment;
+  EnvironmentSlot& environment = *viewport.environments.shown;
   const ibl::Needs needs = viewport.list.needs(viewport.built.skyVisible);
-  if (Result<void> computed = frame::prepareTables(environment.onGpu, needs, viewport.programs); !computed)
-    return tl::unexpected(computed.error());
+  if (Result<void> provided = provideTables(environment, needs, viewport.programs, viewport.environments.immediateMs);
+      !provided)
+    return tl::unexpected(provided.error());
+  if (environment.preview) return false;
   const Result<bool> compiled = frame::prepareNextProgram(frameInput(viewport, state, view), viewport.programs);
   if (!compiled || !*compiled) return compiled;
   if (Result<void> gather = frame::prepareGatherPrograms(viewport.programs); !gather)
@@ -151,7 +157,9 @@ void stopRefinement(Viewport& viewport, ViewerState& state) {
 }
 
 bool refining(const Viewport& viewport, const ViewerState& state) {
-  return viewport.drawn && !viewport.refinement.ended && wantsRefinement(state.settings) && !viewport.shadersBroken;
+  const bool preview = viewport.environments.shown && viewport.environments.shown->preview;
+  return viewport.drawn && !preview && !viewport.refinement.ended && wantsRefinement(state.settings) &&
+         !viewport.shadersBroken;
 }
 
 bool refine(Viewport& viewport, ViewerState& state, const scene::View& view) {

@@ -32,6 +32,7 @@ std::string presetText(std::string_view name) {
 }
 
 std::string refinementText(const RefinementStatus& status) {
+  if (status.lightPreview) return "the light is a preview and sharpens";
   if (status.wanted == 0 || status.gathered == 0) return {};
   std::string text = std::to_string(status.gathered) + " of " + std::to_string(status.wanted) + " samples";
   if (status.gathered == status.wanted) text = std::to_string(status.wanted) + " samples";

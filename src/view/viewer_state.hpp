@@ -61,8 +61,9 @@ struct RefinementStatus {
   int gathered = 0;   // of them
   int shown = 0;      // of them, on the screen; 0: the cheap picture still is
   double error = -1;  // of the picture on the screen, estimated: root mean square in 1/255; below 0: not known yet
+  bool lightPreview = false;  // the environment's tables are coarse as yet
 };
-// "37 of 256 samples, error about 1.2/255"; empty where there is nothing to say.
+// "light is a preview"; "37 of 256 samples, error about 1.2/255"; empty where there is nothing to say.
 std::string refinementText(const RefinementStatus& status);
 
 struct Turntable {

@@ -12,8 +12,6 @@ namespace facet::view {
 
 namespace {
 
-constexpr size_t keptEnvironments = 4;
-
 void say(ViewerState& state, const std::string& text) {
   state.status = {text, false};
   log::debug(text);
@@ -26,12 +24,6 @@ void complain(ViewerState& state, const Error& error) {
 
 SceneSlot* wantedScene(const Viewport& viewport) { return viewport.next ? viewport.next.get() : viewport.scene.get(); }
 
-EnvironmentSlot* findEnvironment(const Viewport& viewport, const std::string& source) {
-  for (const auto& slot : viewport.environments)
-    if (slot->source == source) return slot.get();
-  return nullptr;
-}
-
 void describeNotes(const Viewport& viewport, ShownScene& shown) {
   shown.warnings.clear();
   shown.infos.clear();
@@ -42,7 +34,7 @@ void describeNotes(const Viewport& viewport, ShownScene& shown) {
     }
   };
   add(viewport.scene->loaded->model.name, viewport.scene->notes);
-  add(viewport.environment->source, viewport.environment->notes);
+  add(viewport.environments.shown->source, viewport.environments.shown->notes);
 }
 
 void describeShown(const Viewport& viewport, ViewerState& state) {
@@ -50,7 +42,7 @@ void describeShown(const Viewport& viewport, ViewerState& state) {
   ShownScene& shown = state.shown;
   shown.content = {viewport.scene->loaded, &model};
   shown.model = viewport.scene->source;
-  shown.environment = viewport.environment->source;
+  shown.environment = viewport.environments.shown->source;
   shown.scene = viewport.built.scene;
   shown.bounds = viewport.list.bounds;
   shown.cameras.clear();
@@ -89,18 +81,10 @@ void measureMemory(const Viewport& viewport, ViewerStatistics& statistics) {
   statistics.imagesDecoded = gpu.imagesDecoded;
   statistics.textureBytes = gpu.textureBytes();
   statistics.geometryBytes = gpu.geometryBytes();
-  statistics.tableBytes = viewport.environment->onGpu.tables.bytes();
+  statistics.tableBytes = viewport.environments.shown->onGpu.tables.bytes();
   statistics.targetBytes = frame::targetBytes(viewport.targets) + frame::targetBytes(viewport.refinement.targets);
   statistics.programsCompiled = viewport.programs.statistics().compiled;
   statistics.programsFromDisk = viewport.programs.statistics().fromDisk;
-}
-
-// The environments that were shown last stay on the GPU, so that going back to one is free.
-void showEnvironment(Viewport& viewport, EnvironmentSlot* slot) {
-  viewport.environment = slot;
-  const auto found = std::ranges::find(viewport.environments, slot, [](const auto& s) { return s.get(); });
-  std::rotate(viewport.environments.begin(), found, found + 1);
-  if (viewport.environments.size() > keptEnvironments) viewport.environments.resize(keptEnvironments);
 }
 
 // Everything on the GPU that the list reads. To be sliced over several frames where it becomes long.
@@ -109,11 +93,12 @@ Result<void> putOnGpu(Viewport& viewport, SceneSlot& scene, EnvironmentSlot& env
   const scene::Model& model = scene.loaded->model;
   frame::uploadScene(scene.onGpu.gpu, model, list);
   frame::uploadImages(scene.onGpu.gpu, model, frame::textureUses(model, list), std::exchange(scene.pixels, {}));
-  ibl::Tables& tables = environment.onGpu.tables;
-  const ibl::Needs needs = list.needs(request.skyVisible);
-  if (Result<void> r = frame::prepareTables(environment.onGpu, needs, viewport.programs); !r) return r;
-  for (const ibl::TableStatistics& table : tables.statistics)
-    log::debug("table: " + table.name + ", " + std::to_string(std::lround(table.milliseconds)) + " ms");
+  ibl::Needs needs = list.needs(request.skyVisible);
+  // Made on the way to the others; at rest it is sampled.
+  needs.cube |= needs.irradiance && state.settings.samples > frame::convergedAbove;
+  if (Result<void> r = provideTables(environment, needs, viewport.programs, viewport.environments.immediateMs); !r)
+    return r;
+  const ibl::Tables& tables = environment.onGpu.tables;
   const scene::View view = scene::orbitView(state.camera, 1, list.bounds);
   return frame::preparePrograms({model, list, scene.onGpu.gpu, tables, view, state.settings}, viewport.programs);
 }
@@ -123,14 +108,14 @@ void show(Viewport& viewport, ViewerState& state, EnvironmentSlot* environment, 
   stopRefinement(viewport, state);
   const bool newScene = viewport.next != nullptr;
   const bool otherScene = newScene || viewport.built.scene != request.scene;
-  const bool otherEnvironment = viewport.environment != environment;
+  const bool otherEnvironment = viewport.environments.shown != environment;
   viewport.asked.reset();
   viewport.failed.reset();
   viewport.list = std::move(list);  // before the scene that the old list points into goes
   viewport.built = request;
   ++viewport.listNumber;
   if (newScene) viewport.scene = std::move(viewport.next);
-  showEnvironment(viewport, environment);
+  showEnvironment(viewport.environments, environment);
   describeShown(viewport, state);
   offerEnvironment(state, environment->source);
   if (otherScene) state.selection = {}, state.inspection = {};
@@ -161,7 +146,7 @@ void giveUp(Viewport& viewport, ViewerState& state, const std::optional<ListRequ
   complain(state, error);
   viewport.failed = request;
   viewport.next.reset();
-  if (viewport.environment) state.settings.environment = viewport.environment->source;
+  if (viewport.environments.shown) state.settings.environment = viewport.environments.shown->source;
   if (!viewport.scene) return;
   state.settings.scene = viewport.built.scene;
   state.settings.variant = viewport.built.variant < 0 ? "" : std::to_string(viewport.built.variant);
@@ -228,19 +213,19 @@ void takeEnvironment(Viewport& viewport, ViewerState& state, EnvironmentLoaded l
     complain(state, loaded.environment.error());
     std::erase(state.environments, loaded.source);
     if (state.settings.environment == loaded.source)
-      state.settings.environment = viewport.environment ? viewport.environment->source : "none";
+      state.settings.environment = viewport.environments.shown ? viewport.environments.shown->source : "none";
     return;
   }
-  if (findEnvironment(viewport, loaded.source)) return;
+  if (findEnvironment(viewport.environments, loaded.source)) return;
   auto slot = std::make_unique<EnvironmentSlot>();
   slot->source = loaded.source;
   slot->environment = *loaded.environment;
   slot->onGpu.environment = slot->environment.get();
-  if (slot->environment)
-    if (auto found = scene::findSun(*slot->environment)) slot->onGpu.sun = found->sun;
+  frame::findSun(slot->onGpu);
   slot->onGpu.cache = viewport.tableCache;
+  slot->onGpu.content = std::move(loaded.content);
   slot->notes = std::move(loaded.notes);
-  viewport.environments.push_back(std::move(slot));
+  viewport.environments.slots.push_back(std::move(slot));
 }
 
 void takeImages(Viewport& viewport, ViewerState& state, ImagesDecoded decoded) {
@@ -262,14 +247,14 @@ bool bringUp(Viewport& viewport, ViewerState& state, Loader& loader) {
   const Result<int> variant = frame::chooseVariant(state.settings, model);
   if (!variant) return giveUp(viewport, state, std::nullopt, variant.error()), false;
   const std::string source = frame::chooseEnvironment(state.settings, scene->source, model, *index);
-  EnvironmentSlot* environment = findEnvironment(viewport, source);
+  EnvironmentSlot* environment = findEnvironment(viewport.environments, source);
   if (!environment && !(loader.environment.running() && viewport.loadingEnvironment == source)) {
     startEnvironment(loader, source);
     viewport.loadingEnvironment = source;
   }
   ListRequest request = listRequest(state, *index, *variant, source != "none");
   if (environment) request.sun = environment->onGpu.sun;
-  const bool isShown = scene == viewport.scene.get() && environment == viewport.environment;
+  const bool isShown = scene == viewport.scene.get() && environment == viewport.environments.shown;
   if ((isShown && request == viewport.built) || request == viewport.failed) return false;
   // While an animation plays, images that it has brought to light are waited for, not asked for anew each frame.
   const bool asked = viewport.asked && differsInTimeOnly(request, *viewport.asked);
@@ -318,7 +303,7 @@ void reloadShaders(Viewport& viewport, ViewerState& state) {
   if (!view) return;
   const Result<void> compiled =
       frame::preparePrograms({viewport.scene->loaded->model, viewport.list, viewport.scene->onGpu.gpu,
-                              viewport.environment->onGpu.tables, *view, state.settings},
+                              viewport.environments.shown->onGpu.tables, *view, state.settings},
                              viewport.programs);
   viewport.shadersBroken = !compiled;
   if (!compiled) return complain(state, compiled.error());
@@ -326,7 +311,33 @@ void reloadShaders(Viewport& viewport, ViewerState& state) {
   say(state, "shaders reloaded");
 }
 
+namespace {
+
+// True where the shown tables are new.
+bool sharpenShown(Viewport& viewport, ViewerState& state) {
+  EnvironmentSlot* slot = viewport.environments.shown;
+  if (!slot) return false;
+  const Result<bool> sharper = sharpen(*slot);
+  if (!sharper) {
+    complain(state, sharper.error());
+    slot->sharpening.reset();
+    slot->toStore.clear();
+    return false;
+  }
+  if (!slot->sharpening && !slot->preview) storeTables(viewport.environments);
+  return *sharper;
+}
+
+}  // namespace
+
+bool atWork(const Viewport& viewport, const ViewerState& state) {
+  const EnvironmentSlot* slot = viewport.environments.shown;
+  const bool tables = slot && (slot->sharpening || !slot->toStore.empty() || !slot->packed.empty());
+  return tables || refining(viewport, state);
+}
+
 bool drawViewport(Viewport& viewport, ViewerState& state) {
+  if (sharpenShown(viewport, state)) ++viewport.listNumber;
   if (const std::optional<double> gpuMs = viewport.clock.poll()) state.shown.statistics.gpuMs = *gpuMs;
   const std::optional<scene::View> view = currentView(viewport, state);
   if (!view || viewport.shadersBroken) return false;
@@ -336,6 +347,7 @@ bool drawViewport(Viewport& viewport, ViewerState& state) {
   wanted.settings.variant.clear();
   if (viewport.drawn == wanted) return refine(viewport, state, *view);
   stopRefinement(viewport, state);
+  state.refinement.lightPreview = viewport.environments.shown->preview;
   const frame::PictureSettings s = movingSettings(state.settings);
   frame::Targets& targets = viewport.targets;
   if (targets.width != s.width || targets.height != s.height || targets.samples != s.samples) {
@@ -346,7 +358,7 @@ bool drawViewport(Viewport& viewport, ViewerState& state) {
   frame::setTextureDetail(viewport.scene->onGpu.gpu, 1, viewport.context);
   const scene::Model& model = viewport.scene->loaded->model;
   const frame::FrameInput input{
-      model, viewport.list, viewport.scene->onGpu.gpu, viewport.environment->onGpu.tables, *view, s};
+      model, viewport.list, viewport.scene->onGpu.gpu, viewport.environments.shown->onGpu.tables, *view, s};
   const auto start = std::chrono::steady_clock::now();
   FrameClock::Slot* slot = viewport.clock.begin();
   Result<frame::FrameStatistics> drawn = frame::drawFrame(input, targets, viewport.programs);

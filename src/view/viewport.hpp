@@ -12,6 +12,7 @@
 #include "frame/picture.hpp"
 #include "gl/context.hpp"
 #include "gl/timer.hpp"
+#include "view/environments.hpp"
 #include "view/loader.hpp"
 #include "view/outline.hpp"
 #include "view/refinement.hpp"
@@ -25,13 +26,6 @@ struct SceneSlot {
   frame::SceneOnGpu onGpu;
   Notes notes;                     // the model's and those of its images
   std::vector<io::Pixels> pixels;  // decoded, not yet on the GPU
-};
-
-struct EnvironmentSlot {
-  std::string source;
-  std::shared_ptr<const scene::Environment> environment;  // null: none
-  frame::EnvironmentOnGpu onGpu;
-  Notes notes;
 };
 
 // GPU time of frames, read when it is there; a frame that finds no free timer is not measured.
@@ -63,11 +57,10 @@ struct Viewport {
 
   gl::ContextInfo context;
   shading::ProgramStore programs;
-  ibl::TableCache tableCache;                                  // the default: none
-  std::unique_ptr<SceneSlot> scene;                            // shown
-  std::unique_ptr<SceneSlot> next;                             // read, waits for what it needs
-  std::vector<std::unique_ptr<EnvironmentSlot>> environments;  // most recently shown first
-  EnvironmentSlot* environment = nullptr;                      // shown
+  ibl::TableCache tableCache;        // the default: none
+  std::unique_ptr<SceneSlot> scene;  // shown
+  std::unique_ptr<SceneSlot> next;   // read, waits for what it needs
+  Environments environments;
   frame::DrawList list;
   ListRequest built;                  // what the list was made of
   std::optional<ListRequest> failed;  // could not be drawn; not tried again
@@ -99,5 +92,8 @@ std::optional<scene::View> currentView(const Viewport& viewport, ViewerState& st
 // Draws into the targets where anything has changed since the last time, else refines what is there. True where the
 // display picture is new.
 bool drawViewport(Viewport& viewport, ViewerState& state);
+
+// There is more to come without anybody's doing: drawViewport() is to be called again soon.
+bool atWork(const Viewport& viewport, const ViewerState& state);
 
 }  // namespace facet::view

@@ -90,7 +90,7 @@ double waitForEvents(Loop& loop, const Loader& loader, const Viewport& viewport,
   if (loop.framesToDraw > 0 || flightDirection(loop) != glm::dvec3(0))
     glfwPollEvents();
   else
-    glfwWaitEventsTimeout(refining(viewport, state)  ? stepWait
+    glfwWaitEventsTimeout(atWork(viewport, state)    ? stepWait
                           : loader.running()         ? busyWait
                           : viewport.clock.waiting() ? timerWait
                                                      : idle);

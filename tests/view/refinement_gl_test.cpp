@@ -48,7 +48,7 @@ TEST_CASE("refinement: a resting picture becomes what facet render makes, byte b
   CHECK(viewer.converge() >= 4);  // steps end at the estimates at the latest
   CHECK(viewer.state.refinement.shown == 16);
   CHECK(viewer.state.refinement.error >= 0);
-  CHECK(viewer.display().data == headless("builtin:spheres", viewer.state.settings).data);
+  CHECK((viewer.display().data == headless("builtin:spheres", viewer.state.settings).data));
   CHECK_FALSE(view::drawViewport(viewer.viewport, viewer.state));
 
   // However the work is cut: in bands of rows, too.
@@ -59,7 +59,7 @@ TEST_CASE("refinement: a resting picture becomes what facet render makes, byte b
     glFinish();
     viewer.viewport.refinement.rows = 7;
   }
-  CHECK(viewer.display().data == headless("builtin:spheres", viewer.state.settings).data);
+  CHECK((viewer.display().data == headless("builtin:spheres", viewer.state.settings).data));
 }
 
 TEST_CASE("refinement: glass, blending, an odd number of samples and a coloured background", "[gl]") {
@@ -77,7 +77,7 @@ TEST_CASE("refinement: glass, blending, an odd number of samples and a coloured 
   test::Studio studio;
   io::LoadedModel model = test::loadBuilt(glassScene());
   model.model.name = file;
-  CHECK(viewer.display().data == studio.render(model, settings).display.data);
+  CHECK((viewer.display().data == studio.render(model, settings).display.data));
 }
 
 TEST_CASE("refinement: any change starts with the cheap picture, and few samples end there", "[gl]") {
@@ -87,14 +87,14 @@ TEST_CASE("refinement: any change starts with the cheap picture, and few samples
   view::drawViewport(viewer.viewport, viewer.state);
   CHECK_FALSE(view::refining(viewer.viewport, viewer.state));
   CHECK_FALSE(viewer.viewport.refinement.targets.sum);
-  CHECK_FALSE(viewer.viewport.environment->onGpu.tables.cube);
+  CHECK_FALSE(viewer.viewport.environments.shown->onGpu.tables.cube);
   CHECK(view::refinementText(viewer.state.refinement).empty());
   const io::Pixels cheap = viewer.display();
 
   viewer.state.settings.samples = 8;
   CHECK_FALSE(view::bringUp(viewer.viewport, viewer.state, viewer.loader));
   viewer.converge();
-  CHECK(viewer.display().data != cheap.data);
+  CHECK((viewer.display().data != cheap.data));
   CHECK_THAT(view::refinementText(viewer.state.refinement), Catch::StartsWith("8 samples, error about "));
 
   const scene::OrbitCamera camera = viewer.state.camera;
@@ -103,19 +103,19 @@ TEST_CASE("refinement: any change starts with the cheap picture, and few samples
   CHECK(viewer.state.refinement.gathered == 0);
   viewer.state.camera = camera;
   CHECK(view::drawViewport(viewer.viewport, viewer.state));
-  CHECK(viewer.display().data == cheap.data);
+  CHECK((viewer.display().data == cheap.data));
   viewer.state.settings.samples = 4;
   CHECK(view::drawViewport(viewer.viewport, viewer.state));
-  CHECK(viewer.display().data == cheap.data);
+  CHECK((viewer.display().data == cheap.data));
   CHECK_FALSE(viewer.viewport.refinement.targets.sum);
 }
 
-// The true error is that against 1024 samples, which are off by less than a fourth of what 64 are. Beside noise it
-// holds the rounding to 8 bit, up to 0.29 each.
-TEST_CASE("refinement: the estimated error bounds the true one and follows it", "[gl]") {
+// The true error is that against 512 samples. The ratio of the estimate to it was 0.9 to 1.35 (8, 16, 64 samples): draws
+// that are spread evenly agree faster than two halves of them do.
+TEST_CASE("refinement: the estimated error follows the true one", "[gl]") {
   Viewer viewer;
   viewer.load("builtin:poster");
-  viewer.state.settings.samples = 1024;
+  viewer.state.settings.samples = 512;
   const io::Pixels truth = headless("builtin:poster", viewer.state.settings);
   for (const int samples : {8, 16, 64}) {
     viewer.state.settings.samples = samples;

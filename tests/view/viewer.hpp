@@ -21,6 +21,7 @@ struct Viewer {
     state.settings.samples = 1;
     state.environments = view::builtinEnvironmentSources();
     viewport.refinement.restDelay = {};
+    viewport.environments.immediateMs = 1e9;  // no previews
   }
 
   // Until nothing is under way.
@@ -44,11 +45,11 @@ struct Viewer {
   int converge() {
     view::drawViewport(viewport, state);
     int turns = 0;
-    for (; view::refining(viewport, state) && turns < 100'000; ++turns) {
+    for (; view::atWork(viewport, state) && turns < 100'000; ++turns) {
       view::drawViewport(viewport, state);
-      if (viewport.refinement.pending) glFinish();
+      glFinish();
     }
-    REQUIRE_FALSE(view::refining(viewport, state));
+    REQUIRE_FALSE(view::atWork(viewport, state));
     return turns;
   }
   // The channel of a pixel in the middle of the picture, 8 bit.

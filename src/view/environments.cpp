@@ -1,0 +1,159 @@
+#include "view/environments.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include "base/log.hpp"
+
+namespace facet::view {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double stepMs = 25;  // GPU time of the steps between two frames
+
+// Coarse tables: wide filters and few samples.
+constexpr ibl::Method previewMethod{.cube = ibl::CubeMethod::oneTap,
+                                    .equirectWidth = 256,
+                                    .ld = ibl::LdMethod::filtered,
+                                    .samples = 4,
+                                    .sumSize = 8,
+                                    .irradianceSize = 8};
+
+bool covers(const ibl::Needs& have, const ibl::Needs& wanted) {
+  return have.irradiance >= wanted.irradiance && have.layers >= wanted.layers && have.cube >= wanted.cube &&
+         have.lowestRoughness <= wanted.lowestRoughness && have.highestRoughness >= wanted.highestRoughness;
+}
+
+void logTables(const ibl::Tables& tables) {
+  for (const ibl::TableStatistics& table : tables.statistics)
+    log::debug("table: " + table.name + ", " + std::to_string(std::lround(table.milliseconds)) + " ms");
+}
+
+// Steps, waiting for each, until the time is over.
+Result<void> runFor(ibl::Precompute& work, double ms) {
+  const auto start = Clock::now();
+  while (!work.done() && std::chrono::duration<double, std::milli>(Clock::now() - start).count() < ms) {
+    if (Result<void> r = ibl::runStep(work); !r) return r;
+    glFinish();
+  }
+  return {};
+}
+
+}  // namespace
+
+size_t EnvironmentSlot::bytes() const {
+  const size_t texels = environment ? environment->radiance.size() * sizeof(glm::vec3) : 0;
+  return texels + onGpu.tables.bytes();
+}
+
+Result<void> provideTables(EnvironmentSlot& slot, const ibl::Needs& needs, shading::ProgramStore& programs,
+                           double immediateMs) {
+  ibl::Tables& tables = slot.onGpu.tables;
+  // What does not depend on the environment is cheap, and the background is not to be uploaded twice.
+  const ibl::Needs cheap{.dfg = needs.dfg, .sheen = needs.sheen, .background = needs.background};
+  if (Result<void> r = frame::prepareTables(slot.onGpu, cheap, programs); !r) return r;
+  logTables(tables);
+  if (slot.preview && covers(slot.sharpening->needs, needs)) return {};
+  if (slot.preview) cancelSharpening(slot);
+  ibl::loadTables(tables, slot.onGpu.environment, slot.onGpu.content, needs, slot.onGpu.cache, slot.onGpu.method);
+  logTables(tables);
+  const std::vector<ibl::Piece> missing = ibl::missingPieces(tables, needs);
+  if (missing.empty()) return {};
+  ibl::Precompute work = ibl::planTables(tables, slot.onGpu.environment, needs, programs, slot.onGpu.method);
+  slot.toStore.insert(slot.toStore.end(), missing.begin(), missing.end());
+  if (Result<void> r = runFor(work, immediateMs); !r) return r;
+  if (work.done()) return ibl::finish(std::move(work), tables), Result<void>();
+  ibl::Method preview = previewMethod;
+  preview.takeSunOut = slot.onGpu.method.takeSunOut;
+  if (Result<void> r = ibl::computeTables(tables, slot.onGpu.environment, needs, programs, preview); !r) return r;
+  logTables(tables);
+  slot.sharpening = Sharpening{std::move(work), needs, gl::Timer::create()};
+  slot.preview = true;
+  return {};
+}
+
+Result<bool> sharpen(EnvironmentSlot& slot) {
+  if (!slot.sharpening) return false;
+  Sharpening& s = *slot.sharpening;
+  if (s.pending) {
+    if (!s.timer.ready()) return false;
+    s.pending = false;
+    s.msPerFetch =
+        std::max(s.timer.milliseconds(), s.issueMs) / static_cast<double>(std::max<uint64_t>(1, s.issuedFetches));
+  }
+  if (s.work.done()) {
+    ibl::finish(std::move(s.work), slot.onGpu.tables);
+    slot.sharpening.reset();
+    slot.preview = false;
+    log::debug("tables sharpened: " + slot.source);
+    return true;
+  }
+  const auto start = Clock::now();
+  s.timer.begin();
+  s.issuedFetches = 0;
+  Result<void> done;
+  do {  // one where their cost is not known yet
+    s.issuedFetches += s.work.steps[s.work.next].fetches;
+    done = ibl::runStep(s.work);
+  } while (done && !s.work.done() && s.msPerFetch > 0 &&
+           static_cast<double>(s.issuedFetches + s.work.steps[s.work.next].fetches) * s.msPerFetch < stepMs);
+  s.timer.end();
+  glFlush();
+  s.pending = true;
+  s.issueMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  if (!done) return tl::unexpected(done.error());
+  return false;
+}
+
+void cancelSharpening(EnvironmentSlot& slot) {
+  slot.sharpening.reset();
+  slot.toStore.clear();
+  slot.packed.clear();
+  if (!slot.preview) return;
+  slot.preview = false;
+  ibl::Tables& tables = slot.onGpu.tables;
+  for (gl::Texture* texture : {&tables.irradiance, &tables.mirrorLayers, &tables.roughLayers, &tables.cube})
+    *texture = {};
+  tables.layersMade = {};
+}
+
+EnvironmentSlot* findEnvironment(const Environments& environments, const std::string& source) {
+  for (const auto& slot : environments.slots)
+    if (slot->source == source) return slot.get();
+  return nullptr;
+}
+
+void showEnvironment(Environments& environments, EnvironmentSlot* slot) {
+  if (environments.shown && environments.shown != slot) cancelSharpening(*environments.shown);
+  environments.shown = slot;
+  auto& slots = environments.slots;
+  const auto found = std::ranges::find(slots, slot, [](const auto& s) { return s.get(); });
+  std::rotate(slots.begin(), found, found + 1);
+  size_t kept = 0;
+  std::erase_if(slots, [&](const auto& s) { return s.get() != slot && (kept += s->bytes()) > keptBytes; });
+}
+
+bool storeTables(Environments& environments) {
+  EnvironmentSlot* slot = environments.shown;
+  if (!slot || slot->sharpening || (slot->toStore.empty() && slot->packed.empty())) return false;
+  if (slot->onGpu.cache.disk.folder.empty()) return slot->toStore.clear(), false;
+  if (!slot->toStore.empty()) {
+    slot->packed.push_back(ibl::packPiece(slot->onGpu.tables, slot->toStore.back(), slot->onGpu.content,
+                                          slot->onGpu.cache, slot->onGpu.method));
+    slot->toStore.pop_back();
+    return true;
+  }
+  const bool busy = environments.storing.valid() &&
+                    environments.storing.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
+  if (busy) return true;
+  environments.storing =
+      std::async(std::launch::async, [disk = slot->onGpu.cache.disk, packed = std::move(slot->packed)] {
+        for (const ibl::PackedPiece& piece : packed) writeCached(disk, piece.key, piece.bytes);
+      });
+  slot->packed.clear();
+  return false;
+}
+
+}  // namespace facet::view
