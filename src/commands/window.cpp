@@ -1,6 +1,7 @@
 #include "view/window.hpp"
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
 
 #include "base/log.hpp"
@@ -13,9 +14,26 @@ namespace {
 
 struct WindowArguments {
   PictureArguments picture;
-  std::string model;
+  std::vector<std::string> sources;
   bool noCache = false, glDebug = false;
 };
+
+// One model at most, any number of folders.
+Result<void> sortSources(const std::vector<std::string>& sources, view::WindowOptions& options) {
+  bool named = false;
+  std::error_code ignored;
+  for (const std::string& source : sources) {
+    if (std::filesystem::is_directory(source, ignored)) {
+      options.folders.push_back(source);
+    } else if (named) {
+      return fail(source, "", "is the second model", "name one model, and folders to browse");
+    } else {
+      options.model = source;
+      named = true;
+    }
+  }
+  return {};
+}
 
 int runViewer(const WindowArguments& arguments) {
   view::WindowOptions options;
@@ -23,7 +41,7 @@ int runViewer(const WindowArguments& arguments) {
   options.settings.height = 800;
   options.settings.samples = 256;  // a resting picture converges
   if (Result<void> r = apply(arguments.picture, options.settings); !r) return badInput(r.error());
-  if (!arguments.model.empty()) options.model = arguments.model;
+  if (Result<void> r = sortSources(arguments.sources, options); !r) return badInput(r.error());
   options.diskCache = !arguments.noCache;
   options.glDebug = arguments.glDebug;
   Result<view::Start> start = view::prepareStart(options);
@@ -39,9 +57,11 @@ int runViewer(const WindowArguments& arguments) {
 
 std::function<int()> addWindow(CLI::App& app) {
   auto arguments = std::make_shared<WindowArguments>();
-  app.add_option("model", arguments->model, "a .gltf or .glb file, or builtin:NAME (builtin:poster)")
-      ->type_name("MODEL");
-  app.add_flag("--no-cache", arguments->noCache, "neither read nor write the caches of compiled shaders and of light tables");
+  app.add_option("model", arguments->sources,
+                 "a .gltf or .glb file, or builtin:NAME (builtin:poster); folders are browsed")
+      ->type_name("MODEL|FOLDER");
+  app.add_flag("--no-cache", arguments->noCache,
+               "neither read nor write the caches of compiled shaders and of light tables");
   app.add_flag("--gl-debug", arguments->glDebug, "log OpenGL's debug messages");
   addPictureOptions(app, arguments->picture);
   return [arguments] { return runViewer(*arguments); };

@@ -277,14 +277,18 @@ bool isOnGpu(const scene::Model& model, const DrawList& part, const GpuScene& gp
   });
 }
 
-void uploadScene(GpuScene& gpu, const scene::Model& model, const DrawList& list) {
+bool uploadScene(GpuScene& gpu, const scene::Model& model, const DrawList& list, const KeepGoing& keepGoing) {
+  bool whole = true;
   forEachDraw(list, [&](const Draw& draw) {
     const auto found = gpu.primitives.find(draw.primitive);
-    if (found == gpu.primitives.end())
-      gpu.primitives.emplace(draw.primitive, uploadPrimitive(*draw.primitive, draw.key));
-    else if ((shading::attributeBits(draw.key) & ~found->second.attributes) != 0)
-      found->second = uploadPrimitive(*draw.primitive, {found->second.attributes | draw.key.features, 0, 0});
+    const uint64_t held = found == gpu.primitives.end() ? 0 : found->second.attributes;
+    if (found != gpu.primitives.end() && (shading::attributeBits(draw.key) & ~held) == 0) return;
+    whole = whole && (!keepGoing || keepGoing());
+    if (whole)
+      gpu.primitives.insert_or_assign(draw.primitive,
+                                      uploadPrimitive(*draw.primitive, {held | draw.key.features, 0, 0}));
   });
+  if (!whole) return false;
   if (!gpu.placeholder)
     gpu.placeholder = uploadTexture(io::placeholderImage(), {.image = -1, .srgb = true, .channels = 0b0111}, true);
   for (const scene::Texture& texture : model.textures)
@@ -295,19 +299,22 @@ void uploadScene(GpuScene& gpu, const scene::Model& model, const DrawList& list)
   if (!list.joints.empty()) gpu.joints = gl::Buffer::of(list.joints, "joints");
   if (!list.morphWeights.empty()) gpu.morphWeights = gl::Buffer::of(list.morphWeights, "morph weights");
   gpu.lights = gl::Buffer::of(list.lights, "lights");
+  return true;
 }
 
-void uploadImages(GpuScene& gpu, const scene::Model& model, const std::vector<TextureUse>& uses,
-                  std::vector<io::Pixels> pixels) {
+bool uploadImages(GpuScene& gpu, const scene::Model& model, const std::vector<TextureUse>& uses,
+                  std::vector<io::Pixels>& pixels, const KeepGoing& keepGoing) {
   const auto byImage = [](const TextureUse& use) { return use.image; };
   for (size_t image = 0; image < pixels.size(); ++image) {
     if (pixels[image].width == 0) continue;
+    if (keepGoing && !keepGoing()) return false;
     ++gpu.imagesDecoded;
     for (const TextureUse& use : std::ranges::equal_range(uses, static_cast<int>(image), {}, byImage))
       if (!findTexture(gpu, use))
         gpu.textures.emplace(use, uploadTexture(pixels[image], use, needsMips(model, use.image)));
     pixels[image] = {};
   }
+  return true;
 }
 
 void setTextureDetail(const GpuScene& gpu, int draws, const gl::ContextInfo& context) {

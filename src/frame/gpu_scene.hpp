@@ -4,6 +4,7 @@
 // read is neither decoded nor uploaded.
 
 #include <array>
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -57,13 +58,17 @@ std::vector<bool> missingImages(const scene::Model& model, const DrawList& list,
 // Images and vertex attributes of a part (partOf) are there already.
 bool isOnGpu(const scene::Model& model, const DrawList& part, const GpuScene& gpu);
 
-// Geometry that is missing, samplers, and all of the list's materials, instances, joints and lights.
-void uploadScene(GpuScene& gpu, const scene::Model& model, const DrawList& list);
+// Asked before each object: false leaves the rest to the next call. Empty: all at once.
+using KeepGoing = std::function<bool()>;
+
+// Geometry that is missing, samplers, and all of the list's materials, instances, joints and lights. True where all of
+// it is there.
+bool uploadScene(GpuScene& gpu, const scene::Model& model, const DrawList& list, const KeepGoing& keepGoing = {});
 
 // Pixels as io::decodeImages returned them for missingImages, or for some of those (moved from, so that each image's
-// memory is freed as soon as it is on the GPU). uses: textureUses of the list.
-void uploadImages(GpuScene& gpu, const scene::Model& model, const std::vector<TextureUse>& uses,
-                  std::vector<io::Pixels> pixels);
+// memory is freed as soon as it is on the GPU). uses: textureUses of the list. True where all of them are there.
+bool uploadImages(GpuScene& gpu, const scene::Model& model, const std::vector<TextureUse>& uses,
+                  std::vector<io::Pixels>& pixels, const KeepGoing& keepGoing = {});
 
 // Where a pixel gathers several draws, textures are read at the size of one draw's share of it; the gathering then
 // filters along the footprint, so that anisotropic filtering is left out.

@@ -279,7 +279,7 @@ void decodeAndUpload(GpuScene& gpu, const scene::Model& model, const DrawList& l
       if (missing[image]) some[image] = true, ++count;
     std::vector<io::Pixels> pixels = io::decodeImages(model, some, notes);
     stages.mark("decode");
-    uploadImages(gpu, model, uses, std::move(pixels));
+    uploadImages(gpu, model, uses, pixels);
     stages.mark("upload");
   }
 }

@@ -4,7 +4,6 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "view/camera_control.hpp"
 #include "view/playback.hpp"
@@ -28,7 +27,9 @@ void moveCamera(const Input& input, const Flight& flight, double windowHeight, V
 
 // What is open or chosen first; the program last.
 void takeEscape(ViewerState& state, Actions& actions) {
-  if (state.helpVisible)
+  if (!state.loading.empty())
+    actions.cancel = true;
+  else if (state.helpVisible)
     state.helpVisible = false;
   else if (state.selection.node >= 0 || state.selection.material >= 0)
     state.selection = {}, state.inspection = {};
@@ -75,7 +76,10 @@ void takeKey(const KeyPress& press, const std::optional<scene::View>& view, View
       state.helpVisible = !state.helpVisible;
       break;
     case GLFW_KEY_SLASH:
-      if (press.shift) state.helpVisible = !state.helpVisible;
+      if (press.shift)
+        state.helpVisible = !state.helpVisible;
+      else
+        state.browserVisible = state.panelVisible = state.searchAsked = true;
       break;
     case GLFW_KEY_R:
       state.settings.camera.clear();
@@ -124,9 +128,14 @@ void takeFile(const std::string& path, ViewerState& state, Actions& actions) {
     state.status = {describe(kind.error()), true};
   } else if (*kind == FileKind::model) {
     actions.model = path;
-  } else {
+  } else if (*kind == FileKind::environment) {
     offerEnvironment(state, path);
     state.settings.environment = path;
+  } else if (*kind == FileKind::folder) {
+    actions.folders.push_back(path);
+    state.browserVisible = state.panelVisible = true;
+  } else {
+    state.status = {describe({path, "", "measured BRDFs cannot be shown yet", ""}), true};
   }
 }
 
@@ -146,22 +155,15 @@ const std::vector<Shortcut> shortcuts = {
     {"Scene", "left click", "select a node, read its values there"},
     {"Scene", "E", "next built-in environment"},
     {"Scene", "Space", "play, pause"},
-    {"Scene", "drop a file", ".glb .gltf .hdr .exr"},
+    {"Scene", "drop", ".glb .gltf .hdr .exr, a folder"},
     {"Window", "H, Tab", "hide or show all panels"},
     {"Window", "B, N, T", "browser, settings, timeline"},
+    {"Window", "/", "search in the browser"},
     {"Window", "P, F12", "screenshot"},
     {"Window", "F1, ?", "this help"},
-    {"Window", "Esc", "close the help, deselect, quit"},
+    {"Window", "Esc", "cancel loading, close the help, deselect, quit"},
     {"Window", "Ctrl+Q", "quit"},
 };
-
-Result<FileKind> fileKind(std::string_view path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::ranges::transform(extension, extension.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
-  if (extension == ".gltf" || extension == ".glb") return FileKind::model;
-  if (extension == ".hdr" || extension == ".exr") return FileKind::environment;
-  return fail(std::string(path), "", "neither a model nor an environment", "drop a .gltf or .glb, or a .hdr or .exr");
-}
 
 Actions control(const Input& input, const Flight& flight, const std::optional<scene::View>& view, double windowHeight,
                 ViewerState& state) {

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "scene/camera.hpp"
+#include "view/file_kind.hpp"
 #include "view/input.hpp"
 #include "view/viewer_state.hpp"
 
@@ -16,7 +17,9 @@ namespace facet::view {
 
 struct Actions {
   bool screenshot = false, quit = false, frameSelection = false;
-  std::string model;  // to be loaded
+  bool cancel = false;               // what is being loaded
+  std::string model;                 // to be loaded
+  std::vector<std::string> folders;  // to be listed
 };
 
 // Seconds of flight in the camera's directions: how long the keys were held since the last frame.
@@ -37,9 +40,5 @@ extern const std::vector<Shortcut> shortcuts;
 // file; windowHeight in the unit of the cursor.
 Actions control(const Input& input, const Flight& flight, const std::optional<scene::View>& view, double windowHeight,
                 ViewerState& state);
-
-enum class FileKind { model, environment };
-// By the name's ending: .gltf and .glb are models, .hdr and .exr environments.
-Result<FileKind> fileKind(std::string_view path);
 
 }  // namespace facet::view

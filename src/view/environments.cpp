@@ -121,7 +121,7 @@ void cancelSharpening(EnvironmentSlot& slot) {
 
 EnvironmentSlot* findEnvironment(const Environments& environments, const std::string& source) {
   for (const auto& slot : environments.slots)
-    if (slot->source == source) return slot.get();
+    if (slot->source == source && !slot->stale) return slot.get();
   return nullptr;
 }
 
@@ -132,6 +132,7 @@ void showEnvironment(Environments& environments, EnvironmentSlot* slot) {
   const auto found = std::ranges::find(slots, slot, [](const auto& s) { return s.get(); });
   std::rotate(slots.begin(), found, found + 1);
   size_t kept = 0;
+  std::erase_if(slots, [&](const auto& s) { return s->stale && s.get() != slot; });
   std::erase_if(slots, [&](const auto& s) { return s.get() != slot && (kept += s->bytes()) > keptBytes; });
 }
 

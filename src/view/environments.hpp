@@ -27,6 +27,7 @@ struct Sharpening {
 
 struct EnvironmentSlot {
   std::string source;
+  bool stale = false;                                     // its file has been read again since
   std::shared_ptr<const scene::Environment> environment;  // null: none
   frame::EnvironmentOnGpu onGpu;
   bool preview = false;  // what of the tables depends on the environment is coarse

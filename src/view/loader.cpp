@@ -3,6 +3,7 @@
 #include <new>
 
 #include "ibl/cache.hpp"
+#include "io/referenced_files.hpp"
 #include "io/sources.hpp"
 
 namespace facet::view {
@@ -13,18 +14,27 @@ tl::unexpected<Error> tooLarge(const std::string& source) {
   return fail(source, "", "the memory does not suffice", "give a smaller input");
 }
 
-ModelLoaded loadModel(const std::string& source, const io::Bump& bump) {
+std::vector<std::filesystem::path> filesOf(const std::string& source) {
+  if (source.starts_with("builtin:")) return {};
+  std::vector<std::filesystem::path> files = {source};
+  if (!source.ends_with(".gltf")) return files;
+  for (std::filesystem::path& file : io::referencedFiles(source)) files.push_back(std::move(file));
+  return files;
+}
+
+ModelLoaded loadModel(const std::string& source, const io::Bump& bump, bool again) {
   try {
+    FileWatch watch = watchFiles(filesOf(source), std::chrono::steady_clock::now());
     Result<io::LoadedModel> loaded = io::loadModel(source, {}, bump);
-    if (!loaded) return {source, tl::unexpected(loaded.error())};
-    return {source, std::make_shared<const io::LoadedModel>(std::move(*loaded))};
+    if (!loaded) return {source, again, tl::unexpected(loaded.error())};
+    return {source, again, std::make_shared<const io::LoadedModel>(std::move(*loaded)), std::move(watch)};
   } catch (const std::bad_alloc&) {
-    return {source, tooLarge(source)};
+    return {source, again, tooLarge(source)};
   }
 }
 
-EnvironmentLoaded loadEnvironment(const std::string& source) {
-  EnvironmentLoaded out{source, nullptr, {}, {}};
+EnvironmentLoaded loadEnvironment(const std::string& source, bool again) {
+  EnvironmentLoaded out{source, again, nullptr, {}, {}};
   if (source == "none") return out;
   try {
     Result<scene::Environment> loaded = io::loadEnvironmentSource(source, out.notes);
@@ -52,12 +62,12 @@ ImagesDecoded decodeImages(const std::shared_ptr<const io::LoadedModel>& model, 
 
 }  // namespace
 
-void startModel(Loader& loader, const std::string& source, const io::Bump& bump) {
-  loader.model.start([source, bump] { return loadModel(source, bump); });
+void startModel(Loader& loader, const std::string& source, const io::Bump& bump, bool again) {
+  loader.model.start([source, bump, again] { return loadModel(source, bump, again); });
 }
 
-void startEnvironment(Loader& loader, const std::string& source) {
-  loader.environment.start([source] { return loadEnvironment(source); });
+void startEnvironment(Loader& loader, const std::string& source, bool again) {
+  loader.environment.start([source, again] { return loadEnvironment(source, again); });
 }
 
 void startImages(Loader& loader, std::shared_ptr<const io::LoadedModel> model, std::vector<bool> wanted) {

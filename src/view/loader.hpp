@@ -16,16 +16,20 @@
 #include "io/gltf.hpp"
 #include "io/image.hpp"
 #include "scene/environment.hpp"
+#include "view/file_watch.hpp"
 
 namespace facet::view {
 
 struct ModelLoaded {
   std::string source;
+  bool again = false;  // it is shown already and its file has changed
   Result<std::shared_ptr<const io::LoadedModel>> model;
+  FileWatch watch = {};  // of all that it consists of, as it was before it was read; none for built-in scenes
 };
 
 struct EnvironmentLoaded {
   std::string source;
+  bool again = false;
   Result<std::shared_ptr<const scene::Environment>> environment;  // null for "none"
   Notes notes;
   std::string content;  // ibl::contentKey
@@ -47,6 +51,10 @@ class Latest {
     std::erase_if(superseded_, isReady);  // those still running are waited for at the end of the program
   }
   bool running() const { return current_.valid(); }
+  // Nobody waits for it any more.
+  void forget() {
+    if (current_.valid()) superseded_.push_back(std::move(current_));
+  }
   // The newest task's result, once, as soon as it is there; wait: waits for it.
   std::optional<T> take(bool wait = false) {
     if (!current_.valid() || !(wait || isReady(current_))) return std::nullopt;
@@ -69,8 +77,8 @@ struct Loader {
   bool running() const { return model.running() || environment.running() || images.running(); }
 };
 
-void startModel(Loader& loader, const std::string& source, const io::Bump& bump = {});
-void startEnvironment(Loader& loader, const std::string& source);
+void startModel(Loader& loader, const std::string& source, const io::Bump& bump = {}, bool again = false);
+void startEnvironment(Loader& loader, const std::string& source, bool again = false);
 void startImages(Loader& loader, std::shared_ptr<const io::LoadedModel> model, std::vector<bool> wanted);
 
 }  // namespace facet::view

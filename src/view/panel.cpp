@@ -258,7 +258,7 @@ void statusLine(const ViewerState& state, PanelResult& result) {
   if (ImGui::Begin("status", nullptr, fixedWindow | ImGuiWindowFlags_NoScrollbar)) {
     if (loading) {
       const int dots = static_cast<int>(ImGui::GetTime() * 3) % 4;
-      ImGui::Text("loading %s %.*s", shortName(state.loading).c_str(), dots, "...");
+      ImGui::Text("loading %s (Esc cancels) %.*s", shortName(state.loading).c_str(), dots, "...");
     } else {
       if (state.status.isError) ImGui::PushStyleColor(ImGuiCol_Text, errorColor);
       ImGui::TextUnformatted(state.status.text.c_str());

@@ -133,6 +133,7 @@ struct ViewerState {
   std::string loading;  // what is being loaded; empty: nothing
   std::string openGL;   // version and renderer
   bool helpVisible = false;
+  bool searchAsked = false;  // the browser's search is to take the keyboard
   bool panelVisible = true;  // the panels that are chosen to be shown; one key hides all
   bool browserVisible = true, settingsVisible = true, timelineVisible = true;
 };

@@ -87,28 +87,35 @@ void measureMemory(const Viewport& viewport, ViewerStatistics& statistics) {
   statistics.programsFromDisk = viewport.programs.statistics().fromDisk;
 }
 
-// Everything on the GPU that the list reads. To be sliced over several frames where it becomes long.
-Result<void> putOnGpu(Viewport& viewport, SceneSlot& scene, EnvironmentSlot& environment, const frame::DrawList& list,
+// Everything on the GPU that the list reads, a slice of it a turn. True where all of it is there.
+Result<bool> putOnGpu(Viewport& viewport, SceneSlot& scene, EnvironmentSlot& environment, const frame::DrawList& list,
                       const ListRequest& request, const ViewerState& state) {
   const scene::Model& model = scene.loaded->model;
-  frame::uploadScene(scene.onGpu.gpu, model, list);
-  frame::uploadImages(scene.onGpu.gpu, model, frame::textureUses(model, list), std::exchange(scene.pixels, {}));
+  const auto end = std::chrono::steady_clock::now() + viewport.slice;
+  const frame::KeepGoing keepGoing = [&, first = true]() mutable {
+    return std::exchange(first, false) || std::chrono::steady_clock::now() < end;
+  };
+  if (!frame::uploadScene(scene.onGpu.gpu, model, list, keepGoing)) return false;
+  if (!frame::uploadImages(scene.onGpu.gpu, model, frame::textureUses(model, list), scene.pixels, keepGoing))
+    return false;
+  scene.pixels.clear();
   ibl::Needs needs = list.needs(request.skyVisible);
   // Made on the way to the others; at rest it is sampled.
   needs.cube |= needs.irradiance && state.settings.samples > frame::convergedAbove;
   if (Result<void> r = provideTables(environment, needs, viewport.programs, viewport.environments.immediateMs); !r)
-    return r;
+    return tl::unexpected(r.error());
   const ibl::Tables& tables = environment.onGpu.tables;
   const scene::View view = scene::orbitView(state.camera, 1, list.bounds);
-  return frame::preparePrograms({model, list, scene.onGpu.gpu, tables, view, state.settings}, viewport.programs);
+  return frame::prepareNextProgram({model, list, scene.onGpu.gpu, tables, view, state.settings}, viewport.programs);
 }
 
 void show(Viewport& viewport, ViewerState& state, EnvironmentSlot* environment, frame::DrawList list,
           const ListRequest& request) {
   stopRefinement(viewport, state);
-  const bool newScene = viewport.next != nullptr;
-  const bool otherScene = newScene || viewport.built.scene != request.scene;
+  const bool newScene = viewport.next != nullptr, again = newScene && viewport.next->again;
+  const bool otherScene = (newScene && !again) || viewport.built.scene != request.scene;
   const bool otherEnvironment = viewport.environments.shown != environment;
+  const bool sameSource = viewport.environments.shown && viewport.environments.shown->source == environment->source;
   viewport.asked.reset();
   viewport.failed.reset();
   viewport.list = std::move(list);  // before the scene that the old list points into goes
@@ -118,7 +125,7 @@ void show(Viewport& viewport, ViewerState& state, EnvironmentSlot* environment, 
   showEnvironment(viewport.environments, environment);
   describeShown(viewport, state);
   offerEnvironment(state, environment->source);
-  if (otherScene) state.selection = {}, state.inspection = {};
+  if (otherScene || newScene) state.selection = {}, state.inspection = {};
   if (otherScene && state.settings.camera.empty()) {
     const scene::Bounds framing =
         frame::framingBounds(state.settings, viewport.scene->loaded->model, request.scene, state.shown.bounds);
@@ -131,25 +138,37 @@ void show(Viewport& viewport, ViewerState& state, EnvironmentSlot* environment, 
                                            static_cast<double>(state.settings.width) / state.settings.height);
     state.camera = state.startCamera;
   }
-  if (otherEnvironment) say(state, "environment: " + environment->source);
+  if (otherEnvironment) say(state, (sameSource ? "reloaded: " : "environment: ") + environment->source);
   if (!newScene) return;
   const size_t warnings = state.shown.warnings.size();
-  say(state, "model: " + state.shown.model);
+  say(state, (again ? "reloaded: " : "model: ") + state.shown.model);
   for (const std::string& warning : state.shown.warnings) log::warning(warning);
   if (warnings > 0)
     state.status = {state.shown.model + ": " + std::to_string(warnings) + (warnings > 1 ? " warnings" : " warning"),
                     true};
 }
 
-// Gives up what cannot be drawn and returns to what is shown.
-void giveUp(Viewport& viewport, ViewerState& state, const std::optional<ListRequest>& request, const Error& error) {
-  complain(state, error);
+// What the file no longer has is chosen anew.
+void keepWhatFits(frame::PictureSettings& settings, const scene::Model& model) {
+  if (!frame::chooseScene(settings, model)) settings.scene = -1;
+  if (!frame::chooseVariant(settings, model)) settings.variant.clear();
+  if (!frame::choosePose(settings, model)) settings.animation.clear();
+}
+
+void returnToShown(Viewport& viewport, ViewerState& state, const std::optional<ListRequest>& request) {
   viewport.failed = request;
   viewport.next.reset();
-  if (viewport.environments.shown) state.settings.environment = viewport.environments.shown->source;
+  if (viewport.environments.shown && !state.settings.environment.empty())
+    state.settings.environment = viewport.environments.shown->source;
   if (!viewport.scene) return;
   state.settings.scene = viewport.built.scene;
   state.settings.variant = viewport.built.variant < 0 ? "" : std::to_string(viewport.built.variant);
+}
+
+// Gives up what cannot be drawn and returns to what is shown.
+void giveUp(Viewport& viewport, ViewerState& state, const std::optional<ListRequest>& request, const Error& error) {
+  complain(state, error);
+  returnToShown(viewport, state, request);
 }
 
 }  // namespace
@@ -188,7 +207,9 @@ void takeModel(Viewport& viewport, ViewerState& state, ModelLoaded loaded) {
     return;
   }
   const bool first = !viewport.scene && !viewport.next;
-  if (!first) {  // the old model's cameras, scenes and variants mean nothing in the new one
+  if (loaded.again) {
+    keepWhatFits(state.settings, (*loaded.model)->model);
+  } else if (!first) {  // the old model's cameras, scenes and variants mean nothing in the new one
     if (const std::optional<scene::View> view = currentView(viewport, state)) freeCamera(state, *view);
     state.settings.camera.clear();
     state.settings.scene = -1;
@@ -198,7 +219,9 @@ void takeModel(Viewport& viewport, ViewerState& state, ModelLoaded loaded) {
   }
   auto slot = std::make_unique<SceneSlot>();
   slot->source = loaded.source;
+  slot->again = loaded.again;
   slot->loaded = *loaded.model;
+  slot->watch = std::move(loaded.watch);
   slot->onGpu.source = loaded.source;
   slot->onGpu.model = &slot->loaded->model;
   slot->notes = slot->loaded->notes;
@@ -211,12 +234,15 @@ void takeModel(Viewport& viewport, ViewerState& state, ModelLoaded loaded) {
 void takeEnvironment(Viewport& viewport, ViewerState& state, EnvironmentLoaded loaded) {
   if (!loaded.environment) {
     complain(state, loaded.environment.error());
+    if (loaded.again) return;
     std::erase(state.environments, loaded.source);
     if (state.settings.environment == loaded.source)
       state.settings.environment = viewport.environments.shown ? viewport.environments.shown->source : "none";
     return;
   }
-  if (findEnvironment(viewport.environments, loaded.source)) return;
+  EnvironmentSlot* before = findEnvironment(viewport.environments, loaded.source);
+  if (before && !loaded.again) return;
+  if (before) before->stale = true;
   auto slot = std::make_unique<EnvironmentSlot>();
   slot->source = loaded.source;
   slot->environment = *loaded.environment;
@@ -239,6 +265,7 @@ void takeImages(Viewport& viewport, ViewerState& state, ImagesDecoded decoded) {
 }
 
 bool bringUp(Viewport& viewport, ViewerState& state, Loader& loader) {
+  viewport.comingUp = false;
   SceneSlot* scene = wantedScene(viewport);
   if (!scene) return false;
   const scene::Model& model = scene->loaded->model;
@@ -276,13 +303,25 @@ bool bringUp(Viewport& viewport, ViewerState& state, Loader& loader) {
   if (!complete) startImages(loader, scene->loaded, std::move(missing));
   if (!complete || !environment) return false;
 
-  if (Result<void> r = putOnGpu(viewport, *scene, *environment, list, request, state); !r)
-    return giveUp(viewport, state, request, r.error()), false;
+  const Result<bool> ready = putOnGpu(viewport, *scene, *environment, list, request, state);
+  if (!ready) return giveUp(viewport, state, request, ready.error()), false;
+  viewport.comingUp = !*ready;
+  if (!*ready) return false;
   if (isShown && differsInTimeOnly(request, viewport.built))
     move(viewport, state, std::move(list), request);
   else
     show(viewport, state, environment, std::move(list), request);
   return true;
+}
+
+void cancelLoading(Viewport& viewport, ViewerState& state, Loader& loader) {
+  loader.model.forget();
+  loader.environment.forget();
+  loader.images.forget();
+  viewport.loadingEnvironment.clear();
+  returnToShown(viewport, state, viewport.asked);
+  viewport.asked.reset();
+  say(state, "loading cancelled");
 }
 
 std::optional<scene::View> currentView(const Viewport& viewport, ViewerState& state) {

@@ -22,7 +22,9 @@ namespace facet::view {
 
 struct SceneSlot {
   std::string source;
+  bool again = false;  // takes the place of what was read from the same file before
   std::shared_ptr<const io::LoadedModel> loaded;
+  FileWatch watch;  // of its files, as they were before it was read
   frame::SceneOnGpu onGpu;
   Notes notes;                     // the model's and those of its images
   std::vector<io::Pixels> pixels;  // decoded, not yet on the GPU
@@ -72,6 +74,9 @@ struct Viewport {
   FrameClock clock;
   Refinement refinement;
   Outline outline;
+  // Of what comes up, so much goes on the GPU in one turn: the window answers in between.
+  std::chrono::milliseconds slice{20};
+  bool comingUp = false;       // there is more of it
   bool shadersBroken = false;  // as they are in the file now; the last good frame stays
 };
 
@@ -82,6 +87,9 @@ void takeImages(Viewport& viewport, ViewerState& state, ImagesDecoded decoded);
 // Asks the loader for what the state wants and is not there yet, and shows it as soon as everything is there. True
 // where the draw list is new.
 bool bringUp(Viewport& viewport, ViewerState& state, Loader& loader);
+
+// Nothing of what is being read will be shown.
+void cancelLoading(Viewport& viewport, ViewerState& state, Loader& loader);
 
 // After a change of the shaders' files: compiles anew what is drawn. Where that fails, the last good frame stays.
 void reloadShaders(Viewport& viewport, ViewerState& state);

@@ -16,6 +16,7 @@
 #include "view/browser.hpp"
 #include "view/camera_control.hpp"
 #include "view/controls.hpp"
+#include "view/follow.hpp"
 #include "view/input.hpp"
 #include "view/inspector.hpp"
 #include "view/layout.hpp"
@@ -61,6 +62,13 @@ struct ImGuiSession {
 constexpr int settlingFrames = 3;
 constexpr double busyWait = 0.05, timerWait = 0.02, stepWait = 0.004, idleWait = 10;  // seconds
 
+// How well the window answers while something loads.
+struct LoadTime {
+  bool running = false;
+  std::chrono::steady_clock::time_point frame;  // the last one on the screen
+  double longestGap = 0;                        // milliseconds between two
+};
+
 // The loop's own data; what it shows is in ViewerState and Viewport.
 struct Loop {
   GLFWwindow* window = nullptr;
@@ -68,6 +76,11 @@ struct Loop {
   int framesToDraw = settlingFrames;
   std::chrono::steady_clock::time_point last = std::chrono::steady_clock::now();
   ShaderWatch shaders;
+  Followed followed;
+  Browser browser;
+  std::string model;  // what the loader reads
+  std::string noted;  // model and environment that the browser was told last
+  LoadTime load;
 };
 
 float contentScale(GLFWwindow* window) {
@@ -86,14 +99,16 @@ glm::dvec3 flightDirection(const Loop& loop) {
 
 // Sleeps until there is something to do; seconds since the last time, at most a quarter, for flight.
 double waitForEvents(Loop& loop, const Loader& loader, const Viewport& viewport, const ViewerState& state) {
-  const double idle = loop.shaders.folder.empty() ? idleWait : shaderWatchSeconds;
+  const bool watches = !loop.shaders.folder.empty() || !loop.followed.modelFiles.files.empty() ||
+                       !loop.followed.environmentFiles.files.empty();
+  const double idle = watches ? fileWatchSeconds : idleWait;
   if (loop.framesToDraw > 0 || flightDirection(loop) != glm::dvec3(0))
     glfwPollEvents();
   else
-    glfwWaitEventsTimeout(atWork(viewport, state)    ? stepWait
-                          : loader.running()         ? busyWait
-                          : viewport.clock.waiting() ? timerWait
-                                                     : idle);
+    glfwWaitEventsTimeout(atWork(viewport, state) || viewport.comingUp ? stepWait
+                          : loader.running()                           ? busyWait
+                          : viewport.clock.waiting()                   ? timerWait
+                                                                       : idle);
   const auto now = std::chrono::steady_clock::now();
   const double seconds = std::chrono::duration<double>(now - loop.last).count();
   loop.last = now;
@@ -181,6 +196,8 @@ void nameWhatLoads(const Loader& loader, const Viewport& viewport, const std::st
     state.loading = "images of " + (viewport.next ? viewport.next : viewport.scene)->loaded->model.name;
   else if (loader.environment.running())
     state.loading = viewport.loadingEnvironment;
+  else if (viewport.comingUp)
+    state.loading = (viewport.next ? viewport.next : viewport.scene)->source;
 }
 
 void takeScreenshot(const Viewport& viewport, ViewerState& state) {
@@ -206,6 +223,33 @@ void followSelection(Loop& loop, const Input& input, const Actions& actions, Vie
   if (inspectNext(viewport, state)) loop.framesToDraw = std::max(loop.framesToDraw, 2);
 }
 
+// Told once everything is there: the longest time between two frames until then, and that to the first new frame.
+void noteGap(Loop& loop, bool loading) {
+  const auto now = std::chrono::steady_clock::now();
+  const std::chrono::duration<double, std::milli> gap = now - loop.load.frame;
+  if (loop.load.running && loading) loop.load.longestGap = std::max(loop.load.longestGap, gap.count());
+  if (loop.load.running && !loading)
+    log::debug("loaded; the longest gap between frames was " + std::to_string(std::lround(loop.load.longestGap)) +
+               " ms, the first new one took " + std::to_string(std::lround(gap.count())) + " ms");
+  if (!loading) loop.load.longestGap = 0;
+  loop.load.running = loading;
+  loop.load.frame = now;
+}
+
+void tellBrowser(Loop& loop, const ViewerState& state) {
+  const std::string shown = state.shown.model + "\n" + state.shown.environment;
+  if (loop.noted == shown) return;
+  loop.noted = shown;
+  noteOpened(loop.browser, FileKind::model, state.shown.model);
+  noteOpened(loop.browser, FileKind::environment, state.shown.environment);
+}
+
+void followFiles(Loop& loop, const Viewport& viewport, Loader& loader) {
+  const FilesChanged changed = follow(loop.followed, viewport, loader, loop.last);
+  if (changed.model) forgetThumbnail(loop.browser, loop.model = viewport.scene->source);
+  if (changed.environment) forgetThumbnail(loop.browser, viewport.environments.shown->source);
+}
+
 // How long the window did not answer, where that could be felt.
 void noteSlowTurn(std::chrono::steady_clock::time_point start) {
   const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
@@ -213,7 +257,7 @@ void noteSlowTurn(std::chrono::steady_clock::time_point start) {
 }
 
 // One turn of the loop. True while the window stays.
-bool turn(Loop& loop, Viewport& viewport, ViewerState& state, Loader& loader, std::string& model) {
+bool turn(Loop& loop, Viewport& viewport, ViewerState& state, Loader& loader) {
   const double seconds = waitForEvents(loop, loader, viewport, state);
   const Input input = takeInput(loop.input);
   followFramebuffer(loop.window, state.settings);
@@ -221,11 +265,14 @@ bool turn(Loop& loop, Viewport& viewport, ViewerState& state, Loader& loader, st
   glfwGetWindowSize(loop.window, &width, &height);
   const Flight flight{flightDirection(loop) * seconds, isDown(loop.window, GLFW_KEY_LEFT_SHIFT)};
   Actions actions = control(input, flight, currentView(viewport, state), height, state);
-  const bool wasLoading = loader.running() || viewport.clock.waiting();
+  const bool wasLoading = loader.running() || viewport.comingUp || viewport.clock.waiting();
   takeLoaded(viewport, state, loader);
   const bool reloaded = shadersChanged(loop.shaders, loop.last);
   if (reloaded) reloadShaders(viewport, state);
-  if (input.any || reloaded || flight.rightUpForward != glm::dvec3(0)) loop.framesToDraw = settlingFrames;
+  followFiles(loop, viewport, loader);
+  tellBrowser(loop, state);
+  const bool collected = collect(loop.browser);
+  if (input.any || reloaded || collected || flight.rightUpForward != glm::dvec3(0)) loop.framesToDraw = settlingFrames;
   advance(state, seconds);
   if (state.turntable.on) {
     if (const std::optional<scene::View> view = currentView(viewport, state)) freeCamera(state, *view);
@@ -239,16 +286,19 @@ bool turn(Loop& loop, Viewport& viewport, ViewerState& state, Loader& loader, st
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
     PanelResult panel;
-    drawBrowser(state, panel);
+    drawBrowser(loop.browser, state, panel);
     drawPanel(state, panel);
     applyPanel(panel, viewport, state, loop.input, actions);
   }
+  loop.input.keyboardTaken |= state.searchAsked || loop.browser.focusing > 0;
   if (!actions.model.empty()) {
     state.settings.bump.clear();  // it belonged to the scene before
-    startModel(loader, model = actions.model);
+    startModel(loader, loop.model = actions.model);
   }
+  if (actions.cancel) cancelLoading(viewport, state, loader);
+  for (const std::string& folder : actions.folders) browseFolder(loop.browser, folder);
   if (bringUp(viewport, state, loader)) loop.framesToDraw = settlingFrames + 1;
-  nameWhatLoads(loader, viewport, model, state);
+  nameWhatLoads(loader, viewport, loop.model, state);
   followSelection(loop, input, actions, viewport, state);
   if (drawViewport(viewport, state)) {
     loop.framesToDraw = std::max(loop.framesToDraw, 1);
@@ -258,6 +308,7 @@ bool turn(Loop& loop, Viewport& viewport, ViewerState& state, Loader& loader, st
   if (actions.screenshot) takeScreenshot(viewport, state);
   if (loop.framesToDraw > 0) {
     drawWindow(loop, viewport, state);
+    noteGap(loop, !state.loading.empty());
     --loop.framesToDraw;
   }
   noteSlowTurn(loop.last);
@@ -323,11 +374,12 @@ Result<void> runWindow(const WindowOptions& options, Start start) {
   state.environments = builtinEnvironmentSources();
   state.openGL = openGLText(context->info());
   Viewport viewport = createViewport(context->info(), options);
-  std::string model = options.model;
+  loop.model = options.model;
+  openBrowser(loop.browser, options.folders, options.diskCache ? thumbnailCache() : DiskCache{}, glfwPostEmptyEvent);
   takeModel(viewport, state, std::move(start.model));
   takeEnvironment(viewport, state, std::move(start.environment));
   std::string title;
-  while (turn(loop, viewport, state, loader, model)) {
+  while (turn(loop, viewport, state, loader)) {
     if (title == state.shown.model) continue;
     title = state.shown.model;
     glfwSetWindowTitle(loop.window, (title + " \xe2\x80\x93 facet").c_str());

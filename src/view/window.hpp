@@ -3,6 +3,7 @@
 // The viewer: a window on a model.
 
 #include <string>
+#include <vector>
 
 #include "base/error.hpp"
 #include "frame/settings.hpp"
@@ -13,6 +14,7 @@ namespace facet::view {
 struct WindowOptions {
   std::string model = "builtin:poster";  // a path or "builtin:NAME"
   frame::PictureSettings settings;       // the size is the window's
+  std::vector<std::string> folders;      // to be browsed
   bool diskCache = true;                 // program binaries, tables
   bool glDebug = false;                  // KHR_debug
 };

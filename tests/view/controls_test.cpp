@@ -77,6 +77,20 @@ TEST_CASE("controls: keys") {
   press(state, GLFW_KEY_TAB);
   CHECK(state.panelVisible);
 
+  press(state, GLFW_KEY_B);
+  CHECK_FALSE(state.browserVisible);
+  press(state, GLFW_KEY_N);
+  CHECK_FALSE(state.settingsVisible);
+  press(state, GLFW_KEY_T);
+  CHECK_FALSE(state.timelineVisible);
+  press(state, GLFW_KEY_SLASH);
+  CHECK(state.browserVisible);
+  CHECK(state.searchAsked);
+  state.loading = "large.glb";
+  CHECK(press(state, GLFW_KEY_ESCAPE).cancel);
+  CHECK_FALSE(press(state, GLFW_KEY_ESCAPE).quit);
+  state.loading.clear();
+
   press(state, GLFW_KEY_E);
   CHECK(state.settings.environment == "builtin:sky");
   state.shown.environment = "builtin:white";
@@ -172,5 +186,11 @@ TEST_CASE("controls: dropped files are told apart by their ending") {
   CHECK_FALSE(state.status.isError);
   drop(state, "notes.txt");
   CHECK(state.status.isError);
-  CHECK(state.status.text == "notes.txt: neither a model nor an environment; drop a .gltf or .glb, or a .hdr or .exr.");
+  CHECK(state.status.text ==
+        "notes.txt: neither a model, an environment nor a measured BRDF; drop a .gltf or .glb, a .hdr or .exr, a "
+        ".binary or .bin, or a folder.");
+  state.panelVisible = state.browserVisible = false;
+  CHECK(drop(state, "/").folders == std::vector<std::string>{"/"});
+  CHECK(state.panelVisible);
+  CHECK(state.browserVisible);
 }

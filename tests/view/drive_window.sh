@@ -9,7 +9,7 @@ for tool in Xvfb xdotool; do
 done
 folder=$(mktemp -d) || exit 1
 cd "$folder" || exit 1
-export XDG_CACHE_HOME=$folder/cache XDG_CONFIG_HOME=$folder/config
+export XDG_CACHE_HOME=$folder/cache XDG_CONFIG_HOME=$folder/config XDG_STATE_HOME=$folder/state
 server= viewer=
 finish() {
   [ -n "$viewer" ] && kill "$viewer" 2>/dev/null
@@ -155,4 +155,73 @@ screenshot still
 same paused still
 differ rest paused
 quit
+
+# The browser: search and Enter open a model and an environment; what changes on disk is read again, camera kept, and
+# what cannot be read leaves what is shown.
+triangle() {  # RED GREEN BLUE
+  echo '{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0},"material":0}]}],"extensionsUsed":["KHR_materials_unlit"],
+"materials":[{"pbrMetallicRoughness":{"baseColorFactor":['"$1,$2,$3"',1]},"extensions":{"KHR_materials_unlit":{}},"doubleSided":true}],
+"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":3,"min":[0,0,0],"max":[1,1,0]}],
+"bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,
+"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]}'
+}
+mkdir -p models/deep
+triangle 1 0 0 >models/red.gltf
+triangle 0 1 0 >models/deep/green.gltf
+: >log
+screenshots=0
+"$facet" models/red.gltf models --size 480x360 --samples 1 --gl-debug --log-level debug >log 2>&1 &
+viewer=$!
+await "frame drawn: models/red.gltf, none" 1
+window=$(xdotool search --sync --onlyvisible --pid $viewer 2>/dev/null | head -1)
+[ -n "$window" ] || window=$(xdotool search --onlyvisible --name facet | head -1)
+xdotool windowfocus --sync "$window" || fail "the window takes no focus"
+await "listed: models" 1
+search() {
+  xdotool key slash
+  sleep 0.3
+  xdotool key ctrl+a
+  xdotool type --delay 30 "$1"
+  sleep 0.3
+  xdotool key Return
+}
+screenshot red
+search "deep green"
+await "model: .*/models/deep/green.gltf" 1
+screenshot green
+differ red green
+search white
+await "environment: builtin:white" 1
+screenshot white
+differ green white
+search none
+await "environment: none" 1
+screenshot none
+same green none
+
+xdotool mousemove --window "$window" 240 180 mousedown 1 mousemove_relative 10 20 mouseup 1
+sleep 0.3
+screenshot turned
+echo '{"asset":{"version":"2.0"},"scene' >models/deep/green.gltf # as if it were still being written
+await "error: .*green.gltf" 1
+screenshot broken
+same turned broken
+triangle 1 0 0 >models/deep/green.gltf
+await "reloaded: .*green.gltf" 1
+screenshot changed
+differ turned changed
+triangle 0 1 0 >models/deep/green.gltf
+await "reloaded: .*green.gltf" 2
+screenshot again
+same turned again
+
+head -1 "$XDG_STATE_HOME/facet/recent" | grep -q "/models/deep/green.gltf$" || fail "green.gltf is not remembered"
+for _ in $(seq 400); do
+  [ -n "$(find "$XDG_CACHE_HOME/facet/thumbnails" -name '*.bin' 2>/dev/null)" ] && break
+  sleep 0.05
+done
+[ -n "$(find "$XDG_CACHE_HOME/facet/thumbnails" -name '*.bin' 2>/dev/null)" ] || fail "no preview was made"
+quit
+[ -s "$XDG_CONFIG_HOME/facet/imgui.ini" ] || fail "the layout is not remembered"
 echo "passed"

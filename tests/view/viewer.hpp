@@ -31,7 +31,7 @@ struct Viewer {
       if (auto map = loader.environment.take()) view::takeEnvironment(viewport, state, std::move(*map));
       if (auto images = loader.images.take()) view::takeImages(viewport, state, std::move(*images));
       view::bringUp(viewport, state, loader);
-      if (!loader.running()) break;
+      if (!loader.running() && !viewport.comingUp) break;
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
     REQUIRE_FALSE(loader.running());

@@ -6,8 +6,10 @@
 #include "commands/picture_options.hpp"
 #include "io/image.hpp"
 #include "support/command.hpp"
+#include "io/radiance.hpp"
 #include "support/gltf_builder.hpp"
 #include "support/temporary_folder.hpp"
+#include "view/follow.hpp"
 #include "view/viewer.hpp"
 
 using namespace facet;
@@ -172,4 +174,117 @@ TEST_CASE("viewport: the copied command renders the picture on the screen, byte 
   };
   CHECK(bytes("window.png").size() > 200);
   CHECK(bytes("command.png") == bytes("window.png"));
+}
+
+TEST_CASE("viewport: what goes on the GPU in slices is shown when all of it is there", "[gl]") {
+  const test::TemporaryFolder folder;
+  Viewer viewer;
+  viewer.viewport.slice = std::chrono::milliseconds(0);  // one object a turn
+  viewer.load(folder.write("red.glb", texturedTriangle({255, 0, 0})));
+  CHECK(viewer.state.shown.model == folder.file("red.glb"));
+  view::startModel(viewer.loader, "builtin:spheres");
+  int turns = 0;
+  while (viewer.loader.running() || viewer.viewport.comingUp) {
+    if (auto model = viewer.loader.model.take()) view::takeModel(viewer.viewport, viewer.state, std::move(*model));
+    if (auto map = viewer.loader.environment.take())
+      view::takeEnvironment(viewer.viewport, viewer.state, std::move(*map));
+    view::bringUp(viewer.viewport, viewer.state, viewer.loader);
+    if (!viewer.viewport.comingUp) continue;
+    ++turns;
+    CHECK(viewer.state.shown.model == folder.file("red.glb"));
+    REQUIRE(turns < 1000);
+  }
+  CHECK(viewer.state.shown.model == "builtin:spheres");
+  CHECK(turns >= 2);  // the geometry, then at least one program
+}
+
+TEST_CASE("viewport: loading is cancelled, what is shown stays", "[gl]") {
+  const test::TemporaryFolder folder;
+  Viewer viewer;
+  viewer.load(folder.write("red.glb", texturedTriangle({255, 0, 0})));
+  viewer.state.camera.theta = 12;
+  view::startModel(viewer.loader, folder.write("blue.glb", texturedTriangle({0, 0, 255})));
+  viewer.state.settings.environment = "builtin:white";
+  view::bringUp(viewer.viewport, viewer.state, viewer.loader);
+  view::cancelLoading(viewer.viewport, viewer.state, viewer.loader);
+  viewer.settle();
+  CHECK(viewer.state.shown.model == folder.file("red.glb"));
+  CHECK(viewer.state.shown.environment == "none");
+  CHECK(viewer.state.settings.environment == "none");
+  CHECK(viewer.state.camera.theta == 12);
+  CHECK_FALSE(viewer.state.status.isError);
+  viewer.load(folder.file("blue.glb"));  // asked for anew it comes
+  CHECK(viewer.state.shown.model == folder.file("blue.glb"));
+}
+
+TEST_CASE("viewport: a model whose file changes is read again, camera and settings stay", "[gl]") {
+  const test::TemporaryFolder folder;
+  const std::string source = folder.write("a.glb", texturedTriangle({255, 0, 0}));
+  Viewer viewer;
+  viewer.load(source);
+  viewer.state.camera.theta = 5;
+  viewer.state.camera.target = {0.3, 0.3, 0};
+  viewer.state.settings.toneMapper = frame::ToneMapper::none;
+  const scene::OrbitCamera camera = viewer.state.camera;
+  view::Followed followed;
+  auto now = std::chrono::steady_clock::now();
+  const auto look = [&] {
+    const bool changed = view::follow(followed, viewer.viewport, viewer.loader, now).model;
+    now += std::chrono::milliseconds(500);
+    if (changed) viewer.settle();
+    return changed;
+  };
+  CHECK_FALSE(look());
+  CHECK_FALSE(look());
+
+  folder.write("a.glb", std::string("glTF half a fi"));
+  CHECK_FALSE(look());
+  CHECK(look());
+  CHECK(viewer.state.status.isError);
+  CHECK(viewer.state.status.text.find("a.glb") != std::string::npos);
+  CHECK(viewer.middle() == glm::ivec3(255, 0, 0));
+
+  folder.write("a.glb", texturedTriangle({0, 0, 255}));
+  CHECK_FALSE(look());
+  CHECK(look());
+  CHECK(viewer.state.status.text == "reloaded: " + source);
+  CHECK(viewer.state.camera == camera);
+  CHECK(viewer.middle() == glm::ivec3(0, 0, 255));
+  CHECK_FALSE(look());
+}
+
+TEST_CASE("viewport: an environment whose file changes is read again, a faulty one leaves what is shown", "[gl]") {
+  const test::TemporaryFolder folder;
+  const std::string source = folder.file("sky.exr");
+  const auto write = [&](float radiance) {
+    REQUIRE(io::writeExr(source, {4, 2, std::vector<glm::vec4>(8, glm::vec4(radiance, radiance, radiance, 1))}));
+  };
+  write(0.25f);
+  Viewer viewer;
+  viewer.state.settings.environment = source;
+  viewer.state.settings.toneMapper = frame::ToneMapper::none;
+  viewer.load(folder.write("a.glb", texturedTriangle({255, 0, 0})));
+  viewer.state.camera.target = {50, 50, 50};  // nothing but sky
+  const int dark = viewer.middle().g;
+  CHECK(dark == 137);  // 0.25 through the sRGB curve
+  view::Followed followed;
+  auto now = std::chrono::steady_clock::now();
+  const auto look = [&] {
+    const bool changed = view::follow(followed, viewer.viewport, viewer.loader, now).environment;
+    now += std::chrono::milliseconds(500);
+    if (changed) viewer.settle();
+    return changed;
+  };
+  CHECK_FALSE(look());
+  folder.write("sky.exr", std::string("half"));
+  CHECK_FALSE(look());
+  CHECK(look());
+  CHECK(viewer.state.status.isError);
+  CHECK(viewer.state.settings.environment == source);
+  CHECK(viewer.middle().g == dark);
+  write(1);
+  CHECK_FALSE(look());
+  CHECK(look());
+  CHECK(viewer.middle().g == 255);
+  CHECK(viewer.viewport.environments.slots.size() == 1);
 }

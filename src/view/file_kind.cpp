@@ -1,0 +1,20 @@
+#include "view/file_kind.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace facet::view {
+
+Result<FileKind> fileKind(std::string_view path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) return FileKind::folder;
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::ranges::transform(extension, extension.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
+  if (extension == ".gltf" || extension == ".glb") return FileKind::model;
+  if (extension == ".hdr" || extension == ".exr") return FileKind::environment;
+  if (extension == ".binary" || extension == ".bin") return FileKind::brdf;
+  return fail(std::string(path), "", "neither a model, an environment nor a measured BRDF",
+              "drop a .gltf or .glb, a .hdr or .exr, a .binary or .bin, or a folder");
+}
+
+}  // namespace facet::view

@@ -1,0 +1,28 @@
+#include "view/follow.hpp"
+
+namespace facet::view {
+
+FilesChanged follow(Followed& followed, const Viewport& viewport, Loader& loader,
+                    std::chrono::steady_clock::time_point now) {
+  FilesChanged changed;
+  if (!viewport.scene || !viewport.environments.shown) return changed;
+  const SceneSlot& scene = *viewport.scene;
+  if (followed.model != scene.loaded.get()) {
+    followed.model = scene.loaded.get();
+    followed.modelFiles = scene.watch;
+  }
+  const EnvironmentSlot& environment = *viewport.environments.shown;
+  if (followed.environment != environment.environment.get()) {
+    followed.environment = environment.environment.get();
+    const bool isFile = environment.environment && !environment.source.starts_with("builtin:");
+    followed.environmentFiles = isFile ? watchFiles({environment.source}, now) : FileWatch{};
+  }
+  // While something else is being read, its files are told at the next look.
+  if (!loader.model.running() && !viewport.next) changed.model = filesChanged(followed.modelFiles, now);
+  if (!loader.environment.running()) changed.environment = filesChanged(followed.environmentFiles, now);
+  if (changed.model) startModel(loader, scene.source, {}, true);
+  if (changed.environment) startEnvironment(loader, environment.source, true);
+  return changed;
+}
+
+}  // namespace facet::view

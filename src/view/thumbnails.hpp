@@ -1,0 +1,72 @@
+#pragma once
+
+// Small pictures of models and environments, made beside the window: a process of its own, of the lowest priority, one
+// at a time, with a time limit. Kept on disk by path, time and size of the file.
+
+#include <condition_variable>
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <mutex>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "base/disk_cache.hpp"
+#include "base/error.hpp"
+#include "io/image.hpp"
+#include "view/file_kind.hpp"
+
+namespace facet::view {
+
+inline constexpr int thumbnailSide = 96;  // pixels
+
+struct ThumbnailRequest {
+  FileKind kind = FileKind::model;
+  std::string source;  // an absolute path, or builtin:NAME
+};
+
+struct ThumbnailMade {
+  std::string source;
+  Result<io::Pixels> pixels;  // RGBA, or why there is none
+};
+
+// Tells versions of a file apart. Built-ins change with the program, files by time and size.
+std::string thumbnailKey(const ThumbnailRequest& request);
+
+// Arguments of `facet` that make the picture. Environments: a mirror ball in front of them.
+std::vector<std::string> thumbnailArguments(const ThumbnailRequest& request, const std::filesystem::path& png);
+
+DiskCache thumbnailCache();  // of the user; 64 MB
+
+class ThumbnailMaker {
+ public:
+  // program: its executable. made: called from another thread whenever there is something to take.
+  ThumbnailMaker(std::filesystem::path program, DiskCache cache, std::function<void()> made);
+  ~ThumbnailMaker();  // ends the process that runs
+
+  // In this order, in place of those that still wait. What is being made or was made is not made again, unless the file
+  // has changed.
+  void want(const std::vector<ThumbnailRequest>& requests);
+  void forget();  // what was made may be wanted again
+  std::vector<ThumbnailMade> take();
+  bool busy();
+
+ private:
+  void work(const std::stop_token& stop);
+  Result<io::Pixels> make(const ThumbnailRequest& request, const std::string& key, const std::stop_token& stop) const;
+
+  std::filesystem::path program_;
+  DiskCache cache_;
+  std::function<void()> made_;
+  std::mutex mutex_;
+  std::condition_variable_any wake_;
+  std::deque<ThumbnailRequest> wanted_;
+  std::set<std::string> begun_;  // keys
+  std::vector<ThumbnailMade> done_;
+  bool working_ = false;
+  std::jthread thread_;  // last: ends first
+};
+
+}  // namespace facet::view
