@@ -40,19 +40,19 @@ void drawHelp(ViewerState& state, PanelResult& result) {
   ImGui::SetNextWindowSizeConstraints({0, 0}, {screen.x, screen.y});
   constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
-                                     ImGuiWindowFlags_NoNav;
+                                     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollbar;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {1.6f * em, 1.2f * em});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.4f * em);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
   ImGui::SetNextWindowFocus();
   if (ImGui::Begin("help", nullptr, flags)) {
     ImGui::TextUnformatted("Keys and mouse");
-    ImGui::SameLine(29 * em);
+    ImGui::SameLine(36 * em);
     if (ImGui::SmallButton("close")) state.helpVisible = false;
-    ImGui::Dummy({34 * em, 0.3f * em});
+    ImGui::Dummy({38 * em, 0.3f * em});
     if (ImGui::BeginTable("shortcuts", 2)) {
       ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 12 * em);
-      ImGui::TableSetupColumn("does", ImGuiTableColumnFlags_WidthFixed, 22 * em);
+      ImGui::TableSetupColumn("does", ImGuiTableColumnFlags_WidthFixed, 26 * em);
       shortcutRows();
       ImGui::EndTable();
     }

@@ -244,7 +244,7 @@ void pointValues(const Inspection& at, const scene::Model& model) {
     ImGui::TableNextColumn();
     if (shading::channelIsColor(static_cast<int>(channel))) swatch(names[channel], *value);
     const glm::dvec3 v(*value);
-    ImGui::TextUnformatted(scalar ? format("%.4f", v.x).c_str() : format("%.4f  %.4f  %.4f", v.x, v.y, v.z).c_str());
+    ImGui::TextUnformatted(scalar ? format("%.4f", v.x).c_str() : format("%.3f  %.3f  %.3f", v.x, v.y, v.z).c_str());
   }
   if (at.radiance) {
     const glm::dvec3 v(*at.radiance);

@@ -70,7 +70,7 @@ bool chooseIndex(const char* label, size_t& index, const Choice* choices, size_t
 
 bool beginDetails(const char* id) {
   if (!ImGui::BeginTable(id, 2)) return false;
-  ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, 8.5f * ImGui::GetFontSize());
+  ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, 7.5f * ImGui::GetFontSize());
   ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
   return true;
 }
@@ -78,7 +78,7 @@ bool beginDetails(const char* id) {
 void detail(const std::string& name, const std::string& value) {
   ImGui::TableNextColumn();
   ImGui::TextDisabled("%s", name.c_str());
-  if (ImGui::CalcTextSize(name.c_str()).x > 8.5f * ImGui::GetFontSize()) hint(name);
+  if (ImGui::CalcTextSize(name.c_str()).x > 7.5f * ImGui::GetFontSize()) hint(name);
   ImGui::TableNextColumn();
   ImGui::TextWrapped("%s", value.c_str());
 }
