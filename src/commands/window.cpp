@@ -41,6 +41,7 @@ int runViewer(const WindowArguments& arguments) {
   options.settings.height = 800;
   options.settings.samples = 256;  // a resting picture converges
   if (Result<void> r = apply(arguments.picture, options.settings); !r) return badInput(r.error());
+  options.sizeGiven = arguments.picture.contains("size");
   if (Result<void> r = sortSources(arguments.sources, options); !r) return badInput(r.error());
   options.diskCache = !arguments.noCache;
   options.glDebug = arguments.glDebug;

@@ -186,11 +186,11 @@ std::vector<Detail> materialDetails(const Viewport& viewport, int index) {
   for (const scene::MaterialProperty& property : scene::materialProperties()) {
     const auto values = components(given, property);
     const std::string_view path = property.path;
-    const bool core = path.find("extensions/") == std::string_view::npos && path.find('/') != std::string_view::npos;
+    const bool core = path.starts_with("pbrMetallicRoughness/"), extended = path.starts_with("extensions/");
     if (!core && std::ranges::equal(values, components(usual, property))) continue;
     std::string value;
     for (const float v : values) value += (value.empty() ? "" : ", ") + text("%.4g", static_cast<double>(v));
-    details.push_back({std::string(path.substr(path.find_last_of('/') + 1)), value});
+    details.push_back({std::string(core || extended ? path.substr(path.find_last_of('/') + 1) : path), value});
   }
   if (!given.conductor.empty()) details.push_back({"complex index", given.conductor});
   addTextures(viewport, given, details);

@@ -2,9 +2,11 @@
 
 // The settings at the window's right, timeline and status line below: Dear ImGui widgets on the viewer's state.
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "view/camera_control.hpp"
 #include "view/controls.hpp"
 #include "view/input.hpp"
 #include "view/viewer_state.hpp"
@@ -12,7 +14,9 @@
 namespace facet::view {
 
 struct PanelResult {
-  bool screenshot = false, frameAll = false, resetCamera = false;
+  bool screenshot = false, frameAll = false, frameSelection = false, resetCamera = false;
+  bool describeMaterial = false;  // of state.selection.material
+  std::optional<ViewFrom> viewFrom;
   bool leaveFileCamera = false;  // the orbit was chosen in place of the file's camera
   std::string model;             // to be loaded; empty: none
   std::vector<Area> areas;       // what the panels cover, window coordinates

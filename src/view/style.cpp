@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace facet::view {
@@ -16,9 +18,10 @@ constexpr const char* fonts[] = {"/usr/share/fonts/truetype/noto/NotoSans-Regula
                                  "/usr/share/fonts/TTF/DejaVuSans.ttf",
                                  "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf"};
 
-ImVec4 grey(float value, float alpha = 1) { return {value, value, value * 1.04f, alpha}; }
+ImVec4 grey(float value, float alpha = 1) { return {value, value, std::min(value * 1.04f, 1.0f), alpha}; }
 
-void applyColors(ImGuiStyle& style) {
+void darkColors(ImGuiStyle& style) {
+  ImGui::StyleColorsDark(&style);
   const ImVec4 accent(0.33f, 0.55f, 0.74f, 1), strong(0.42f, 0.66f, 0.86f, 1);
   ImVec4* c = style.Colors;
   c[ImGuiCol_Text] = grey(0.90f);
@@ -43,17 +46,58 @@ void applyColors(ImGuiStyle& style) {
   c[ImGuiCol_ScrollbarGrab] = grey(0.26f);
   c[ImGuiCol_ScrollbarGrabHovered] = grey(0.34f);
   c[ImGuiCol_ScrollbarGrabActive] = grey(0.40f);
+  c[ImGuiCol_Tab] = grey(0.13f);
+  c[ImGuiCol_TabHovered] = grey(0.30f);
+  c[ImGuiCol_TabActive] = grey(0.24f);
+  c[ImGuiCol_TabUnfocused] = c[ImGuiCol_Tab];
+  c[ImGuiCol_TabUnfocusedActive] = c[ImGuiCol_TabActive];
 }
+
+void lightColors(ImGuiStyle& style) {
+  ImGui::StyleColorsLight(&style);
+  const ImVec4 accent(0.20f, 0.45f, 0.68f, 1), strong(0.12f, 0.36f, 0.60f, 1);
+  ImVec4* c = style.Colors;
+  c[ImGuiCol_Text] = grey(0.12f);
+  c[ImGuiCol_TextDisabled] = grey(0.43f);
+  c[ImGuiCol_WindowBg] = grey(0.94f, 0.96f);
+  c[ImGuiCol_PopupBg] = grey(0.97f, 0.99f);
+  c[ImGuiCol_Border] = grey(0.70f, 0.6f);
+  c[ImGuiCol_FrameBg] = grey(0.86f);
+  c[ImGuiCol_FrameBgHovered] = grey(0.81f);
+  c[ImGuiCol_FrameBgActive] = grey(0.77f);
+  c[ImGuiCol_Button] = grey(0.83f);
+  c[ImGuiCol_ButtonHovered] = grey(0.76f);
+  c[ImGuiCol_ButtonActive] = {0.55f, 0.72f, 0.86f, 1};
+  c[ImGuiCol_Header] = grey(0.87f);
+  c[ImGuiCol_HeaderHovered] = grey(0.81f);
+  c[ImGuiCol_HeaderActive] = grey(0.77f);
+  c[ImGuiCol_SliderGrab] = {accent.x, accent.y, accent.z, 0.75f};
+  c[ImGuiCol_SliderGrabActive] = strong;
+  c[ImGuiCol_CheckMark] = strong;
+  c[ImGuiCol_Separator] = grey(0.78f);
+  c[ImGuiCol_ScrollbarBg] = grey(0.94f, 0);
+  c[ImGuiCol_ScrollbarGrab] = grey(0.76f);
+  c[ImGuiCol_ScrollbarGrabHovered] = grey(0.68f);
+  c[ImGuiCol_ScrollbarGrabActive] = grey(0.60f);
+  c[ImGuiCol_Tab] = grey(0.89f);
+  c[ImGuiCol_TabHovered] = grey(0.78f);
+  c[ImGuiCol_TabActive] = grey(0.81f);
+  c[ImGuiCol_TabUnfocused] = c[ImGuiCol_Tab];
+  c[ImGuiCol_TabUnfocusedActive] = c[ImGuiCol_TabActive];
+}
+
+// What names in files are written in, and the signs that the panels use.
+constexpr ImWchar glyphRanges[] = {0x0020, 0x052f, 0x1e00, 0x1eff, 0x2010, 0x2044, 0x2190, 0x2193, 0};
 
 }  // namespace
 
-void applyStyle(float scale) {
-  ImGui::StyleColorsDark();
+void applyStyle(Theme theme, float scale) {
   ImGuiStyle& style = ImGui::GetStyle();
-  applyColors(style);
+  style = ImGuiStyle();
+  theme == Theme::light ? lightColors(style) : darkColors(style);
   style.WindowRounding = 0;
   style.WindowBorderSize = 0;
-  style.FrameRounding = style.GrabRounding = style.PopupRounding = 3;
+  style.FrameRounding = style.GrabRounding = style.PopupRounding = style.TabRounding = 3;
   style.GrabMinSize = 7;
   style.ScrollbarRounding = 3;
   style.ScrollbarSize = 10;
@@ -63,9 +107,12 @@ void applyStyle(float scale) {
   style.ItemInnerSpacing = {6, 4};
   style.ScaleAllSizes(scale);
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+  atlas.Clear();
   std::error_code ignored;
   for (const char* font : fonts)
-    if (std::filesystem::is_regular_file(font, ignored) && atlas.AddFontFromFileTTF(font, 14 * scale)) return;
+    if (std::filesystem::is_regular_file(font, ignored) &&
+        atlas.AddFontFromFileTTF(font, std::round(14 * scale), nullptr, glyphRanges))
+      return;
   ImFontConfig config;
   config.SizePixels = 13 * scale;
   atlas.AddFontDefault(&config);

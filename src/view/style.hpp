@@ -1,12 +1,15 @@
 #pragma once
 
+#include "view/preferences.hpp"
+
 namespace facet::view {
 
-// Dark, quiet colours and a readable font: a system's sans serif where one is found, else ImGui's own. scale: the
-// monitor's, 1 for 96 dpi.
-void applyStyle(float scale);
+// Quiet colours and a readable font: a system's sans serif where one is found, else ImGui's own. scale: of letters and
+// controls, 1 for 96 dpi. May be called again with others between frames; the texture that the backend made of the
+// old fonts has to go then.
+void applyStyle(Theme theme, float scale);
 
-// Colours of text beside the ordinary one, 0xAABBGGRR.
-inline constexpr unsigned errorColor = 0xff7a86ff, warningColor = 0xff6cc4ff, quietColor = 0xffa8a29c;
+// Colours of text beside the ordinary one, 0xAABBGGRR; readable in both themes.
+inline constexpr unsigned errorColor = 0xff4d55e0, warningColor = 0xff1e80cf, quietColor = 0xff8c8883;
 
 }  // namespace facet::view

@@ -42,6 +42,14 @@ std::string refinementText(const RefinementStatus& status) {
   return text + error;
 }
 
+void noteProblem(ViewerState& state) {
+  constexpr size_t most = 100;
+  std::vector<std::string>& problems = state.problems;
+  if (!state.status.isError || (!problems.empty() && problems.back() == state.status.text)) return;
+  problems.push_back(state.status.text);
+  if (problems.size() > most) problems.erase(problems.begin());
+}
+
 frame::PictureSettings movingSettings(const frame::PictureSettings& settings) {
   frame::PictureSettings moving = settings;
   moving.samples = std::min(settings.samples, frame::convergedAbove);

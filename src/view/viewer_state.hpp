@@ -16,6 +16,8 @@
 #include "scene/camera.hpp"
 #include "scene/pick.hpp"
 #include "shading/features.hpp"
+#include "view/preferences.hpp"
+#include "view/scene_tree.hpp"
 
 namespace facet::view {
 
@@ -124,11 +126,14 @@ struct ViewerState {
   Playback playback;
   Turntable turntable;
   Selection selection;
+  SceneTree tree;
+  Preferences preferences;
   Inspection inspection;
   std::vector<std::string> environments;  // that are offered: the built-in ones, those that were given, "none"
 
   ShownScene shown;
   Status status;
+  std::vector<std::string> problems;  // that the status line told, oldest first
   RefinementStatus refinement;
   std::string loading;  // what is being loaded; empty: nothing
   std::string openGL;   // version and renderer
@@ -137,6 +142,9 @@ struct ViewerState {
   bool panelVisible = true;  // the panels that are chosen to be shown; one key hides all
   bool browserVisible = true, settingsVisible = true, timelineVisible = true;
 };
+
+// Keeps what the status line says in state.problems where it is a new error; at most a hundred.
+void noteProblem(ViewerState& state);
 
 // The settings of the picture that is drawn while something changes: of few samples. At rest it is refined.
 frame::PictureSettings movingSettings(const frame::PictureSettings& settings);

@@ -45,7 +45,7 @@ struct ImGuiSession {
     }
     ImGui::GetIO().IniFilename = layoutFile.empty() ? nullptr : layoutFile.c_str();
     rememberLayout(state);
-    applyStyle(scale);
+    applyStyle(state.preferences.theme, scale);
     ImGui_ImplGlfw_InitForOpenGL(window, true);
     ImGui_ImplOpenGL3_Init("#version 450 core");
   }
@@ -81,12 +81,39 @@ struct Loop {
   std::string model;  // what the loader reads
   std::string noted;  // model and environment that the browser was told last
   LoadTime load;
+  float scale = 1;  // that the style has
+  Theme theme = Theme::dark;
 };
 
-float contentScale(GLFWwindow* window) {
+// The user's, else the monitor's.
+float contentScale(GLFWwindow* window, const Preferences& preferences) {
+  if (preferences.scale > 0) return preferences.scale;
   float x = 1, y = 1;
   glfwGetWindowContentScale(window, &x, &y);
   return std::clamp(std::max(x, y), 1.0f, 4.0f);
+}
+
+std::filesystem::path preferencesFile() {
+  const std::filesystem::path folder = userConfigFolder();
+  return folder.empty() ? folder : folder / "settings.json";
+}
+
+// Theme and scale may have changed, the latter because the window has been moved to another monitor, too.
+void followStyle(Loop& loop, ViewerState& state) {
+  const float scale = contentScale(loop.window, state.preferences);
+  if (scale == loop.scale && state.preferences.theme == loop.theme) return;
+  applyStyle(state.preferences.theme, scale);
+  ImGui_ImplOpenGL3_DestroyFontsTexture();  // made anew by the next frame
+  loop.scale = scale;
+  loop.theme = state.preferences.theme;
+  loop.framesToDraw = settlingFrames;
+}
+
+void keepPreferences(const ViewerState& state, const Preferences& before) {
+  const std::filesystem::path file = preferencesFile();
+  if (file.empty() || state.preferences == before) return;
+  if (const Result<void> written = writePreferences(file, state.preferences); !written)
+    log::warning(describe(written.error()));
 }
 
 bool isDown(GLFWwindow* window, int key) { return glfwGetKey(window, key) == GLFW_PRESS; }
@@ -172,6 +199,10 @@ void applyPanel(const PanelResult& panel, Viewport& viewport, ViewerState& state
   const std::optional<scene::View> view = currentView(viewport, state);
   const double aspect = static_cast<double>(state.settings.width) / state.settings.height;
   if ((panel.leaveFileCamera || panel.frameAll) && view) freeCamera(state, *view);
+  if (panel.viewFrom && view) freeCamera(state, *view), state.camera = seenFrom(state.camera, *panel.viewFrom);
+  if (panel.describeMaterial && viewport.scene)
+    state.inspection.materialDetails = materialDetails(viewport, state.selection.material);
+  actions.frameSelection |= panel.frameSelection;
   if (panel.frameAll) state.camera = framedAll(state.camera, state.shown.bounds, aspect);
   if (panel.resetCamera) state.settings.camera.clear(), state.camera = state.startCamera;
   actions.screenshot |= panel.screenshot;
@@ -281,6 +312,7 @@ bool turn(Loop& loop, Viewport& viewport, ViewerState& state, Loader& loader) {
   const bool moves = state.turntable.on || (state.playback.playing && chosenDuration(state) > 0);
   if (wasLoading || moves) loop.framesToDraw = std::max(loop.framesToDraw, 1);
 
+  followStyle(loop, state);
   if (loop.framesToDraw > 0) {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
@@ -304,7 +336,7 @@ bool turn(Loop& loop, Viewport& viewport, ViewerState& state, Loader& loader) {
     loop.framesToDraw = std::max(loop.framesToDraw, 1);
     readRadianceThere(viewport, state);
   }
-  if (updateOutline(viewport, state, contentScale(loop.window))) loop.framesToDraw = std::max(loop.framesToDraw, 1);
+  if (updateOutline(viewport, state, loop.scale)) loop.framesToDraw = std::max(loop.framesToDraw, 1);
   if (actions.screenshot) takeScreenshot(viewport, state);
   if (loop.framesToDraw > 0) {
     drawWindow(loop, viewport, state);
@@ -359,16 +391,25 @@ Result<Start> prepareStart(const WindowOptions& options) {
 
 Result<void> runWindow(const WindowOptions& options, Start start) {
   Loader loader;  // first: what it still reads at the end is waited for after the window has gone
+  ViewerState state;
+  if (Result<Preferences> preferences = readPreferences(preferencesFile()))
+    state.preferences = *preferences;
+  else
+    log::warning(describe(preferences.error()));
+  const Preferences before = state.preferences;
+  const bool sized = !options.sizeGiven && before.width > 0 && before.height > 0;
   Result<gl::WindowContext> context =
-      gl::WindowContext::create(options.settings.width, options.settings.height, "facet", options.glDebug);
+      gl::WindowContext::create(sized ? before.width : options.settings.width,
+                                sized ? before.height : options.settings.height, "facet", options.glDebug);
   if (!context) return tl::unexpected(context.error());
   glfwSwapInterval(1);
   Loop loop;
   loop.window = context->window();
   loop.shaders = watchShaders(options.settings.shaderDir);
   listen(loop.window, loop.input);
-  ViewerState state;
-  const ImGuiSession imgui(loop.window, contentScale(loop.window), state);
+  loop.scale = contentScale(loop.window, state.preferences);
+  loop.theme = state.preferences.theme;
+  const ImGuiSession imgui(loop.window, loop.scale, state);
   state.settings = options.settings;
   state.playback.playing = !state.settings.animation.empty();
   state.environments = builtinEnvironmentSources();
@@ -384,6 +425,8 @@ Result<void> runWindow(const WindowOptions& options, Start start) {
     title = state.shown.model;
     glfwSetWindowTitle(loop.window, (title + " \xe2\x80\x93 facet").c_str());
   }
+  if (!options.sizeGiven) glfwGetWindowSize(loop.window, &state.preferences.width, &state.preferences.height);
+  keepPreferences(state, before);
   glfwHideWindow(loop.window);
   return {};
 }

@@ -15,6 +15,7 @@ struct WindowOptions {
   std::string model = "builtin:poster";  // a path or "builtin:NAME"
   frame::PictureSettings settings;       // the size is the window's
   std::vector<std::string> folders;      // to be browsed
+  bool sizeGiven = false;                // else the window gets the size that it had last
   bool diskCache = true;                 // program binaries, tables
   bool glDebug = false;                  // KHR_debug
 };

@@ -1,0 +1,65 @@
+#include "view/help.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "view/controls.hpp"
+#include "view/panel_window.hpp"
+
+namespace facet::view {
+
+namespace {
+
+void shortcutRows() {
+  std::string_view group;
+  for (const Shortcut& shortcut : shortcuts) {
+    if (group != shortcut.group) {
+      if (!group.empty()) ImGui::TableNextRow(ImGuiTableRowFlags_None, 0.5f * ImGui::GetFontSize());
+      ImGui::TableNextRow();
+      ImGui::TableNextColumn();
+      ImGui::TextDisabled("%s", shortcut.group);
+      ImGui::TableNextRow();
+    }
+    group = shortcut.group;
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(shortcut.keys);
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(shortcut.does);
+  }
+}
+
+}  // namespace
+
+void drawHelp(ViewerState& state, PanelResult& result) {
+  if (!state.helpVisible) return;
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const float em = ImGui::GetFontSize();
+  ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSizeConstraints({0, 0}, {screen.x, screen.y});
+  constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
+                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
+                                     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollbar;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {1.6f * em, 1.2f * em});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.4f * em);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+  ImGui::SetNextWindowFocus();
+  if (ImGui::Begin("help", nullptr, flags)) {
+    ImGui::TextUnformatted("Keys and mouse");
+    ImGui::SameLine(36 * em);
+    if (ImGui::SmallButton("close")) state.helpVisible = false;
+    ImGui::Dummy({38 * em, 0.3f * em});
+    if (ImGui::BeginTable("shortcuts", 2)) {
+      ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 12 * em);
+      ImGui::TableSetupColumn("does", ImGuiTableColumnFlags_WidthFixed, 26 * em);
+      shortcutRows();
+      ImGui::EndTable();
+    }
+    result.areas.push_back(windowArea());
+  }
+  ImGui::End();
+  ImGui::PopStyleVar(3);
+}
+
+}  // namespace facet::view

@@ -1,0 +1,60 @@
+#include "view/preferences.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace facet::view {
+
+namespace {
+
+using json = nlohmann::ordered_json;
+
+constexpr const char* remedy = "correct or delete it";
+
+}  // namespace
+
+Result<Preferences> readPreferences(const std::filesystem::path& file) {
+  Preferences read;
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return read;
+  const json values = json::parse(stream, nullptr, false);
+  if (!values.is_object()) return fail(file.string(), "", "is no JSON object", remedy);
+  const auto wrong = [&](const char* key) {
+    return fail(file.string(), std::string("/") + key, "is no such value", remedy);
+  };
+  if (const auto theme = values.find("theme"); theme != values.end()) {
+    if (*theme != "dark" && *theme != "light") return wrong("theme");
+    read.theme = *theme == "light" ? Theme::light : Theme::dark;
+  }
+  if (const auto scale = values.find("scale"); scale != values.end()) {
+    if (!scale->is_number()) return wrong("scale");
+    const double value = scale->get<double>();
+    read.scale = value == 0 ? 0 : static_cast<float>(std::clamp(value, 0.5, 4.0));
+  }
+  if (const auto size = values.find("size"); size != values.end()) {
+    const bool pair = size->is_array() && size->size() == 2 && (*size)[0].is_number() && (*size)[1].is_number();
+    if (!pair) return wrong("size");
+    read.width = static_cast<int>(std::clamp((*size)[0].get<double>(), 0.0, 16384.0));
+    read.height = static_cast<int>(std::clamp((*size)[1].get<double>(), 0.0, 16384.0));
+  }
+  return read;
+}
+
+Result<void> writePreferences(const std::filesystem::path& file, const Preferences& preferences) {
+  json values = {{"theme", preferences.theme == Theme::light ? "light" : "dark"}, {"scale", preferences.scale}};
+  if (preferences.width > 0) values["size"] = {preferences.width, preferences.height};
+  std::error_code ignored;
+  std::filesystem::create_directories(file.parent_path(), ignored);
+  // Beside and in place of the old one, so that a crash leaves one of the two.
+  const std::filesystem::path beside = file.string() + ".new";
+  std::ofstream stream(beside, std::ios::binary);
+  stream << values.dump(2) << "\n";
+  stream.close();
+  std::error_code error;
+  if (stream) std::filesystem::rename(beside, file, error);
+  if (!stream || error) return fail(file.string(), "", "cannot be written", "check the folder's permissions");
+  return {};
+}
+
+}  // namespace facet::view

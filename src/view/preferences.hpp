@@ -1,0 +1,27 @@
+#pragma once
+
+// What the user has set about the window itself, kept in settings.json beside imgui.ini.
+
+#include <filesystem>
+
+#include "base/error.hpp"
+
+namespace facet::view {
+
+enum class Theme { dark, light };
+
+struct Preferences {
+  Theme theme = Theme::dark;
+  float scale = 0;            // of letters and controls, [0.5, 4]; 0: the monitor's
+  int width = 0, height = 0;  // of the window as it was left; 0: not known
+
+  bool operator==(const Preferences&) const = default;
+};
+
+// A missing file and missing entries leave what is usual. Errors: the file is no JSON object or holds another kind of
+// value.
+Result<Preferences> readPreferences(const std::filesystem::path& file);
+// Errors: cannot be written.
+Result<void> writePreferences(const std::filesystem::path& file, const Preferences& preferences);
+
+}  // namespace facet::view

@@ -1,0 +1,291 @@
+#include "view/scene_panel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <iterator>
+#include <string_view>
+
+#include "scene/nodes.hpp"
+#include "view/inspector.hpp"
+#include "view/scene_tree.hpp"
+#include "view/statistics_panel.hpp"
+#include "view/style.hpp"
+#include "view/widgets.hpp"
+
+namespace facet::view {
+
+namespace {
+
+std::string format(const char* pattern, double a, double b = 0, double c = 0) {
+  char text[96];
+  std::snprintf(text, sizeof text, pattern, a, b, c);
+  return text;
+}
+
+std::string vectorText(const glm::dvec3& v, const char* pattern = "%.4g  %.4g  %.4g") {
+  return format(pattern, v.x, v.y, v.z);
+}
+
+size_t triangleCount(const scene::Mesh& mesh) {
+  size_t count = 0;
+  for (const scene::Primitive& p : mesh.primitives) {
+    const size_t corners = p.indices.empty() ? p.positions.size() : p.indices.size();
+    if (p.topology == scene::Topology::triangles) count += corners / 3;
+    if (p.topology == scene::Topology::triangleStrip || p.topology == scene::Topology::triangleFan)
+      count += corners > 2 ? corners - 2 : 0;
+  }
+  return count;
+}
+
+std::string meshText(const scene::Mesh& mesh) {
+  size_t vertices = 0;
+  for (const scene::Primitive& p : mesh.primitives) vertices += p.positions.size();
+  return std::to_string(mesh.primitives.size()) + (mesh.primitives.size() == 1 ? " primitive, " : " primitives, ") +
+         grouped(triangleCount(mesh)) + " triangles, " + grouped(vertices) + " vertices";
+}
+
+void chooseMaterial(ViewerState& state, PanelResult& result, int material) {
+  state.inspection = {};
+  state.selection = {-1, material, false};
+  result.describeMaterial = true;
+}
+
+// A material's name, which chooses it.
+void materialLink(ViewerState& state, PanelResult& result, int material) {
+  const scene::Model& model = *state.shown.content;
+  if (material < 0 || material >= static_cast<int>(model.materials.size())) {
+    ImGui::TextDisabled("glTF's default");
+    return;
+  }
+  ImGui::PushID(material);
+  if (ImGui::SmallButton(materialName(model, material).c_str())) chooseMaterial(state, result, material);
+  ImGui::PopID();
+  hint("shows the material");
+}
+
+// ---- The tree -------------------------------------------------------------------------------------------------------
+
+void searchField(SceneTree& tree) {
+  char text[128] = "";
+  std::strncpy(text, tree.filter.c_str(), sizeof text - 1);
+  ImGui::SetNextItemWidth(-7.5f * ImGui::GetFontSize() - ImGui::GetStyle().ItemSpacing.x);
+  if (ImGui::InputTextWithHint("##search", "search by name", text, sizeof text)) tree.filter = text, tree.stale = true;
+  ImGui::SameLine();
+  static constexpr const char* kinds[] = {"nodes", "meshes", "materials"};
+  ImGui::SetNextItemWidth(7.5f * ImGui::GetFontSize());
+  if (!beginList("##kind", kinds[static_cast<int>(tree.kind)])) return;
+  for (int i = 0; i < 3; ++i)
+    if (ImGui::Selectable(kinds[i], static_cast<int>(tree.kind) == i))
+      tree.kind = static_cast<TreeKind>(i), tree.stale = true;
+  ImGui::EndCombo();
+}
+
+void nodeTooltip(const scene::Model& model, int index) {
+  if (!ImGui::IsItemHovered()) return;
+  const scene::Node& node = model.nodes[static_cast<size_t>(index)];
+  std::string text = nodeName(model, index);
+  for (int above = node.parent, levels = 0; above >= 0 && levels < 6; ++levels) {
+    text = nodeName(model, above) + " / " + text;
+    above = model.nodes[static_cast<size_t>(above)].parent;
+  }
+  if (node.mesh >= 0) text += "\n" + meshText(model.meshes[static_cast<size_t>(node.mesh)]);
+  if (!node.children.empty()) text += "\n" + grouped(node.children.size()) + " below it";
+  hint(text);
+}
+
+void nodeRow(ViewerState& state, const TreeRow& row) {
+  const scene::Model& model = *state.shown.content;
+  SceneTree& tree = state.tree;
+  const auto index = static_cast<size_t>(row.index);
+  const float em = ImGui::GetFontSize();
+  const float indent = static_cast<float>(std::min(row.depth, 24)) * 0.9f * em;
+  if (indent > 0) ImGui::Dummy({indent, 0}), ImGui::SameLine(0, 0);
+  if (row.parent && tree.filter.empty()) {
+    ImGui::PushStyleColor(ImGuiCol_Button, 0);
+    if (ImGui::ArrowButton("##open", tree.open[index] ? ImGuiDir_Down : ImGuiDir_Right))
+      tree.open[index] = !tree.open[index], tree.stale = true;
+    ImGui::PopStyleColor();
+  } else {
+    ImGui::Dummy({ImGui::GetFrameHeight(), 0});
+  }
+  ImGui::SameLine(0, 0.2f * em);
+  ImGui::AlignTextToFramePadding();
+  if (ImGui::Selectable(nodeName(model, row.index).c_str(), state.selection.node == row.index))
+    selectNode(state, row.index);
+  nodeTooltip(model, row.index);
+  const std::string kinds = nodeKinds(model.nodes[index]);
+  if (kinds.empty()) return;
+  const float width = ImGui::CalcTextSize(kinds.c_str()).x;
+  const float right = ImGui::GetWindowContentRegionMax().x - width;
+  ImGui::SameLine(right);
+  ImGui::TextDisabled("%s", kinds.c_str());
+}
+
+void meshRow(ViewerState& state, int mesh) {
+  const scene::Model& model = *state.shown.content;
+  const int node = state.selection.node;
+  const bool chosen = node >= 0 && model.nodes[static_cast<size_t>(node)].mesh == mesh;
+  if (ImGui::Selectable(meshName(model, mesh).c_str(), chosen)) {
+    const auto user = std::ranges::find(model.nodes, mesh, &scene::Node::mesh);
+    if (user != model.nodes.end()) selectNode(state, static_cast<int>(user - model.nodes.begin()));
+  }
+  hint(meshText(model.meshes[static_cast<size_t>(mesh)]));
+}
+
+void treeList(ViewerState& state, PanelResult& result, float height) {
+  const scene::Model& model = *state.shown.content;
+  SceneTree& tree = state.tree;
+  int scrollTo = -1;
+  if (state.selection.reveal && state.selection.node >= 0)
+    scrollTo = reveal(tree, model, state.shown.scene, state.selection.node);
+  state.selection.reveal = false;
+  updateTree(tree, model, state.shown.scene);
+  if (!ImGui::BeginChild("tree", {0, height}, true)) return ImGui::EndChild();
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 1});
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().FramePadding.x, 1});
+  const float rowHeight = ImGui::GetFrameHeightWithSpacing();
+  if (scrollTo >= 0)
+    ImGui::SetScrollY(std::max(0.0f, static_cast<float>(scrollTo) * rowHeight - 0.4f * ImGui::GetWindowHeight()));
+  if (tree.rows.empty()) ImGui::TextDisabled(tree.filter.empty() ? "none" : "nothing is called so");
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(tree.rows.size()), rowHeight);
+  while (clipper.Step())
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+      const TreeRow row = tree.rows[static_cast<size_t>(i)];
+      ImGui::PushID(i);
+      if (tree.kind == TreeKind::nodes) nodeRow(state, row);
+      if (tree.kind == TreeKind::meshes) ImGui::AlignTextToFramePadding(), meshRow(state, row.index);
+      if (tree.kind == TreeKind::materials) {
+        ImGui::AlignTextToFramePadding();
+        const bool chosen = state.selection.material == row.index;
+        if (ImGui::Selectable(materialName(model, row.index).c_str(), chosen)) chooseMaterial(state, result, row.index);
+      }
+      ImGui::PopID();
+    }
+  ImGui::PopStyleVar(2);
+  ImGui::EndChild();
+}
+
+// ---- What is chosen -------------------------------------------------------------------------------------------------
+
+void nodeDetails(ViewerState& state, PanelResult& result) {
+  const scene::Model& model = *state.shown.content;
+  const int index = state.selection.node;
+  const scene::Node& node = model.nodes[static_cast<size_t>(index)];
+  if (!section("Node")) return;
+  if (!beginDetails("node")) return;
+  detail("name", nodeName(model, index));
+  if (node.parent >= 0) detail("below", nodeName(model, node.parent));
+  if (!node.children.empty()) detail("children", grouped(node.children.size()));
+  detail("translation", vectorText(node.translation));
+  detail("rotation", format("%.3g  %.3g  %.3g", node.rotation.x, node.rotation.y, node.rotation.z) +
+                         format("  %.3g", node.rotation.w));
+  detail("scale", vectorText(node.scale));
+  if (!node.instances.empty()) detail("instances", grouped(node.instances.size()));
+  if (node.skin >= 0) {
+    const scene::Skin& skin = model.skins[static_cast<size_t>(node.skin)];
+    detail("skin", grouped(skin.joints.size()) + " joints");
+  }
+  if (node.light >= 0) {
+    const scene::Light& light = model.lights[static_cast<size_t>(node.light)];
+    constexpr const char* types[] = {"directional", "point", "spot"};
+    detail("light", types[static_cast<int>(light.type)] +
+                        format(light.type == scene::LightType::directional ? ", %.4g lx" : ", %.4g cd",
+                               static_cast<double>(light.intensity)));
+  }
+  if (node.mesh >= 0) {
+    const scene::Mesh& mesh = model.meshes[static_cast<size_t>(node.mesh)];
+    detail("mesh", meshName(model, node.mesh) + "\n" + meshText(mesh));
+    std::vector<int> used;
+    for (const scene::Primitive& p : mesh.primitives)
+      if (std::ranges::find(used, p.material) == used.end() && used.size() < 32) used.push_back(p.material);
+    ImGui::TableNextColumn();
+    ImGui::TextDisabled("%s", used.size() == 1 ? "material" : "materials");
+    ImGui::TableNextColumn();
+    for (const int material : used) materialLink(state, result, material);
+  }
+  ImGui::EndTable();
+  if (ImGui::Button("frame")) result.frameSelection = true;
+  hint("brings it into the middle of the picture (F)");
+  ImGui::SameLine();
+  if (ImGui::Button("deselect")) selectNode(state, -1);
+}
+
+void swatch(const char* id, const glm::vec3& linear) {
+  const glm::vec3 c = glm::clamp(linear, glm::vec3(0), glm::vec3(1));
+  const auto encoded = [](float x) { return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f; };
+  const float size = ImGui::GetFontSize();
+  ImGui::ColorButton(id, {encoded(c.r), encoded(c.g), encoded(c.b), 1},
+                     ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop, {size, size});
+  ImGui::SameLine();
+}
+
+void pointValues(const Inspection& at, const scene::Model& model) {
+  if (!section("At the point")) return;
+  if (!beginDetails("point")) return;
+  const scene::Mesh& mesh = model.meshes[static_cast<size_t>(at.hit.mesh)];
+  detail("position", vectorText(at.hit.position, "%.5g  %.5g  %.5g") + " m");
+  detail("pixel", std::to_string(at.pixel.x) + ", " + std::to_string(at.pixel.y) + " from the lower left");
+  if (at.uv) detail("uv", format("%.5f  %.5f", static_cast<double>(at.uv->x), static_cast<double>(at.uv->y)));
+  if (mesh.primitives.size() > 1) detail("primitive", std::to_string(at.hit.primitive));
+  detail("triangle", grouped(at.hit.triangle));
+  static constexpr const char* names[] = {"",         "normal",    "vertex normal", "tangent",  "",     "base colour",
+                                          "metallic", "roughness", "occlusion",     "emissive", "alpha"};
+  static_assert(std::size(names) == std::size(shading::channelNames));
+  for (size_t channel = 1; channel < std::size(names); ++channel) {
+    const std::optional<glm::vec3>& value = at.values[channel];
+    if (!value) continue;
+    const bool scalar =
+        std::string_view("metallic roughness occlusion alpha").find(names[channel]) != std::string_view::npos;
+    ImGui::TableNextColumn();
+    ImGui::TextDisabled("%s", names[channel]);
+    ImGui::TableNextColumn();
+    if (shading::channelIsColor(static_cast<int>(channel))) swatch(names[channel], *value);
+    const glm::dvec3 v(*value);
+    ImGui::TextUnformatted(scalar ? format("%.4f", v.x).c_str() : format("%.3f  %.3f  %.3f", v.x, v.y, v.z).c_str());
+  }
+  if (at.radiance) {
+    const glm::dvec3 v(*at.radiance);
+    ImGui::TableNextColumn();
+    ImGui::TextDisabled("radiance");
+    hint("what the picture has at this pixel, before exposure and tone mapping; linear Rec. 709");
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(format("%.4g  %.4g  %.4g", v.x, v.y, v.z).c_str());
+  }
+  ImGui::EndTable();
+  if (at.nextChannel < static_cast<int>(std::size(shading::channelNames))) ImGui::TextDisabled("reading ...");
+}
+
+void materialTable(const ViewerState& state, const std::string& name) {
+  if (!section("Material")) return;
+  if (!beginDetails("material")) return;
+  detail("name", name);
+  for (const Detail& row : state.inspection.materialDetails) detail(row.name, row.value);
+  ImGui::EndTable();
+}
+
+}  // namespace
+
+void scenePanel(ViewerState& state, PanelResult& result) {
+  if (!state.shown.content) return;
+  const scene::Model& model = *state.shown.content;
+  searchField(state.tree);
+  const bool chosen = state.selection.node >= 0 || state.selection.material >= 0;
+  const float all = ImGui::GetContentRegionAvail().y;
+  treeList(state, result, chosen ? 0.36f * all : std::max(all, 1.0f));
+  if (!chosen) return;
+  if (ImGui::BeginChild("chosen")) {
+    if (state.inspection.on) pointValues(state.inspection, model);
+    const int material = state.selection.material;
+    if (state.inspection.on)
+      materialTable(state, state.inspection.materialName);
+    else if (material >= 0)
+      materialTable(state, materialName(model, material));
+    if (state.selection.node >= 0) nodeDetails(state, result);
+  }
+  ImGui::EndChild();
+}
+
+}  // namespace facet::view

@@ -1,0 +1,351 @@
+#include "view/settings_panel.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <iterator>
+#include <span>
+
+#include "optics/presets.hpp"
+#include "shading/features.hpp"
+#include "view/playback.hpp"
+#include "view/statistics_panel.hpp"
+#include "view/style.hpp"
+#include "view/widgets.hpp"
+
+namespace facet::view {
+
+namespace {
+
+const frame::PictureSettings usual;
+
+// ---- Camera ---------------------------------------------------------------------------------------------------------
+
+void cameraChoice(ViewerState& state, PanelResult& result) {
+  std::string& chosen = state.settings.camera;
+  if (state.shown.cameras.empty()) return;
+  if (!beginList("camera", chosen.empty() ? "orbit" : chosen)) {
+    hint("orbit: yours; the others are the file's and stand where it puts them, until you move");
+    return;
+  }
+  if (ImGui::Selectable("orbit", chosen.empty())) result.leaveFileCamera = true;
+  for (const CameraName& camera : state.shown.cameras) {
+    ImGui::PushID(&camera);
+    if (ImGui::Selectable(camera.label.c_str(), chosen == camera.option)) chosen = camera.option;
+    ImGui::PopID();
+  }
+  ImGui::EndCombo();
+}
+
+void sceneChoice(ViewerState& state) {
+  const std::vector<std::string>& scenes = state.shown.scenes;
+  if (scenes.size() < 2) return;
+  const auto current = static_cast<size_t>(state.shown.scene);
+  if (!beginList("scene", current < scenes.size() ? scenes[current] : "")) return;
+  for (size_t i = 0; i < scenes.size(); ++i) {
+    ImGui::PushID(static_cast<int>(i));
+    if (ImGui::Selectable(scenes[i].c_str(), i == current)) {
+      state.settings.scene = static_cast<int>(i);
+      state.settings.camera.clear();
+    }
+    ImGui::PopID();
+  }
+  ImGui::EndCombo();
+}
+
+void viewButtons(PanelResult& result) {
+  struct Button {
+    const char* label;
+    ViewFrom from;
+    const char* key;
+  };
+  constexpr Button buttons[] = {{"front", ViewFrom::front, "1"},    {"right", ViewFrom::right, "3"},
+                                {"top", ViewFrom::top, "7"},        {"back", ViewFrom::back, "Ctrl+1"},
+                                {"left", ViewFrom::left, "Ctrl+3"}, {"bottom", ViewFrom::bottom, "Ctrl+7"}};
+  const float spacing = ImGui::GetStyle().ItemSpacing.x;
+  const float width = (ImGui::GetContentRegionAvail().x - 2 * spacing) / 3;
+  for (size_t i = 0; i < std::size(buttons); ++i) {
+    if (i % 3 != 0) ImGui::SameLine();
+    if (ImGui::Button(buttons[i].label, {width, 0})) result.viewFrom = buttons[i].from;
+    hint(std::string("looks at the target from there (") + buttons[i].key + ")");
+  }
+  if (ImGui::Button("frame all", {width, 0})) result.frameAll = true;
+  hint("brings everything into the picture (Home)");
+  ImGui::SameLine();
+  if (ImGui::Button("selection", {width, 0})) result.frameSelection = true;
+  hint("brings the selected node into the picture (F)");
+  ImGui::SameLine();
+  if (ImGui::Button("reset", {width, 0})) result.resetCamera = true;
+  hint("the view that the model came with (R)");
+}
+
+void cameraSection(ViewerState& state, PanelResult& result) {
+  if (!section("Camera")) return;
+  sceneChoice(state);
+  cameraChoice(state, result);
+  viewButtons(result);
+  if (state.settings.camera.empty()) {
+    auto fovY = static_cast<float>(state.camera.fovY);
+    if (slider("field of view", fovY, 5, 120, "%.0f\xc2\xb0", 45, "vertical"))
+      state.camera.fovY = static_cast<double>(fovY);
+  }
+  ImGui::Checkbox("turntable", &state.turntable.on);
+  hint("the camera goes round the target about +Y (O)");
+  if (state.turntable.on) {
+    auto speed = static_cast<float>(state.turntable.degreesPerSecond);
+    if (slider("speed", speed, -180, 180, "%.0f\xc2\xb0/s", 24, "negative: the other way"))
+      state.turntable.degreesPerSecond = static_cast<double>(speed);
+  }
+  if (state.settings.camera.empty())
+    ImGui::TextDisabled("theta %.0f\xc2\xb0  phi %.0f\xc2\xb0  radius %.3g m", state.camera.theta, state.camera.phi,
+                        state.camera.radius);
+}
+
+// ---- Environment and lights -----------------------------------------------------------------------------------------
+
+void environmentSection(ViewerState& state) {
+  if (!section("Environment and lights")) return;
+  frame::PictureSettings& settings = state.settings;
+  const std::string& wanted = settings.environment.empty() ? state.shown.environment : settings.environment;
+  if (beginList("map", shortName(wanted))) {
+    for (const std::string& source : state.environments) {
+      ImGui::PushID(source.c_str());
+      if (ImGui::Selectable(shortName(source).c_str(), source == wanted)) settings.environment = source;
+      hint(source);
+      ImGui::PopID();
+    }
+    ImGui::EndCombo();
+  } else {
+    hint("what lights the scene from afar: E takes the next built-in one; drop a .hdr or .exr");
+  }
+  slider("rotation", settings.environmentRotationDeg, -180, 180, "%.0f\xc2\xb0", usual.environmentRotationDeg,
+         "of the environment, about +Y");
+  slider("strength", settings.environmentStrength, 0, 10, "%.2f", usual.environmentStrength,
+         "factor on the environment's radiance", ImGuiSliderFlags_Logarithmic);
+  static constexpr Choice backgrounds[] = {
+      {"environment", nullptr}, {"transparent", "screenshots get an alpha channel"}, {"colour", nullptr}};
+  chooseEnum("background", settings.background, backgrounds, usual.background, "what is behind the model");
+  if (settings.background == frame::Background::color)
+    editColor("background colour", settings.backgroundColor, usual.backgroundColor, "as it is shown");
+  static constexpr Choice lights[] = {{"the file's", "KHR_lights_punctual"},
+                                      {"none", nullptr},
+                                      {"the file's and four", "four point lights on a ring above the scene"}};
+  chooseEnum("lights", settings.lights, lights, usual.lights, "point, spot and directional lights");
+  ImGui::TextDisabled(state.shown.sceneLights == 1 ? "the file has %d light" : "the file has %d lights",
+                      state.shown.sceneLights);
+  slider("occlusion", settings.occlusion, 0, 1, "%.2f", usual.occlusion,
+         "strength of the materials' occlusion textures");
+}
+
+// ---- Material -------------------------------------------------------------------------------------------------------
+
+// A variant whose name is taken by another, or missing, is called by its index.
+void variantChoice(ViewerState& state) {
+  const std::vector<std::string>& variants = state.shown.variants;
+  if (variants.empty()) return;
+  const char* own = "the file's own";
+  const auto current = static_cast<size_t>(state.shown.variant);
+  if (!beginList("variant", current < variants.size() ? variants[current] : own)) {
+    hint("KHR_materials_variants");
+    return;
+  }
+  if (ImGui::Selectable(own, state.shown.variant < 0)) state.settings.variant.clear();
+  for (size_t i = 0; i < variants.size(); ++i) {
+    ImGui::PushID(static_cast<int>(i));
+    const bool first = std::ranges::find(variants, variants[i]) == variants.begin() + static_cast<ptrdiff_t>(i);
+    if (ImGui::Selectable(variants[i].c_str(), i == current))
+      state.settings.variant = first && variants[i] != "variant " + std::to_string(i) ? variants[i] : std::to_string(i);
+    ImGui::PopID();
+  }
+  ImGui::EndCombo();
+}
+
+template <class Preset>
+void presetRows(MaterialChoice& material, std::span<const Preset> presets) {
+  for (const Preset& preset : presets) {
+    const std::string name(preset.name);
+    if (ImGui::Selectable(name.c_str(), name == material.preset)) choosePreset(material, name);
+    hint(presetText(name));
+  }
+}
+
+void presetChoice(MaterialChoice& material) {
+  if (!beginList("substance", material.preset.empty() ? "none" : material.preset)) {
+    hint(material.preset.empty() ? "metals and dielectrics with published figures" : presetText(material.preset));
+    return;
+  }
+  if (ImGui::Selectable("none", material.preset.empty())) choosePreset(material, {});
+  ImGui::TextDisabled("metals");
+  presetRows(material, optics::metalPresets());
+  ImGui::TextDisabled("dielectrics");
+  presetRows(material, optics::dielectricPresets());
+  ImGui::EndCombo();
+}
+
+void materialSection(ViewerState& state) {
+  MaterialChoice& material = state.settings.material;
+  if (!section("Material", material.on || !state.shown.variants.empty())) return;
+  variantChoice(state);
+  size_t source = material.on ? 1 : 0;
+  static constexpr Choice sources[] = {{"the file's", "each surface has the material that the file gives it"},
+                                       {"one for everything", "in place of the file's"}};
+  if (chooseIndex("source", source, sources, std::size(sources), 0, "where materials come from"))
+    material.on = source == 1;
+  if (!material.on) return;
+  const MaterialChoice plain;
+  presetChoice(material);
+  editColor("base colour", material.baseColor, plain.baseColor, "of a metal: what it reflects straight on");
+  slider("metallic", material.metallic, 0, 1, "%.2f", plain.metallic, "0 dielectric, 1 metal");
+  slider("roughness", material.perceptualRoughness, 0, 1, "%.2f", plain.perceptualRoughness,
+         "perceptual; its square is the width of the microfacets' distribution");
+  slider("ior", material.ior, 1, 3, "%.3f", plain.ior, "index of refraction of the dielectric");
+}
+
+// ---- Rendering ------------------------------------------------------------------------------------------------------
+
+void channelChoice(frame::PictureSettings& settings) {
+  const int channel = std::max(0, shading::channelIndex(settings.channel));
+  const auto label = [](int i) { return i == 0 ? "final picture" : shading::channelNames[i]; };
+  if (beginList("show", label(channel))) {
+    for (int i = 0; i < static_cast<int>(std::size(shading::channelNames)); ++i)
+      if (ImGui::Selectable(label(i), i == channel)) settings.channel = shading::channelNames[i];
+    ImGui::EndCombo();
+    return;
+  }
+  if (resetAsked()) settings.channel.clear();
+  hint("the picture, or what goes into it\nright click: reset");
+}
+
+void samplesChoice(frame::PictureSettings& settings) {
+  if (beginList("samples", std::to_string(settings.samples))) {
+    for (const int samples : {1, 2, 4, 16, 64, 256, 1024})
+      if (ImGui::Selectable(std::to_string(samples).c_str(), samples == settings.samples)) settings.samples = samples;
+    ImGui::EndCombo();
+    return;
+  }
+  if (resetAsked()) settings.samples = 256;
+  hint("a pixel; more than 4 are gathered while the picture rests, until it has converged\nright click: reset");
+}
+
+void pictureSection(ViewerState& state) {
+  if (!section("Picture")) return;
+  frame::PictureSettings& settings = state.settings;
+  slider("exposure", settings.exposureStops, -8, 8, "%+.1f stops", usual.exposureStops,
+         "each stop doubles the light, before tone mapping");
+  static constexpr Choice toneMappers[] = {{"none (clamp)", "what is brighter than white is white"},
+                                           {"Reinhard", nullptr},
+                                           {"Uncharted 2", nullptr},
+                                           {"ACES fit", nullptr},
+                                           {"AgX", nullptr},
+                                           {"Khronos PBR Neutral", "keeps base colours as they are"}};
+  chooseEnum("tone mapper", settings.toneMapper, toneMappers, usual.toneMapper,
+             "how radiance becomes what a screen can show");
+  channelChoice(settings);
+  samplesChoice(settings);
+}
+
+void modelsSection(ViewerState& state) {
+  if (!section("Models", false)) return;
+  frame::PictureSettings& settings = state.settings;
+  static constexpr Choice diffuse[] = {{"Lambert", "glTF's"},   {"Burley", nullptr},
+                                       {"Frostbite", nullptr},  {"Oren-Nayar", nullptr},
+                                       {"EON", "keeps energy"}, {"Call of Duty WWII", nullptr}};
+  static constexpr Choice fresnel[] = {{"Schlick", "glTF's"},
+                                       {"exact", "dielectrics, and metals whose complex index is known"},
+                                       {"F82-tint", "metals whose complex index is known"}};
+  static constexpr Choice distributions[] = {{"GGX", "glTF's"}, {"Beckmann", nullptr}, {"Blinn", nullptr}};
+  static constexpr Choice maskings[] = {{"Smith", "glTF's"}, {"approximate", nullptr}, {"V-cavities", nullptr}};
+  chooseEnum("diffuse", settings.diffuse, diffuse, usual.diffuse, "of lights and environment");
+  ImGui::TextDisabled("of the lights:");
+  chooseEnum("Fresnel", settings.fresnel, fresnel, usual.fresnel,
+             "what an interface reflects by angle; of the environment only with more than 4 samples");
+  chooseEnum("microfacets", settings.distribution, distributions, usual.distribution,
+             "their distribution; the environment is reflected by GGX");
+  chooseEnum("masking", settings.masking, maskings, usual.masking, "how microfacets hide each other");
+}
+
+// ---- Accuracy -------------------------------------------------------------------------------------------------------
+
+void accuracySection(const ViewerState& state) {
+  if (!section("Accuracy")) return;
+  if (!beginDetails("accuracy")) return;
+  const RefinementStatus& r = state.refinement;
+  const bool shows = r.shown > 0;
+  detail("picture", shows ? std::to_string(r.shown) + " samples a pixel, environment sampled"
+                          : std::to_string(std::min(state.settings.samples, 4)) + " samples a pixel, light tables");
+  if (r.wanted > 0) detail("gathered", std::to_string(r.gathered) + " of " + std::to_string(r.wanted));
+  char error[48] = "not known";
+  if (r.error >= 0) std::snprintf(error, sizeof error, "about %.2f/255", r.error);
+  detail("its error", error);
+  hint("root mean square of the colours on the screen: the first half of the samples against the second");
+  detail("light tables", byteText(state.shown.statistics.tableBytes));
+  ImGui::EndTable();
+}
+
+// ---- The file, the window -------------------------------------------------------------------------------------------
+
+void animationSection(ViewerState& state) {
+  if (state.shown.animations.empty() || !section("Animation", false)) return;
+  const AnimationName* current = chosenAnimation(state);
+  if (beginList("animation", current ? current->label : "at rest")) {
+    if (ImGui::Selectable("at rest", !current)) chooseAnimation(state, "");
+    for (const AnimationName& animation : state.shown.animations)
+      if (ImGui::Selectable((animation.label + "##" + animation.option).c_str(), &animation == current))
+        chooseAnimation(state, animation.option);
+    ImGui::EndCombo();
+  }
+  auto speed = static_cast<float>(state.playback.speed);
+  if (slider("speed##animation", speed, -2, 4, "%.2g x", 1, "negative: backwards"))
+    state.playback.speed = static_cast<double>(speed);
+  ImGui::Checkbox("loop##animation", &state.playback.loop);
+}
+
+void notesSection(const ShownScene& shown) {
+  if (shown.warnings.empty() && shown.infos.empty()) return;
+  const size_t count = shown.warnings.size() + shown.infos.size();
+  const std::string title = "Notes (" + std::to_string(count) + ")###notes";
+  if (!section(title.c_str(), !shown.warnings.empty())) return;
+  const auto list = [](const std::vector<std::string>& lines, ImU32 color) {
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    for (const std::string& line : lines) ImGui::TextWrapped("%s", line.c_str());
+    ImGui::PopStyleColor();
+  };
+  list(shown.warnings, warningColor);
+  list(shown.infos, quietColor);
+}
+
+void windowSection(ViewerState& state) {
+  if (!section("Window", false)) return;
+  static constexpr Choice themes[] = {{"dark", nullptr}, {"light", nullptr}};
+  chooseEnum("theme", state.preferences.theme, themes, Theme::dark, "of the panels; the picture stays as it is");
+  static constexpr float scales[] = {0, 0.75f, 1, 1.25f, 1.5f, 1.75f, 2, 2.5f, 3, 4};
+  const auto label = [](float scale) {
+    return scale == 0 ? std::string("the monitor's") : std::to_string(static_cast<int>(scale * 100 + 0.5f)) + " %";
+  };
+  if (beginList("size", label(state.preferences.scale))) {
+    for (const float scale : scales)
+      if (ImGui::Selectable(label(scale).c_str(), scale == state.preferences.scale)) state.preferences.scale = scale;
+    ImGui::EndCombo();
+  } else {
+    if (resetAsked()) state.preferences.scale = 0;
+    hint("of letters and controls\nright click: reset");
+  }
+}
+
+}  // namespace
+
+void settingsPanel(ViewerState& state, PanelResult& result) {
+  ImGui::PushItemWidth(-7.5f * ImGui::GetFontSize());
+  cameraSection(state, result);
+  environmentSection(state);
+  materialSection(state);
+  pictureSection(state);
+  modelsSection(state);
+  accuracySection(state);
+  animationSection(state);
+  notesSection(state.shown);
+  statisticsSection(state);
+  windowSection(state);
+  ImGui::PopItemWidth();
+}
+
+}  // namespace facet::view

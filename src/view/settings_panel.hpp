@@ -1,0 +1,13 @@
+#pragma once
+
+// The settings, grouped by purpose: camera, environment and lights, material, rendering, accuracy, window.
+
+#include "view/panel.hpp"
+#include "view/viewer_state.hpp"
+
+namespace facet::view {
+
+// Within the current ImGui window.
+void settingsPanel(ViewerState& state, PanelResult& result);
+
+}  // namespace facet::view

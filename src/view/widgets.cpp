@@ -1,0 +1,91 @@
+#include "view/widgets.hpp"
+
+#include "base/srgb.hpp"
+
+namespace facet::view {
+
+bool section(const char* name, bool open) {
+  return ImGui::CollapsingHeader(name, open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+}
+
+void hint(const std::string& text) {
+  if (text.empty() || !ImGui::IsItemHovered()) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(24 * ImGui::GetFontSize());
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+bool resetAsked() { return ImGui::IsItemHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Right); }
+
+namespace {
+
+void resettableHint(const char* explanation) {
+  std::string text = explanation ? explanation : "";
+  text += text.empty() ? "right click: reset" : "\nright click: reset";
+  hint(text);
+}
+
+}  // namespace
+
+bool slider(const char* label, float& value, float low, float high, const char* format, float usual,
+            const char* explanation, ImGuiSliderFlags flags) {
+  bool changed = ImGui::SliderFloat(label, &value, low, high, format, flags | ImGuiSliderFlags_AlwaysClamp);
+  if (resetAsked()) value = usual, changed = true;
+  resettableHint(explanation);
+  return changed;
+}
+
+void editColor(const char* label, glm::vec3& linear, const glm::vec3& usual, const char* explanation) {
+  float encoded[3];
+  for (int c = 0; c < 3; ++c) encoded[c] = static_cast<float>(srgbFromLinear(linear[c]));
+  if (ImGui::ColorEdit3(label, encoded, ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoOptions))
+    for (int c = 0; c < 3; ++c) linear[c] = static_cast<float>(linearFromSrgb(encoded[c]));
+  if (resetAsked()) linear = usual;
+  resettableHint(explanation);
+}
+
+bool beginList(const char* label, const std::string& chosen) {
+  if (!ImGui::BeginCombo(label, chosen.c_str(), ImGuiComboFlags_HeightLarge)) return false;
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) ImGui::CloseCurrentPopup();
+  return true;
+}
+
+bool chooseIndex(const char* label, size_t& index, const Choice* choices, size_t count, size_t usual,
+                 const char* explanation) {
+  bool changed = false;
+  if (beginList(label, index < count ? choices[index].label : "")) {
+    for (size_t i = 0; i < count; ++i) {
+      if (ImGui::Selectable(choices[i].label, i == index)) index = i, changed = true;
+      if (choices[i].explanation) hint(choices[i].explanation);
+    }
+    ImGui::EndCombo();
+    return changed;
+  }
+  if (resetAsked()) index = usual, changed = true;
+  resettableHint(explanation);
+  return changed;
+}
+
+bool beginDetails(const char* id) {
+  if (!ImGui::BeginTable(id, 2)) return false;
+  ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, 7.5f * ImGui::GetFontSize());
+  ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
+  return true;
+}
+
+void detail(const std::string& name, const std::string& value) {
+  ImGui::TableNextColumn();
+  ImGui::TextDisabled("%s", name.c_str());
+  if (ImGui::CalcTextSize(name.c_str()).x > 7.5f * ImGui::GetFontSize()) hint(name);
+  ImGui::TableNextColumn();
+  ImGui::TextWrapped("%s", value.c_str());
+}
+
+std::string shortName(const std::string& source) {
+  if (source.starts_with("builtin:")) return source.substr(8);
+  return source.substr(source.find_last_of('/') + 1);
+}
+
+}  // namespace facet::view

@@ -1,0 +1,53 @@
+#pragma once
+
+// What the panels are made of: controls with a tooltip, which a right click resets.
+
+#include <imgui.h>
+
+#include <glm/glm.hpp>
+#include <string>
+
+namespace facet::view {
+
+// A header that opens and closes.
+bool section(const char* name, bool open = true);
+
+// A tooltip on the last item, wrapped; at once, or where the pointer rests.
+void hint(const std::string& text);
+
+// The right mouse button on the last item: what it shows goes back to what it was made for. True where it did.
+bool resetAsked();
+
+// With `usual`: a right click returns to it, and the tooltip says so.
+bool slider(const char* label, float& value, float low, float high, const char* format, float usual,
+            const char* explanation, ImGuiSliderFlags flags = 0);
+// Colours are linear inside and chosen as they look.
+void editColor(const char* label, glm::vec3& linear, const glm::vec3& usual, const char* explanation);
+
+// Ends with ImGui::EndCombo where true. Escape closes the list.
+bool beginList(const char* label, const std::string& chosen);
+
+struct Choice {
+  const char* label;
+  const char* explanation;  // may be null
+};
+
+// A list of an enumeration's values, in their order.
+bool chooseIndex(const char* label, size_t& index, const Choice* choices, size_t count, size_t usual,
+                 const char* explanation);
+template <class Enum, size_t N>
+bool chooseEnum(const char* label, Enum& value, const Choice (&choices)[N], Enum usual, const char* explanation) {
+  auto index = static_cast<size_t>(value);
+  const bool changed = chooseIndex(label, index, choices, N, static_cast<size_t>(usual), explanation);
+  if (changed) value = static_cast<Enum>(index);
+  return changed;
+}
+
+// A table of names and values; the names' column as wide as it must be.
+bool beginDetails(const char* id);
+void detail(const std::string& name, const std::string& value);
+
+// "models/chair.glb" as "chair.glb", "builtin:poster" as "poster".
+std::string shortName(const std::string& source);
+
+}  // namespace facet::view

@@ -1,0 +1,105 @@
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <iterator>
+
+#include "commands/picture_options.hpp"
+#include "io/image.hpp"
+#include "support/command.hpp"
+#include "support/gltf_builder.hpp"
+#include "support/temporary_folder.hpp"
+#include "view/inspector.hpp"
+#include "view/viewer.hpp"
+
+using namespace facet;
+
+namespace {
+
+// A triangle that rises by 1 m in a second, seen by a camera "gate" of its own and, from the side, by an orthographic
+// one, in brass or, as variant "sea", in blue.
+std::vector<uint8_t> risingTriangle() {
+  test::GltfBuilder b = test::triangle();
+  const std::vector<float> normals = {0, 0, 1, 0, 0, 1, 0, 0, 1}, times = {0, 1}, heights = {0, 0, 0, 0, 1, 0};
+  nlohmann::json& primitive = b.json["meshes"][0]["primitives"][0];
+  primitive["attributes"]["NORMAL"] = b.add(normals, test::floatType, "VEC3");
+  primitive["material"] = 0;
+  primitive["extensions"]["KHR_materials_variants"]["mappings"] = {{{"material", 1}, {"variants", {0}}}};
+  b.append("materials",
+           {{"doubleSided", true},
+            {"pbrMetallicRoughness", {{"baseColorFactor", {0.9, 0.6, 0.2, 1}}, {"roughnessFactor", 0.3}}}});
+  b.append("materials", {{"doubleSided", true},
+                         {"pbrMetallicRoughness", {{"baseColorFactor", {0.1, 0.2, 0.8, 1}}, {"metallicFactor", 0}}}});
+  b.json["extensions"]["KHR_materials_variants"]["variants"] = {{{"name", "sea"}}};
+  b.json["extensionsUsed"] = {"KHR_materials_variants"};
+  b.append("cameras", {{"name", "gate"}, {"type", "perspective"}, {"perspective", {{"yfov", 0.7}, {"znear", 0.1}}}});
+  b.append("cameras",
+           {{"type", "orthographic"}, {"orthographic", {{"xmag", 1.1}, {"ymag", 1.3}, {"znear", 0.1}, {"zfar", 9}}}});
+  for (int camera = 0; camera < 2; ++camera) {
+    const int node = b.append("nodes", {{"camera", camera}, {"translation", {0.3 + 0.1 * camera, 0.6, 3}}});
+    b.json["scenes"][0]["nodes"].push_back(node);
+  }
+  b.append(
+      "animations",
+      {{"name", "rise"},
+       {"samplers",
+        {{{"input", b.add(times, test::floatType, "SCALAR")}, {"output", b.add(heights, test::floatType, "VEC3")}}}},
+       {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}}});
+  return b.glb();
+}
+
+struct Case {
+  const char* name;
+  void (*set)(view::ViewerState&);
+};
+
+}  // namespace
+
+TEST_CASE("copied command: gives the bytes of the picture on the screen", "[gl]") {
+  const Case c = GENERATE(values<Case>({
+      {"orbit", [](view::ViewerState& s) { s.camera.theta = 33.25, s.camera.phi = 71, s.camera.radius = 2.7182818; }},
+      {"file camera", [](view::ViewerState& s) { s.settings.camera = "gate"; }},
+      {"orthographic", [](view::ViewerState& s) { s.settings.camera = "1"; }},
+      {"file camera, time",
+       [](view::ViewerState& s) {
+         s.settings.camera = "gate", s.settings.animation = "rise", s.settings.timeSeconds = 0.4375;
+       }},
+      {"orbit, time",
+       [](view::ViewerState& s) {
+         s.settings.animation = "all", s.settings.timeSeconds = 1.0 / 3;
+         s.camera.target = {0.1, 0.2, 0.3}, s.camera.fovY = 31.4;
+       }},
+      {"variant", [](view::ViewerState& s) { s.settings.variant = "sea", s.settings.exposureStops = 1.3f; }},
+      {"normal", [](view::ViewerState& s) { s.settings.channel = "normal"; }},
+      {"roughness", [](view::ViewerState& s) { s.settings.channel = "roughness", s.settings.environment = "none"; }},
+      {"uv, which is not there", [](view::ViewerState& s) { s.settings.channel = "uv"; }},
+      {"from above",
+       [](view::ViewerState& s) {
+         s.camera = view::seenFrom(s.camera, view::ViewFrom::top);
+         s.settings.lights = frame::Lights::demo, s.settings.toneMapper = frame::ToneMapper::agx;
+       }},
+      {"converged, selected", [](view::ViewerState& s) { s.settings.samples = 6, s.selection.node = 0; }},
+  }));
+  INFO(c.name);
+  const test::TemporaryFolder folder;
+  test::Viewer viewer;
+  viewer.load(folder.write("rise.glb", risingTriangle()));
+  c.set(viewer.state);
+  viewer.settle();
+  viewer.converge();
+  view::updateOutline(viewer.viewport, viewer.state, 2);
+  REQUIRE_FALSE(viewer.state.status.isError);
+  REQUIRE(io::writePng(folder.file("window.png"), viewer.display()));
+
+  const std::string line =
+      commands::commandLine(view::commandSettings(viewer.state), viewer.state.shown.model, folder.file("command.png"));
+  INFO(line);
+  REQUIRE(line.starts_with("facet render "));
+  const test::Outcome outcome = test::runShell("'" + test::facetPath() + "' " + line.substr(6));
+  INFO(outcome.text);
+  REQUIRE(outcome.status == 0);
+  const auto bytes = [&](const char* name) {
+    std::ifstream stream(folder.file(name), std::ios::binary);
+    return std::vector<char>(std::istreambuf_iterator<char>(stream), {});
+  };
+  CHECK(bytes("window.png").size() > 200);
+  CHECK(bytes("command.png") == bytes("window.png"));
+}
