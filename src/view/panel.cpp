@@ -112,6 +112,10 @@ void modelsSection(ViewerState& state) {
   static constexpr const char* distributions[] = {"GGX", "Beckmann", "Blinn"};
   static constexpr const char* maskings[] = {"Smith", "approximate", "V-cavities"};
   chooseEnum("diffuse", settings.diffuse, diffuse);
+  static constexpr const char* imageLights[] = {"automatic",      "mirror direction", "shifted direction",
+                                                "mean direction", "1 fitted tap",     "2 fitted taps",
+                                                "3 fitted taps",  "sampled"};
+  chooseEnum("environment", settings.imageLight, imageLights);
   ImGui::TextDisabled("of the lights:");
   chooseEnum("Fresnel", settings.fresnel, fresnel);
   chooseEnum("microfacets", settings.distribution, distributions);
