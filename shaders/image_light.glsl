@@ -34,12 +34,25 @@ vec3 meanDirection(vec3 N, vec3 V, float tilt) {
 }
 vec3 specularMeanDirection(Surface s) { return meanDirection(s.N, s.V, s.dfg.z); }
 
+// Mean radiance under an isotropic lobe; dfg of (NoV, perceptualRoughness).
+#ifndef IMAGE_LIGHT_MODEL
+vec3 lobeRadiance(vec3 N, vec3 V, float NoV, float perceptualRoughness, vec3 dfg) {
+  return fetchLd(environmentFromWorld(meanDirection(N, V, dfg.z)), perceptualRoughness);
+}
+#elif IMAGE_LIGHT_MODEL == 1
+#include "image_light_mirror.glsl"
+#elif IMAGE_LIGHT_MODEL == 2
+#include "image_light_shifted.glsl"
+#else
+#include "image_light_taps.glsl"
+#endif
+
 // Mean radiance under the base's lobe.
 #ifdef HAS_ANISOTROPY
 #include "image_light_grain.glsl"
 #else
 vec3 specularRadiance(Surface s) {
-  return fetchLd(environmentFromWorld(specularMeanDirection(s)), s.perceptualRoughness);
+  return lobeRadiance(s.N, s.V, s.NoV, s.perceptualRoughness, s.dfg);
 }
 #endif
 #ifdef HAS_SHEEN
@@ -54,8 +67,8 @@ vec3 imageLight(Surface s) {
   radiance = radiance * sheenLeft(s) + s.sheen.color * min(s.sheen.albedoV, 1.0) * sheenRadiance(s, irradiance);
 #endif
 #ifdef HAS_CLEARCOAT
-  vec3 d = environmentFromWorld(meanDirection(s.coat.N, s.V, s.coat.dfg.z));
-  radiance = radiance * coatLeft(s) + s.coat.weight * coatAlbedo(s) * fetchLd(d, s.coat.perceptualRoughness);
+  vec3 reflected = lobeRadiance(s.coat.N, s.V, s.coat.NoV, s.coat.perceptualRoughness, s.coat.dfg);
+  radiance = radiance * coatLeft(s) + s.coat.weight * coatAlbedo(s) * reflected;
 #endif
   return radiance * (frame.environmentScale.x * s.occlusion);
 }

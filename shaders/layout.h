@@ -70,10 +70,15 @@ LAYOUT_CONST environmentCubeUnit = 25;
 LAYOUT_CONST sheenAlbedoUnit = 26;
 LAYOUT_CONST opaqueFrameUnit = 27;  // what is behind transmitting surfaces, with mips
 LAYOUT_CONST opaqueDepthUnit = 28;  // its depth, with mips
+LAYOUT_CONST tapsUnit = 29;         // image_light_taps.glsl
 
 // The LD chain: layer i holds perceptual roughness ldKnot(i) (environment_layers.glsl); how many cubes of which size.
 LAYOUT_CONST ldLayerCount = 13;
 LAYOUT_CONST ldMirrorLayerCount = 2;
+
+// The table of fitted look-ups, texels along an edge of each tap's block; three models of 1, 2, 3 taps.
+LAYOUT_CONST tapsTableSize = 16;
+LAYOUT_CONST tapsBlockCount = 6;
 
 struct FrameUniforms {
   mat4 clipFromWorld;         // world = metres from the scene's origin (the centre of its bounds)

@@ -78,6 +78,12 @@ constexpr Named<optics::Masking> maskings[] = {{"smith", optics::Masking::smith}
                                                {"approximate", optics::Masking::approximate},
                                                {"v-cavity", optics::Masking::cavity}};
 
+constexpr Named<optics::ImageLight> imageLights[] = {
+    {"auto", optics::ImageLight::automatic},  {"mirror", optics::ImageLight::mirror},
+    {"shifted", optics::ImageLight::shifted}, {"mean", optics::ImageLight::mean},
+    {"taps1", optics::ImageLight::taps1},     {"taps2", optics::ImageLight::taps2},
+    {"taps3", optics::ImageLight::taps3},     {"sampled", optics::ImageLight::sampled}};
+
 constexpr Named<Text> channels[] = {{"final", ""},
                                     {"normal", "normal"},
                                     {"geometryNormal", "geometryNormal"},
@@ -349,6 +355,10 @@ constexpr PictureOption table[] = {
      parseName<distributions, &S::distribution>, writeName<distributions, &S::distribution>},
     {"masking", "NAME", "shadowing of microfacets for lights: smith, approximate, v-cavity (smith)",
      parseName<maskings, &S::masking>, writeName<maskings, &S::masking>},
+    {"image-light", "NAME",
+     "specular light of the environment: mirror, shifted, mean, taps1, taps2, taps3, sampled; auto: mean, above 4 "
+     "samples sampled (auto)",
+     parseName<imageLights, &S::imageLight>, writeName<imageLights, &S::imageLight>},
     {"occlusion", "0..1", "scales the occlusion textures' strength (1)", parseNumberInto<&S::occlusion, 0, 1>,
      writeNumber<&S::occlusion>},
     {"exposure", "STOPS", "factor 2^STOPS before tone mapping (0)", parseNumberInto<&S::exposureStops, -32, 32>,

@@ -6,6 +6,7 @@
 #include <map>
 #include <tuple>
 
+#include "ibl/taps.hpp"
 #include "scene/deformation.hpp"
 
 namespace facet::frame {
@@ -220,9 +221,15 @@ ibl::Needs DrawList::needs(bool environmentVisible) const {
         addLobes(range, materials[static_cast<size_t>(draw.material)], draw.key);
       const bool lit = imageLight || shading::usesFeature(draw.key, "HAS_PUNCTUAL_LIGHTS") ||
                        shading::usesFeature(draw.key, "HAS_TRANSMISSION");
+      needs.taps |= optics::tapsOf(static_cast<optics::ImageLight>(draw.key.imageLight)) > 0;
       needs.dfg |= lit;
       needs.sheen |= lit && shading::usesFeature(draw.key, "HAS_SHEEN");
     }
+  if (needs.taps) {
+    const ibl::TapRoughness taps = ibl::tapRoughness(optics::tapsOf(features.models.imageLight),
+                                                     std::max(range.lowest, 0.0f), std::min(range.highest, 1.0f));
+    range.add(taps.lowest, taps.highest);
+  }
   if (needs.layers) {
     needs.lowestRoughness = std::clamp(range.lowest, 0.0f, 1.0f);
     needs.highestRoughness = std::clamp(range.highest, 0.0f, 1.0f);

@@ -259,6 +259,7 @@ std::vector<ProgramGetter> neededPrograms(const FrameInput& in, ProgramStore& pr
 
 void bindTables(const ibl::Tables& tables) {
   if (tables.dfg) tables.dfg.bind(layout::dfgUnit);
+  if (tables.taps) tables.taps.bind(layout::tapsUnit);
   if (tables.sheen) tables.sheen.bind(layout::sheenAlbedoUnit);
   if (tables.irradiance) tables.irradiance.bind(layout::irradianceUnit);
   if (tables.mirrorLayers) tables.mirrorLayers.bind(layout::mirrorLayersUnit);

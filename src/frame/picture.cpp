@@ -135,8 +135,13 @@ DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment) {
   options.features.environment = hasEnvironment && settings.environmentStrength > 0;
   options.features.occlusion = settings.occlusion > 0;
   options.features.channel = std::max(0, shading::channelIndex(settings.channel));
-  if (settings.samples > convergedAbove) options.features.imageLightSamples = convergedLightSamples;
-  options.features.models = {settings.diffuse, settings.fresnel, settings.distribution, settings.masking};
+  const bool converging = settings.samples > convergedAbove;
+  if (settings.imageLight == optics::ImageLight::sampled)
+    options.features.imageLightSamples = converging ? convergedLightSamples : onceLightSamples;
+  else if (settings.imageLight == optics::ImageLight::automatic && converging)
+    options.features.imageLightSamples = convergedLightSamples;
+  options.features.models = {settings.diffuse, settings.fresnel, settings.distribution, settings.masking,
+                             settings.imageLight};
   options.sceneLights = settings.lights != Lights::none;
   options.demoLights = settings.lights == Lights::demo;
   options.moving = !settings.animation.empty();

@@ -47,6 +47,7 @@ Result<void> prepareTables(EnvironmentOnGpu& environment, const ibl::Needs& need
 // sum's tables, so that its specular part converges to the true integral, not to the approximation.
 inline constexpr int convergedAbove = 4;
 inline constexpr int convergedLightSamples = 4;  // environment samples per draw
+inline constexpr int onceLightSamples = 32;      // the same where there is but one draw
 
 // What the settings ask of the draw list, but for the variant, which needs the model: chooseVariant.
 DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment);

@@ -67,6 +67,7 @@ struct PictureSettings {
   optics::FresnelModel fresnel = optics::FresnelModel::schlick;
   optics::NormalDistribution distribution = optics::NormalDistribution::ggx;
   optics::Masking masking = optics::Masking::smith;
+  optics::ImageLight imageLight = optics::ImageLight::automatic;
 
   float occlusion = 1;  // scales every material's occlusion strength, [0, 1]
 

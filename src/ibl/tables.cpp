@@ -7,6 +7,7 @@
 
 #include "ibl/albedo.hpp"
 #include "ibl/layers.hpp"
+#include "ibl/taps.hpp"
 #include "scene/sun.hpp"
 
 namespace facet::ibl {
@@ -62,6 +63,7 @@ size_t bytesOf(const Tables& made, const Scratch& scratch, std::string_view tabl
   const auto of = [](const gl::Texture& texture) { return texture ? texture.bytes() : 0; };
   if (table == "DFG") return of(made.dfg);
   if (table == "sheen") return of(made.sheen);
+  if (table == "taps") return of(made.taps);
   if (table == "irradiance") return of(scratch.summed[1]);
   if (table == "LD layers") return of(made.mirrorLayers) + of(made.roughLayers);
   return 0;  // freed at the end, or counted where it is kept
@@ -71,7 +73,7 @@ size_t bytesOf(const Tables& made, const Scratch& scratch, std::string_view tabl
 
 size_t Tables::bytes() const {
   size_t sum = 0;
-  for (const gl::Texture* texture : {&dfg, &sheen, &irradiance, &mirrorLayers, &roughLayers, &cube, &background})
+  for (const gl::Texture* texture : {&dfg, &sheen, &taps, &irradiance, &mirrorLayers, &roughLayers, &cube, &background})
     if (*texture) sum += texture->bytes();
   return sum;
 }
@@ -96,6 +98,11 @@ Precompute planTables(const Tables& tables, const scene::Environment* environmen
   made.sun = tables.sun;
   if (needs.dfg && !tables.dfg) addDfgSteps(work.steps, made.dfg, programs, method);
   if (needs.sheen && !tables.sheen) addSheenSteps(work.steps, made.sheen, programs, method);
+  if (needs.taps && !tables.taps)
+    work.steps.push_back({"taps", 0, [&made]() -> Result<void> {
+                            made.taps = tapsTexture();
+                            return {};
+                          }});
   const bool background = needs.background && !tables.background;
   work.keepIrradiance = needs.irradiance && !tables.irradiance;
   work.keepCube = needs.cube && !tables.cube;
@@ -134,7 +141,7 @@ void finish(Precompute&& work, Tables& tables) {
   tables.radianceScale = made.radianceScale;
   tables.sun = made.sun;
   for (gl::Texture Tables::*texture :
-       {&Tables::dfg, &Tables::sheen, &Tables::mirrorLayers, &Tables::roughLayers, &Tables::background})
+       {&Tables::dfg, &Tables::sheen, &Tables::taps, &Tables::mirrorLayers, &Tables::roughLayers, &Tables::background})
     if (made.*texture) tables.*texture = std::move(made.*texture);
   for (size_t i = 0; i < made.layersMade.size(); ++i) tables.layersMade[i] = tables.layersMade[i] || made.layersMade[i];
   if (work.keepIrradiance) tables.irradiance = std::move(work.scratch->summed[1]);

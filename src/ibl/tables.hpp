@@ -27,6 +27,7 @@ struct Needs {
   // Perceptual roughness of the lobes that look LD up: only the layers about it are made.
   float lowestRoughness = 0, highestRoughness = 1;
   bool cube = false;        // the environment as a cube map with levels, for sampling it per pixel
+  bool taps = false;        // fitted look-ups
   bool sheen = false;       // a sheen that anything lights
   bool background = false;  // the environment itself is visible
 };
@@ -41,6 +42,7 @@ struct TableStatistics {
 struct Tables {
   gl::Texture dfg;           // RGBA16F, dfg_table.glsl
   gl::Texture sheen;         // R32F, sheen_table.glsl
+  gl::Texture taps;          // RGBA32F, image_light_taps.glsl
   gl::Texture irradiance;    // RGBA32F cube, irradiance / pi
   gl::Texture mirrorLayers;  // RGBA16F cube array, LD layers 0 and 1
   gl::Texture roughLayers;   // RGBA16F cube array with levels, the rest

@@ -15,11 +15,24 @@ enum class FresnelModel : uint8_t { schlick, exact, f82Tint };
 enum class NormalDistribution : uint8_t { ggx, beckmann, blinn };
 enum class Masking : uint8_t { smith, approximate, cavity };
 
+// Where the look-ups of the environment's prefiltered radiance go for a specular lobe (shaders/image_light_*.glsl):
+//   mirror   at the mirror direction, with the lobe of N = V = R (Karis 2013)
+//   shifted  from there towards N, by (1 - alpha) (sqrt(1 - alpha) + alpha) (Lagarde and de Rousiers 2014)
+//   mean     at the lobe's mean direction
+//   taps1 .. taps3  at as many fitted directions and roughnesses in the plane of N and V
+//   sampled  none: the environment itself is sampled
+//   automatic  mean up to 4 samples a pixel, sampled above
+enum class ImageLight : uint8_t { automatic, mirror, shifted, mean, taps1, taps2, taps3, sampled };
+constexpr int tapsOf(ImageLight model) {
+  return model < ImageLight::taps1 || model > ImageLight::taps3 ? 0 : static_cast<int>(model) - 3;
+}
+
 struct Models {
   DiffuseModel diffuse = DiffuseModel::lambert;
   FresnelModel fresnel = FresnelModel::schlick;
   NormalDistribution distribution = NormalDistribution::ggx;
   Masking masking = Masking::smith;
+  ImageLight imageLight = ImageLight::automatic;
   bool operator==(const Models&) const = default;
 };
 

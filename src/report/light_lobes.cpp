@@ -52,7 +52,18 @@ struct Model {
   std::vector<shading::Define> defines;
   double fetches;
 };
-std::vector<Model> models() { return {{"mean direction", {}, 2}}; }
+// A look-up reads two layers.
+std::vector<Model> models() {
+  const auto defines = [](optics::ImageLight model) {
+    return std::vector<shading::Define>{{"IMAGE_LIGHT_MODEL", std::to_string(static_cast<int>(model))}};
+  };
+  return {{"mirror direction", defines(optics::ImageLight::mirror), 2},
+          {"shifted direction", defines(optics::ImageLight::shifted), 2},
+          {"mean direction", {}, 2},
+          {"1 fitted tap", defines(optics::ImageLight::taps1), 2},
+          {"2 fitted taps", defines(optics::ImageLight::taps2), 4},
+          {"3 fitted taps", defines(optics::ImageLight::taps3), 6}};
+}
 
 }  // namespace
 
@@ -64,8 +75,8 @@ Result<Report> lightLobes(const ReportInput& input) {
   const std::vector<Case> list = cases(*environment);
   shading::ProgramStore programs(shading::shaderReader(input.shaderDir), {}, {});
   ibl::Tables tables;
-  if (Result<void> r =
-          ibl::computeTables(tables, &*environment, {.dfg = true, .irradiance = true, .layers = true}, programs);
+  if (Result<void> r = ibl::computeTables(tables, &*environment,
+                                          {.dfg = true, .irradiance = true, .layers = true, .taps = true}, programs);
       !r)
     return tl::unexpected(r.error());
   std::vector<glm::vec4> inputs;

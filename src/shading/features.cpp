@@ -204,6 +204,8 @@ constexpr const char* diffuseNames[] = {"Lambert", "Burley", "Frostbite", "Oren-
 constexpr const char* fresnelNames[] = {"Schlick", "exact Fresnel", "F82-tint"};
 constexpr const char* distributionNames[] = {"GGX", "Beckmann", "Blinn"};
 constexpr const char* maskingNames[] = {"Smith", "approximate masking", "V-cavities"};
+constexpr const char* imageLightNames[] = {
+    "", "mirror direction", "shifted direction", "mean direction", "1 tap", "2 taps", "3 taps", "sampled"};
 
 bool hasDielectric(const scene::Material& m) {
   return m.specularGlossiness || m.metallicFactor < 1 || m.metallicRoughness;
@@ -221,6 +223,8 @@ void setModels(const FeatureInput& in, VariantKey& key) {
     key.distribution = static_cast<uint8_t>(own >= 0 ? own : static_cast<int>(models.distribution));
     key.masking = static_cast<uint8_t>(models.masking);
   }
+  if (environment && !sampled && models.imageLight != optics::ImageLight::mean)
+    key.imageLight = static_cast<uint8_t>(models.imageLight);
   if (!(lights || sampled) || models.fresnel == optics::FresnelModel::schlick) return;
   const optics::MetalPreset* metal =
       m.metallicFactor > 0 && !m.specularGlossiness ? optics::findMetal(m.conductor) : nullptr;
@@ -243,6 +247,7 @@ void addModels(const VariantKey& key, std::vector<Define>& defines) {
   add("FRESNEL_MODEL", key.fresnel);
   add("NDF_MODEL", key.distribution);
   add("MASKING_MODEL", key.masking);
+  add("IMAGE_LIGHT_MODEL", key.imageLight);
   if (key.conductor == 0) return;
   const optics::MetalPreset& metal = optics::metalPresets()[key.conductor - 1u];
   defines.push_back({"CONDUCTOR_F0", vec3Text(metal.f0())});
@@ -305,6 +310,7 @@ std::string variantName(const VariantKey& key) {
   add(key.fresnel, fresnelNames[key.fresnel]);
   add(key.distribution, distributionNames[key.distribution]);
   add(key.masking, maskingNames[key.masking]);
+  add(key.imageLight, imageLightNames[key.imageLight]);
   if (key.conductor != 0) name += " of " + std::string(optics::metalPresets()[key.conductor - 1u].name);
   return name.empty() ? "plain" : name;
 }

@@ -254,7 +254,17 @@ void modelsSection(ViewerState& state) {
                                        {"F82-tint", "metals whose complex index is known"}};
   static constexpr Choice distributions[] = {{"GGX", "glTF's"}, {"Beckmann", nullptr}, {"Blinn", nullptr}};
   static constexpr Choice maskings[] = {{"Smith", "glTF's"}, {"approximate", nullptr}, {"V-cavities", nullptr}};
+  static constexpr Choice imageLights[] = {{"automatic", "fitted taps; sampled with more than 4 samples"},
+                                           {"mirror direction", "the usual split sum: N = V = R"},
+                                           {"shifted direction", "UE4's and Frostbite's"},
+                                           {"mean direction", "where the lobe looks on average"},
+                                           {"1 fitted tap", nullptr},
+                                           {"2 fitted taps", nullptr},
+                                           {"3 fitted taps", nullptr},
+                                           {"sampled", "the integral itself, at each pixel"}};
   chooseEnum("diffuse", settings.diffuse, diffuse, usual.diffuse, "of lights and environment");
+  chooseEnum("environment", settings.imageLight, imageLights, usual.imageLight,
+             "how a pixel looks the environment's reflection up");
   ImGui::TextDisabled("of the lights:");
   chooseEnum("Fresnel", settings.fresnel, fresnel, usual.fresnel,
              "what an interface reflects by angle; of the environment only with more than 4 samples");

@@ -117,6 +117,10 @@ TEST_CASE("Draw list: what the draws need of the tables") {
   CHECK(converging.irradiance);
   CHECK_FALSE(converging.layers);
   CHECK(converging.cube);
+  frame::DrawOptions fitted{.features = {.environment = true}};
+  fitted.features.models.imageLight = optics::ImageLight::taps3;
+  CHECK(needs(fitted).taps);
+  CHECK_FALSE(environment.taps);
   // A debug view needs nothing.
   const ibl::Needs view = needs({.features = {.environment = true, .channel = 1}, .demoLights = true});
   CHECK_FALSE(view.dfg);
@@ -161,6 +165,14 @@ TEST_CASE("Draw list: the range of roughness in which lobes look the environment
   CHECK(range({with(rough(0.8), "sheen", {{"sheenColorFactor", {1, 1, 1}}})}, lit) == glm::vec2(0.4f, 0.8f));
   CHECK(range({with(rough(0.3), "anisotropy", {{"anisotropyStrength", 0.5}})}, lit) == glm::vec2(0.3f, 1));
   CHECK(range({with({}, "pbrSpecularGlossiness", {{"glossinessFactor", 0.75}})}, lit) == glm::vec2(0.25f));
+  // Fitted look-ups go to smoother layers too.
+  frame::DrawOptions fitted = lit;
+  fitted.features.models.imageLight = optics::ImageLight::taps2;
+  const glm::vec2 spread = range({rough(0.5)}, fitted);
+  CHECK(spread.x < 0.45f);
+  CHECK(spread.x > 0.1f);
+  CHECK(spread.y > 0.5f);
+  CHECK(spread.y < 0.9f);
   // What converges samples the environment itself, and what is unlit needs nothing: the range says nothing there.
   CHECK(range({rough(0.5)}, {.features = {.environment = true, .imageLightSamples = 4}}) == glm::vec2(0, 1));
   CHECK(range({rough(0.5)}, {}) == glm::vec2(0, 1));

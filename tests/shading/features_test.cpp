@@ -230,4 +230,17 @@ TEST_CASE("Models: only what the draw can show enters its key, and the defaults 
   CHECK(variant(metal, full, lit) == "normals, punctual lights, environment, Blinn");
   lobes.punctualLights = false;
   CHECK(shading::variantKey({metal, full, lobes}).distribution == 0);
+
+  FrameFeatures looked = lit;
+  looked.models.imageLight = optics::ImageLight::taps2;
+  CHECK(variant(gold, full, looked) == "normals, punctual lights, environment, 2 taps");
+  CHECK(definesOf(gold, looked).count("IMAGE_LIGHT_MODEL") == 1);
+  looked.models.imageLight = optics::ImageLight::mean;  // what the default is
+  CHECK(shading::variantKey({gold, full, looked}) == shading::variantKey({gold, full, lit}));
+  looked.models.imageLight = optics::ImageLight::mirror;
+  looked.imageLightSamples = 4;  // looks nothing up
+  CHECK(definesOf(gold, looked).count("IMAGE_LIGHT_MODEL") == 0);
+  looked.imageLightSamples = 0;
+  looked.environment = false;
+  CHECK(definesOf(gold, looked).count("IMAGE_LIGHT_MODEL") == 0);
 }
