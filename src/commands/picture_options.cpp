@@ -76,6 +76,12 @@ constexpr Named<optics::Masking> maskings[] = {{"smith", optics::Masking::smith}
                                                {"approximate", optics::Masking::approximate},
                                                {"v-cavity", optics::Masking::cavity}};
 
+constexpr Named<optics::LookUp> lookUps[] = {{"interpolated", optics::LookUp::interpolated},
+                                             {"nearest", optics::LookUp::nearest}};
+
+constexpr Named<io::UtiaDecode> utiaDecodes[] = {
+    {"raw", io::UtiaDecode::raw}, {"srgb", io::UtiaDecode::srgb}, {"srgb140", io::UtiaDecode::srgb140}};
+
 constexpr Named<Text> channels[] = {{"final", ""},
                                     {"normal", "normal"},
                                     {"geometryNormal", "geometryNormal"},
@@ -264,6 +270,14 @@ constexpr PictureOption table[] = {
      parseName<distributions, &S::distribution>, writeName<distributions, &S::distribution>},
     {"masking", "NAME", "shadowing of microfacets for lights: smith, approximate, v-cavity (smith)",
      parseName<maskings, &S::masking>, writeName<maskings, &S::masking>},
+    {"brdf", "FILE|NAME|builtin:NAME", "a measured BRDF (MERL, UTIA) in the place of all materials (their own)",
+     parseText<&S::brdf>, writeText<&S::brdf>, ',', true},
+    {"brdf-dir", "DIR", "looks for databases of measured BRDFs here first", parseText<&S::brdfDir>,
+     writeText<&S::brdfDir>, ',', true},
+    {"brdf-lookup", "NAME", "between its cells: interpolated, nearest (interpolated)",
+     parseName<lookUps, &S::brdfLookUp>, writeName<lookUps, &S::brdfLookUp>},
+    {"utia-decode", "NAME", "what UTIA's numbers are: raw, srgb, srgb140 (raw)", parseName<utiaDecodes, &S::utiaDecode>,
+     writeName<utiaDecodes, &S::utiaDecode>},
     {"occlusion", "0..1", "scales the occlusion textures' strength (1)", parseNumberInto<&S::occlusion, 0, 1>,
      writeNumber<&S::occlusion>},
     {"exposure", "STOPS", "factor 2^STOPS before tone mapping (0)", parseNumberInto<&S::exposureStops, -32, 32>,
