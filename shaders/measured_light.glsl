@@ -2,6 +2,7 @@
 // sampling (Krivanek and Colbert 2008) from a lobe that was fitted to the table (src/optics/measured_proxy.hpp).
 #include "measured_table.glsl"
 #include "measured_sampling.glsl"
+#include "mapping.glsl"
 #ifdef HAS_PUNCTUAL_LIGHTS
 #include "arriving_light.glsl"
 #endif
