@@ -4,9 +4,9 @@
 #include "bsdf.glsl"
 #include "mapping.glsl"
 #include "frame.glsl"
+#include "environment_samples.glsl"
 
 layout(binding = irradianceUnit) uniform samplerCube irradianceOverPi;
-layout(binding = environmentCubeUnit) uniform samplerCube environmentCube;
 
 // Half vector in the frame of N, V there too: spherical cap sampling.
 vec3 sampleVisibleNormal(vec3 V, float alpha, vec2 u) {
@@ -16,25 +16,6 @@ vec3 sampleVisibleNormal(vec3 V, float alpha, vec2 u) {
   float radius = sqrt(max(0.0, 1.0 - z * z));
   vec3 H = vec3(radius * cos(phi), radius * sin(phi), z) + stretched;
   return normalize(vec3(alpha * H.xy, max(H.z, 1e-7)));
-}
-
-// A sample reads four times its share of the lobe, as Krivanek and Colbert advise: under a hard sun, texels of exactly its
-// share nearly double the picture's error by noise; with sixteen times the share the blur begins to show.
-const float filterGain = 4.0;
-
-// Every draw of the pixel continues the same sequence (Roberts 2018, R2), in 32-bit fixed point, where no count loses
-// digits.
-vec2 samplePoint(int i) {
-  return vec2(uvec2(i) * uvec2(3242174889u, 2447445414u) + 0x80000000u) * (1.0 / 4294967296.0);
-}
-
-// Radiance from direction L as one of all the pixel's samples sees it.
-vec3 sampledRadiance(vec3 L, float pdf) {
-  float faceSize = float(textureSize(environmentCube, 0).x);
-  float texelSolidAngle = 4.0 * PI / (6.0 * faceSize * faceSize);
-  float total = float(IMAGE_LIGHT_SAMPLES) * frame.options.z;
-  float level = 0.5 * log2(max(filterGain / (total * pdf * texelSolidAngle), 1.0));
-  return textureLod(environmentCube, environmentFromWorld(L), level).rgb;
 }
 
 // Radiance off the base's lobes after one bounce.

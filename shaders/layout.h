@@ -37,6 +37,7 @@ LAYOUT_CONST influenceBinding = 5;     // of one primitive
 LAYOUT_CONST jointBinding = 6;         // of all skins
 LAYOUT_CONST morphTargetBinding = 7;   // of one primitive
 LAYOUT_CONST morphWeightBinding = 8;   // of all instances
+LAYOUT_CONST measuredBinding = 9;      // a measured BRDF; only where a draw reads it
 
 // Texture units. First the material's slots in the order of scene::TextureSlot. A driver may offer as few as 16 units to
 // a stage: what counts is how many a variant uses, not their numbers.
@@ -134,6 +135,12 @@ struct LightUniforms {
   vec4 cone;       // x scale, y offset of the spot's cosine ramp; sun: x angular radius (its direction is the map's)
 };
 
+// At the start of a measured BRDF's buffer; its cells follow.
+struct MeasuredUniforms {
+  vec4 lobe;   // of measured_sampling.glsl
+  vec4 table;  // x share of the samples that the cosine gets; y scale of the cells; z MERL: steps of phi_d; w unused
+};
+
 #ifdef __cplusplus
 #undef LAYOUT_CONST
 static_assert(sizeof(MaterialUniforms) == 56 * 16);
@@ -142,5 +149,6 @@ static_assert(sizeof(Instance) == 8 * 16);
 static_assert(sizeof(Joint) == 3 * 16);
 static_assert(sizeof(MorphWeight) == 8);
 static_assert(sizeof(LightUniforms) == 4 * 16);
+static_assert(sizeof(MeasuredUniforms) == 2 * 16);
 }  // namespace facet::layout
 #endif

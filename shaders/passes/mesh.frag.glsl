@@ -1,5 +1,7 @@
 #include "material.glsl"
-#ifndef UNLIT
+#if defined(MERL_BRDF) || defined(UTIA_BRDF)
+#include "measured_light.glsl"
+#elif !defined(UNLIT)
 #ifdef HAS_PUNCTUAL_LIGHTS
 #include "punctual_light.glsl"
 #else
@@ -89,7 +91,20 @@ vec3 towardsViewer(vec3 position) {
   return frame.eye.w > 0.5 ? safeNormalize(frame.eye.xyz - position, vec3(0.0, 0.0, 1.0)) : frame.towardsEye.xyz;
 }
 
-#ifndef UNLIT
+#if defined(MERL_BRDF) || defined(UTIA_BRDF)
+// The measured BRDF in the material's place; what it emits stays.
+vec4 litRadiance(Varyings v, vec3 V, vec3 baseColor) {
+  MeasuredSurface s = makeMeasuredSurface(materialNormal(v, V), v.tangent, V, materialOcclusion(v));
+  vec3 radiance = materialEmission(v);
+#ifdef HAS_PUNCTUAL_LIGHTS
+  radiance += measuredPunctualLight(s, v.position);
+#endif
+#ifdef HAS_ENVIRONMENT
+  radiance += measuredImageLight(s);
+#endif
+  return vec4(radiance, 1.0);
+}
+#elif !defined(UNLIT)
 // rgb radiance, a coverage: 1 but where nothing is behind what transmits.
 vec4 litRadiance(Varyings v, vec3 V, vec3 baseColor) {
 #ifdef SPECULAR_GLOSSINESS

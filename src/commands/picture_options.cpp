@@ -83,6 +83,11 @@ constexpr Named<optics::ImageLight> imageLights[] = {
     {"shifted", optics::ImageLight::shifted}, {"mean", optics::ImageLight::mean},
     {"taps1", optics::ImageLight::taps1},     {"taps2", optics::ImageLight::taps2},
     {"taps3", optics::ImageLight::taps3},     {"sampled", optics::ImageLight::sampled}};
+constexpr Named<optics::LookUp> lookUps[] = {{"interpolated", optics::LookUp::interpolated},
+                                             {"nearest", optics::LookUp::nearest}};
+
+constexpr Named<io::UtiaDecode> utiaDecodes[] = {
+    {"raw", io::UtiaDecode::raw}, {"srgb", io::UtiaDecode::srgb}, {"srgb140", io::UtiaDecode::srgb140}};
 
 constexpr Named<Text> channels[] = {{"final", ""},
                                     {"normal", "normal"},
@@ -359,6 +364,14 @@ constexpr PictureOption table[] = {
      "specular light of the environment: mirror, shifted, mean, taps1, taps2, taps3, sampled; auto: mean, above 4 "
      "samples sampled (auto)",
      parseName<imageLights, &S::imageLight>, writeName<imageLights, &S::imageLight>},
+    {"brdf", "FILE|NAME|builtin:NAME", "a measured BRDF (MERL, UTIA) in the place of all materials (their own)",
+     parseText<&S::brdf>, writeText<&S::brdf>, ',', true},
+    {"brdf-dir", "DIR", "looks for databases of measured BRDFs here first", parseText<&S::brdfDir>,
+     writeText<&S::brdfDir>, ',', true},
+    {"brdf-lookup", "NAME", "between its cells: interpolated, nearest (interpolated)",
+     parseName<lookUps, &S::brdfLookUp>, writeName<lookUps, &S::brdfLookUp>},
+    {"utia-decode", "NAME", "what UTIA's numbers are: raw, srgb, srgb140 (raw)", parseName<utiaDecodes, &S::utiaDecode>,
+     writeName<utiaDecodes, &S::utiaDecode>},
     {"occlusion", "0..1", "scales the occlusion textures' strength (1)", parseNumberInto<&S::occlusion, 0, 1>,
      writeNumber<&S::occlusion>},
     {"exposure", "STOPS", "factor 2^STOPS before tone mapping (0)", parseNumberInto<&S::exposureStops, -32, 32>,

@@ -215,6 +215,10 @@ ibl::Needs DrawList::needs(bool environmentVisible) const {
   for (const std::vector<Draw>* draws : classes())
     for (const Draw& draw : *draws) {
       const bool imageLight = shading::usesFeature(draw.key, "HAS_ENVIRONMENT");
+      if (shading::isMeasured(draw.key)) {
+        needs.cube |= imageLight;
+        continue;
+      }
       needs.irradiance |= imageLight;
       (draw.key.imageLightSamples == 0 ? needs.layers : needs.cube) |= imageLight;
       if (imageLight && draw.key.imageLightSamples == 0)

@@ -221,6 +221,8 @@ Result<FrameStatistics> drawScene(const FrameInput& in, const VisibleDraws& visi
   if (in.gpu.joints) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::jointBinding, in.gpu.joints.id());
   if (in.gpu.morphWeights)
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::morphWeightBinding, in.gpu.morphWeights.id());
+  if (in.list.features.measured != shading::Measured::none && in.gpu.measured)
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::measuredBinding, in.gpu.measured->buffer.id());
   bindTables(in.tables);
   glCullFace(GL_BACK);
   glBindVertexArray(targets.noAttributes.id());

@@ -6,9 +6,11 @@
 #include <array>
 #include <functional>
 #include <map>
+#include <memory>
 #include <vector>
 
 #include "frame/draw_list.hpp"
+#include "frame/measured_gpu.hpp"
 #include "gl/buffer.hpp"
 #include "gl/context.hpp"
 #include "gl/texture.hpp"
@@ -42,6 +44,7 @@ struct GpuScene {
   gl::Texture placeholder;
   gl::Buffer materials, instances, lights, joints, morphWeights;
   size_t materialStride = 0;
+  std::shared_ptr<const MeasuredOnGpu> measured;  // in the place of the materials
   int imagesDecoded = 0;
 
   size_t textureBytes() const;

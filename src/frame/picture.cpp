@@ -98,7 +98,7 @@ void noteUnlit(const PictureSettings& settings, const DrawList& list, const ibl:
   const auto lit = [](const Draw& draw) { return !shading::usesFeature(draw.key, "UNLIT"); };
   const bool anyLit =
       std::ranges::any_of(list.classes(), [&](const auto* draws) { return std::ranges::any_of(*draws, lit); });
-  if (anyLit && !needs.irradiance && list.lights.empty() && settings.channel.empty())
+  if (anyLit && !needs.irradiance && !needs.cube && list.lights.empty() && settings.channel.empty())
     notes.push_back({Note::Severity::warning, "",
                      "nothing lights the scene: it has no lights and --env is none; give --env or --lights demo"});
 }
@@ -126,6 +126,34 @@ void noteModels(const DrawList& list, Notes& notes) {
     warn(
         "--fresnel is for point, spot and directional lights: the environment's tables are Schlick's; more than 4 "
         "samples do without them");
+}
+
+// Where the measured BRDF is not, or not as it was meant.
+void noteMeasured(const DrawList& list, Notes& notes) {
+  size_t unlit = 0, levelled = 0;
+  for (const std::vector<Draw>* draws : list.classes())
+    for (const Draw& draw : *draws) {
+      if (!shading::isMeasured(draw.key)) ++unlit;
+      if (shading::usesFeature(draw.key, "UTIA_BRDF") && draw.primitive->tangents.empty()) ++levelled;
+    }
+  const auto warn = [&](const std::string& text) { notes.push_back({Note::Severity::warning, "", text}); };
+  if (list.features.channel == 0 && unlit > 0)
+    warn("--brdf: " + std::to_string(unlit) + " draws keep their own look, because they are unlit or have no normals");
+  if (levelled > 0)
+    warn("--brdf: " + std::to_string(levelled) +
+         " draws have no tangents: the BRDF's azimuths begin at their level direction");
+}
+
+// The measured BRDF onto the GPU and into the options, or out of both.
+Result<void> chooseMeasured(const PictureSettings& settings, SceneOnGpu& scene, DrawOptions& options, Notes& notes) {
+  scene.gpu.measured.reset();
+  if (settings.brdf.empty() || options.features.channel != 0) return {};
+  if (!scene.measured) scene.measured = std::make_shared<MeasuredStore>();
+  auto found = findMeasured(*scene.measured, measuredSource(settings), notes);
+  if (!found) return tl::unexpected(found.error());
+  scene.gpu.measured = *found;
+  setMeasured(options.features, settings, **found);
+  return {};
 }
 
 }  // namespace
@@ -326,6 +354,8 @@ Result<PreparedPicture> preparePicture(const PictureSettings& settings, SceneOnG
   DrawOptions options = drawOptions(settings, lit);
   options.variant = *variant;
   options.sun = environment.sun;
+  if (Result<void> r = chooseMeasured(settings, scene, options, notes); !r) return tl::unexpected(r.error());
+  stages.mark("read BRDF");
   prepared.list = buildDrawList(model, *sceneIndex, options, *pose);
   const DrawList& list = prepared.list;
   const Result<scene::View> view =
@@ -335,7 +365,10 @@ Result<PreparedPicture> preparePicture(const PictureSettings& settings, SceneOnG
   const bool skyVisible = settings.background == Background::environment && lit && list.features.channel == 0;
   const ibl::Needs needs = list.needs(skyVisible);
   noteUnlit(settings, list, needs, notes);
-  noteModels(list, notes);
+  if (!settings.brdf.empty())
+    noteMeasured(list, notes);
+  else
+    noteModels(list, notes);
   stages.mark("prepare");
 
   const shading::ProgramStatistics before = programs.statistics();

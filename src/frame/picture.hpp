@@ -25,6 +25,7 @@ struct SceneOnGpu {
   const scene::Model* model = nullptr;
   GpuScene gpu;
   std::optional<Framing> framing = {};  // the last one
+  std::shared_ptr<MeasuredStore> measured = {};  // made when the first is asked for
 };
 
 // environment is null for pictures without distant light; the DFG table may still be needed.

@@ -37,6 +37,7 @@ Result<void> Session::loadScene(const std::string& source, const io::Bump& bump,
   scene_ = std::make_unique<LoadedScene>(LoadedScene{source, bump, std::move(*loaded), {}});
   scene_->onGpu.source = source;
   scene_->onGpu.model = &scene_->loaded.model;
+  scene_->onGpu.measured = measured_;
   notes.insert(notes.end(), scene_->loaded.notes.begin(), scene_->loaded.notes.end());
   return {};
 }

@@ -56,6 +56,7 @@ class Session {
   shading::ProgramStore programs_;
   ibl::TableCache tableCache_;
   std::map<std::string, std::unique_ptr<LoadedEnvironment>> environments_;
+  std::shared_ptr<MeasuredStore> measured_ = std::make_shared<MeasuredStore>();
   std::unique_ptr<LoadedScene> scene_;
   std::string environmentName_;
 };

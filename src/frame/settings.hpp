@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 
+#include "io/utia.hpp"
+#include "optics/measured.hpp"
 #include "optics/models.hpp"
 
 namespace facet::frame {
@@ -68,6 +70,13 @@ struct PictureSettings {
   optics::NormalDistribution distribution = optics::NormalDistribution::ggx;
   optics::Masking masking = optics::Masking::smith;
   optics::ImageLight imageLight = optics::ImageLight::automatic;
+
+  // A measured BRDF (a file, builtin:NAME or the name of a database) in the place of all materials but unlit ones:
+  // their normal maps, occlusion, alpha and emission stay. Empty: the materials' own.
+  std::string brdf;
+  std::string brdfDir;  // where databases are looked for first
+  optics::LookUp brdfLookUp = optics::LookUp::interpolated;
+  io::UtiaDecode utiaDecode = io::UtiaDecode::raw;
 
   float occlusion = 1;  // scales every material's occlusion strength, [0, 1]
 

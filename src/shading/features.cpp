@@ -30,21 +30,28 @@ bool wanted(const FeatureInput& in, const char* channel) {
   return in.frame.channel == 0 ? !unlit(in) : channelIs(in, channel);
 }
 
+bool measured(const FeatureInput& in) {
+  return in.frame.measured != Measured::none && in.frame.channel == 0 && !unlit(in);
+}
+bool measuredUtia(const FeatureInput& in) { return measured(in) && in.frame.measured == Measured::utia; }
+
 bool readsNormal(const FeatureInput& in) {
   if (in.primitive.normals.empty()) return false;
   return in.frame.channel == 0 ? !in.material.unlit : channelIs(in, "normal") || channelIs(in, "geometryNormal");
 }
 bool readsBaseColor(const FeatureInput& in) {
   const bool alphaTested = in.material.alphaMode == AlphaMode::mask;
+  if (measured(in)) return in.material.alphaMode != AlphaMode::opaque;
   return in.frame.channel == 0 || channelIs(in, "baseColor") || channelIs(in, "alpha") || alphaTested;
 }
 bool baseColorTexture(const FeatureInput& in) { return sampled(in, TextureSlot::baseColor) && readsBaseColor(in); }
 bool metallicRoughnessTexture(const FeatureInput& in) {
   if (in.material.specularGlossiness && channelIs(in, "metallic")) return false;  // it is none
+  if (measured(in)) return false;
   return sampled(in, TextureSlot::metallicRoughness) && (wanted(in, "metallic") || channelIs(in, "roughness"));
 }
 bool specularGlossiness(const FeatureInput& in) {
-  return in.material.specularGlossiness && (wanted(in, "metallic") || channelIs(in, "roughness"));
+  return in.material.specularGlossiness && !measured(in) && (wanted(in, "metallic") || channelIs(in, "roughness"));
 }
 bool normalTexture(const FeatureInput& in) {
   return sampled(in, TextureSlot::normal) && wanted(in, "normal") && !in.primitive.tangents.empty();
@@ -56,7 +63,9 @@ bool occlusionTexture(const FeatureInput& in) {
 bool emissiveTexture(const FeatureInput& in) { return sampled(in, TextureSlot::emissive) && wanted(in, "emissive"); }
 
 // Materials of extensions: of the shaded picture of a metallic-roughness surface.
-bool extended(const FeatureInput& in) { return in.frame.channel == 0 && !unlit(in) && !in.material.specularGlossiness; }
+bool extended(const FeatureInput& in) {
+  return in.frame.channel == 0 && !unlit(in) && !in.material.specularGlossiness && !measured(in);
+}
 template <bool (*has)(const scene::Material&)>
 bool effect(const FeatureInput& in) {
   return extended(in) && has(in.material);
@@ -73,7 +82,7 @@ bool effectTexture(const FeatureInput& in) {
 bool anisotropic(const FeatureInput& in) { return effect<scene::hasAnisotropy>(in) && !in.primitive.tangents.empty(); }
 bool readsTangent(const FeatureInput& in) {
   return normalTexture(in) || effectTexture<TextureSlot::clearcoatNormal>(in) || anisotropic(in) ||
-         (channelIs(in, "tangent") && !in.primitive.tangents.empty());
+         ((channelIs(in, "tangent") || measuredUtia(in)) && !in.primitive.tangents.empty());
 }
 
 bool samplesSlotOf(const FeatureInput& in, TextureSlot slot) {
@@ -190,6 +199,11 @@ constexpr FeatureRow rows[] = {
     {"unlit", "UNLIT", [](const FeatureInput& in) { return unlit(in) || in.frame.channel != 0; }},
     {"punctual lights", "HAS_PUNCTUAL_LIGHTS",
      [](const FeatureInput& in) { return in.frame.punctualLights && !unlit(in) && in.frame.channel == 0; }},
+    {"MERL BRDF", "MERL_BRDF",
+     [](const FeatureInput& in) { return measured(in) && in.frame.measured == Measured::merl; }},
+    {"UTIA BRDF", "UTIA_BRDF", measuredUtia},
+    {"nearest measured value", "MEASURED_NEAREST",
+     [](const FeatureInput& in) { return measured(in) && in.frame.measuredNearest; }},
     {"environment", "HAS_ENVIRONMENT",
      [](const FeatureInput& in) { return in.frame.environment && !unlit(in) && in.frame.channel == 0; }},
 };
@@ -279,6 +293,11 @@ VariantKey variantKey(const FeatureInput& input) {
   for (size_t i = 0; i < std::size(rows); ++i)
     if (rows[i].usedBy(input)) key.features |= bit(i);
   if (usesFeature(key, "HAS_ENVIRONMENT")) key.imageLightSamples = static_cast<uint8_t>(input.frame.imageLightSamples);
+  if (measured(input)) {
+    if (usesFeature(key, "HAS_ENVIRONMENT") && key.imageLightSamples == 0)
+      key.imageLightSamples = static_cast<uint8_t>(measuredLightSamples);
+    return key;
+  }
   setModels(input, key);
   return key;
 }
@@ -335,5 +354,7 @@ bool usesFeature(const VariantKey& key, const char* define) {
   assert(false && "no such feature");
   return false;
 }
+
+bool isMeasured(const VariantKey& key) { return usesFeature(key, "MERL_BRDF") || usesFeature(key, "UTIA_BRDF"); }
 
 }  // namespace facet::shading

@@ -24,6 +24,11 @@ bool channelIsColor(int channel);
 // -1 where there is none of that name.
 int channelIndex(const std::string& name);
 
+// A measured BRDF in the place of all lit materials.
+enum class Measured : uint8_t { none, merl, utia };
+// Environment samples a pixel of measured BRDFs where the frame leaves it to them.
+inline constexpr int measuredLightSamples = 64;
+
 // What the frame offers besides the primitive and its material.
 struct FrameFeatures {
   bool punctualLights = false;
@@ -32,6 +37,8 @@ struct FrameFeatures {
   int channel = 0;
   int imageLightSamples = 0;  // 0: split sum from the tables; else environment samples per shaded sample
   optics::Models models = {};
+  Measured measured = Measured::none;
+  bool measuredNearest = false;  // looks up the nearest cell instead of interpolating
 };
 
 // What moves the vertices of a drawn instance besides its matrix.
@@ -81,5 +88,8 @@ std::string texCoordDefine(int set);  // "HAS_TEXCOORD_3"
 
 // True where the key's draws read punctual lights, the environment, the DFG table.
 bool usesFeature(const VariantKey& key, const char* define);
+
+// True where the key's draws show a measured BRDF.
+bool isMeasured(const VariantKey& key);
 
 }  // namespace facet::shading
