@@ -7,6 +7,7 @@
 #include "support/command.hpp"
 #include "support/gltf_builder.hpp"
 #include "support/temporary_folder.hpp"
+#include "view/camera_control.hpp"
 #include "view/inspector.hpp"
 #include "view/viewer.hpp"
 
