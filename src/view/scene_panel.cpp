@@ -226,7 +226,7 @@ void pointValues(const Inspection& at, const scene::Model& model) {
   if (!section("At the point")) return;
   if (!beginDetails("point")) return;
   const scene::Mesh& mesh = model.meshes[static_cast<size_t>(at.hit.mesh)];
-  detail("position", vectorText(at.hit.position, "%.5g  %.5g  %.5g") + " m");
+  detail("position", vectorText(at.hit.position, "%.4g  %.4g  %.4g") + " m");
   detail("pixel", std::to_string(at.pixel.x) + ", " + std::to_string(at.pixel.y) + " from the lower left");
   if (at.uv) detail("uv", format("%.5f  %.5f", static_cast<double>(at.uv->x), static_cast<double>(at.uv->y)));
   if (mesh.primitives.size() > 1) detail("primitive", std::to_string(at.hit.primitive));
@@ -252,7 +252,7 @@ void pointValues(const Inspection& at, const scene::Model& model) {
     ImGui::TextDisabled("radiance");
     hint("what the picture has at this pixel, before exposure and tone mapping; linear Rec. 709");
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(format("%.4g  %.4g  %.4g", v.x, v.y, v.z).c_str());
+    ImGui::TextUnformatted(format("%.3g  %.3g  %.3g", v.x, v.y, v.z).c_str());
   }
   ImGui::EndTable();
   if (at.nextChannel < static_cast<int>(std::size(shading::channelNames))) ImGui::TextDisabled("reading ...");

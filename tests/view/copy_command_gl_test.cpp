@@ -7,6 +7,7 @@
 #include "support/command.hpp"
 #include "support/gltf_builder.hpp"
 #include "support/temporary_folder.hpp"
+#include "view/camera_control.hpp"
 #include "view/inspector.hpp"
 #include "view/viewer.hpp"
 
@@ -71,9 +72,9 @@ TEST_CASE("copied command: gives the bytes of the picture on the screen", "[gl]"
       {"normal", [](view::ViewerState& s) { s.settings.channel = "normal"; }},
       {"roughness", [](view::ViewerState& s) { s.settings.channel = "roughness", s.settings.environment = "none"; }},
       {"uv, which is not there", [](view::ViewerState& s) { s.settings.channel = "uv"; }},
-      {"from above",
+      {"from behind",
        [](view::ViewerState& s) {
-         s.camera = view::seenFrom(s.camera, view::ViewFrom::top);
+         s.camera = view::seenFrom(s.camera, view::ViewFrom::back);
          s.settings.lights = frame::Lights::demo, s.settings.toneMapper = frame::ToneMapper::agx;
        }},
       {"converged, selected", [](view::ViewerState& s) { s.settings.samples = 6, s.selection.node = 0; }},
