@@ -24,7 +24,9 @@ using optics::pi;
 namespace {
 
 constexpr int size = 16;
-constexpr double momentWeight = 0.5, smoothness = 3e-3;
+// One tap has to meet the mean direction above all; several have the shape to follow.
+double momentWeightOf(size_t taps) { return taps == 1 ? 3 : 0.5; }
+constexpr double smoothness = 3e-3;
 constexpr double unit = 65536;  // the table's 1
 
 // tilt, roughness over the surface's, weight (the last tap's weight is what the others leave)
@@ -133,7 +135,7 @@ double cost(const Lobe& lobe, const Parameters& p, const Parameters* near) {
     mean += q * n.weight * glm::dvec3(n.L.x, 0, n.L.z);
   }
   const glm::dvec3 off = mean - lobe.mean;
-  double value = sum / lobe.norm + momentWeight * glm::dot(off, off) / lobe.variance + penalty;
+  double value = sum / lobe.norm + momentWeightOf(taps.size()) * glm::dot(off, off) / lobe.variance + penalty;
   if (near)
     for (size_t i = 0; i < p.size(); ++i) value += smoothness * (p[i] - (*near)[i]) * (p[i] - (*near)[i]);
   return value;
