@@ -234,7 +234,9 @@ void followSelection(Loop& loop, const Input& input, const Actions& actions, Vie
       state.camera = framedAll(state.camera, bounds, static_cast<double>(state.settings.width) / state.settings.height);
     }
   }
-  if (inspectNext(viewport, state)) loop.framesToDraw = std::max(loop.framesToDraw, 2);
+  const int before = state.inspection.nextChannel;
+  inspectNext(viewport, state);
+  if (state.inspection.nextChannel != before) loop.framesToDraw = std::max(loop.framesToDraw, 2);
 }
 
 // How long the window did not answer, where that could be felt.
