@@ -251,7 +251,9 @@ void followSelection(Loop& loop, const Input& input, const Actions& actions, Vie
       state.camera = framedAll(state.camera, bounds, static_cast<double>(state.settings.width) / state.settings.height);
     }
   }
-  if (inspectNext(viewport, state)) loop.framesToDraw = std::max(loop.framesToDraw, 2);
+  const int before = state.inspection.nextChannel;
+  inspectNext(viewport, state);
+  if (state.inspection.nextChannel != before) loop.framesToDraw = std::max(loop.framesToDraw, 2);
 }
 
 // Told once everything is there: the longest time between two frames until then, and that to the first new frame.
