@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace facet::optics {
 
@@ -19,6 +20,12 @@ double spotAttenuation(double cosAngle, double innerCone, double outerCone) {
   const double width = 2 * std::sin((outerCone + innerCone) / 2) * std::sin((outerCone - innerCone) / 2);
   const double t = std::clamp((cosAngle - std::cos(outerCone)) / std::max(width, 0.001), 0.0, 1.0);
   return t * t;
+}
+
+double alphaOfDisc(double alpha, double angularRadius) { return std::hypot(alpha, angularRadius / 2); }
+
+DiscPoint pointInDisc(double angularRadius, double u, double v) {
+  return {angularRadius * std::sqrt(u), 2 * std::numbers::pi * v};
 }
 
 }  // namespace facet::optics

@@ -18,4 +18,16 @@ double distanceAttenuation(double distance, double range);
 // as at least 0.001 apart. cosAngle = dot(spot direction, direction light -> point), both unit.
 double spotAttenuation(double cosAngle, double innerCone, double outerCone);
 
+// Width of a GGX lobe that reflects a disc of that angular radius [rad] in the place of a point of the same irradiance:
+// alpha'^2 = alpha^2 + (radius / 2)^2. At the highlight's peak it is exact for a mirror, where the disc itself is seen
+// (D(0) / 4 = 1 / (pi radius^2)), and for lobes much wider than the disc; the energy is the lobe's at any width.
+double alphaOfDisc(double alpha, double angularRadius);
+
+// The angle from its axis and the azimuth of a point of the unit square in a disc of that angular radius: equal shares
+// of its area, radius [rad] << 1.
+struct DiscPoint {
+  double theta = 0, phi = 0;
+};
+DiscPoint pointInDisc(double angularRadius, double u, double v);
+
 }  // namespace facet::optics

@@ -8,6 +8,7 @@
 #include "io/sources.hpp"
 #include "layout.h"
 #include "optics/energy.hpp"
+#include "optics/lights.hpp"
 #include "optics/mapping.hpp"
 #include "optics/quadrature.hpp"
 #include "optics/reference.hpp"
@@ -213,7 +214,7 @@ struct LobeTruth {
 
 // What the sun adds to a layer: its disc seen through the lobe.
 glm::dvec3 sunThroughLobe(const scene::Sun& sun, const glm::dvec3& d, double alpha) {
-  const double widened = std::sqrt(alpha * alpha + 0.25 * sun.angularRadius * sun.angularRadius);
+  const double widened = optics::alphaOfDisc(alpha, sun.angularRadius);
   const double angle = std::atan2(glm::length(glm::cross(d, sun.direction)), glm::dot(d, sun.direction));
   return sun.irradiance * optics::prefilterKernel(std::min(widened, 1.0), angle);
 }

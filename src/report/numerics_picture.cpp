@@ -7,7 +7,7 @@
 #include "optics/mapping.hpp"
 #include "optics/microfacet.hpp"
 #include "optics/quadrature.hpp"
-#include "report/numerics_checks.hpp"
+#include "report/numerics_grid.hpp"
 
 namespace facet::report {
 
@@ -280,7 +280,28 @@ Check checkLayer() {
 
 }  // namespace
 
-std::vector<Check> lightChecks() { return {checkDistance(), checkCone()}; }
+Check checkDiscWidth() {
+  Check check = relativeCheck("alphaOfDisc", "lights.glsl", "out0.x = alphaOfDisc(in0.x, in0.y);", {"alpha", "radius"});
+  check.inputs = grid({0, 1e-6, 1e-3, 0.01, 0.3, 1}, {1e-6, 0.00465, 0.02, 0.1});
+  check.twin = [](CheckVectors in) -> CheckValues { return {optics::alphaOfDisc(in[0].x, in[0].y)}; };
+  allow(check, 8, "8 roundings");
+  return check;
+}
+
+// About +Z, whose frame is the axes themselves.
+Check checkDiscPoint() {
+  Check check = absoluteCheck("directionInDisc", "lights.glsl",
+                              "out0.xyz = directionInDisc(vec3(0.0, 0.0, 1.0), in0.x, in0.yz);", {"radius", "u", "v"});
+  check.inputs = grid({1e-4, 0.00465, 0.02, 0.1}, {0, 0.25, 1}, {0, 0.1, 0.5, 0.9});
+  check.twin = [](CheckVectors in) -> CheckValues {
+    const optics::DiscPoint p = optics::pointInDisc(in[0].x, in[0].y, in[0].z);
+    return {std::sin(p.theta) * std::cos(p.phi), std::sin(p.theta) * std::sin(p.phi), std::cos(p.theta)};
+  };
+  allow(check, 32, "the precision of sin and cos is the driver's");
+  return check;
+}
+
+std::vector<Check> lightChecks() { return {checkDistance(), checkCone(), checkDiscWidth(), checkDiscPoint()}; }
 
 std::vector<Check> displayChecks() {
   using optics::ToneMapper;

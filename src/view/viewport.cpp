@@ -408,7 +408,8 @@ bool drawViewport(Viewport& viewport, ViewerState& state) {
   state.shown.statistics.frame = std::move(*drawn);
   state.shown.statistics.cpuMs = spent.count();
   measureMemory(viewport, state.shown.statistics);
-  log::debug("frame drawn: " + state.shown.model + ", " + state.shown.environment);
+  log::debug("frame drawn: " + state.shown.model + ", " + state.shown.environment +
+             (state.refinement.lightPreview ? " (preview)" : ""));
   return true;
 }
 

@@ -60,6 +60,8 @@ PictureSettings unusual() {
   s.bump = "h.png", s.bumpScale = -0.125;
   s.diffuse = optics::DiffuseModel::callOfDuty, s.fresnel = optics::FresnelModel::f82Tint;
   s.distribution = optics::NormalDistribution::blinn, s.masking = optics::Masking::cavity;
+  s.imageLight = optics::ImageLight::taps2;
+  s.brdf = "steel", s.brdfDir = "/brdf", s.brdfLookUp = optics::LookUp::nearest, s.utiaDecode = io::UtiaDecode::srgb;
   s.animation = "run's", s.timeSeconds = 1.25;
   s.environment = "it's here/a b.hdr";
   s.environmentRotationDeg = -0.1f, s.environmentStrength = 1e-3f;

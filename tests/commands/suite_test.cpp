@@ -71,8 +71,8 @@ TEST_CASE("suite: every way to be wrong has its sentence") {
        "suite.json: /jobs/0/tolerance/flip: this is no limit; give a number from 0 on, or null for none."},
       {"{\"jobs\": [{\"name\": \"a\", \"model\": \"a\", \"sample\": 1}]}",
        "suite.json: /jobs/0/sample: there is no such option; perhaps samples is meant."},
-      {"{\"defaults\": {\"model\": \"a\"}, \"jobs\": [{\"name\": \"a\"}]}",
-       "suite.json: /defaults/model: there is no such option; perhaps material is meant."},
+      {"{\"defaults\": {\"materal\": \"a\"}, \"jobs\": [{\"name\": \"a\"}]}",
+       "suite.json: /defaults/materal: there is no such option; perhaps material is meant."},
   }));
   CAPTURE(row.text);
   const Result<Suite> suite = parse(row.text);

@@ -90,6 +90,7 @@ TEST_CASE("A measured Lambertian returns its albedo in the furnace", "[gl]") {
   frame::PictureSettings settings = bareSettings(32, 32);
   settings.environment = "builtin:white";
   settings.brdf = "builtin:lambert";
+  settings.lights = frame::Lights::none;
   const frame::Picture picture = studio.render(loadBuiltin("builtin:spheres"), settings);
   size_t seen = 0;
   for (const glm::vec4& p : picture.radiance.pixels) {

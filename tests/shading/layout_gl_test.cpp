@@ -25,12 +25,14 @@ struct Member {
   size_t offset;
 };
 
-// The mesh program with everything in it.
+// The mesh program with everything in it that goes together: a measured BRDF takes all other materials' place.
 const gl::Program& fullProgram(shading::ProgramStore& store) {
   shading::VariantKey key;
   const auto table = shading::featureTable();
   for (size_t i = 0; i < table.size(); ++i)
-    if (std::string(table[i].define) != "UNLIT") key.features |= uint64_t{1} << i;
+    if (const std::string define = table[i].define;
+        define != "UNLIT" && define != "MERL_BRDF" && define != "UTIA_BRDF" && define != "MEASURED_NEAREST")
+      key.features |= uint64_t{1} << i;
   const auto program = store.render("passes/mesh.vert.glsl", "passes/mesh.frag.glsl", shading::variantDefines(key));
   REQUIRE(program);
   return **program;

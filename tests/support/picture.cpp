@@ -46,6 +46,7 @@ frame::Picture Studio::render(const io::LoadedModel& model, const frame::Picture
     REQUIRE(loaded);
     light.environment = std::move(*loaded);
     light.onGpu.environment = &light.environment;
+    frame::findSun(light.onGpu);
   }
   Stages stages;
   Result<frame::PreparedPicture> prepared =

@@ -69,7 +69,7 @@ differ() {  # at least 5/255, far above what any driver's rounding makes
   [ $? = 1 ] || fail "$1 and $2 look the same"
 }
 
-await "frame drawn: builtin:spheres, builtin:studio" 1
+await "frame drawn: builtin:spheres, builtin:studio$" 1
 window=$(xdotool search --sync --onlyvisible --pid $viewer 2>/dev/null | head -1)
 [ -n "$window" ] || window=$(xdotool search --onlyvisible --name facet | head -1)
 [ -n "$window" ] || fail "no window"
@@ -94,7 +94,7 @@ screenshot reset
 same start reset
 
 xdotool key e
-await "frame drawn: builtin:spheres, builtin:sky" 1
+await "frame drawn: builtin:spheres, builtin:sky$" 1
 screenshot sky
 differ start sky
 

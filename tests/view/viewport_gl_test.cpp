@@ -5,8 +5,8 @@
 #include "commands/option_text.hpp"
 #include "commands/picture_options.hpp"
 #include "io/image.hpp"
-#include "support/command.hpp"
 #include "io/radiance.hpp"
+#include "support/command.hpp"
 #include "support/gltf_builder.hpp"
 #include "support/temporary_folder.hpp"
 #include "view/follow.hpp"
@@ -90,7 +90,9 @@ TEST_CASE("viewport: a frame is drawn only where something has changed", "[gl]")
   CHECK(view::drawViewport(viewer.viewport, viewer.state));
   CHECK(viewer.viewport.targets.width == 80);
   viewer.state.settings.channel = "baseColor";
-  CHECK(view::bringUp(viewer.viewport, viewer.state, viewer.loader));
+  const int list = viewer.viewport.listNumber;
+  viewer.settle();
+  CHECK(viewer.viewport.listNumber == list + 1);
   CHECK(view::drawViewport(viewer.viewport, viewer.state));
   CHECK_FALSE(view::drawViewport(viewer.viewport, viewer.state));
 }
