@@ -24,7 +24,7 @@ struct SceneOnGpu {
   std::string source;  // the file, or builtin:NAME
   const scene::Model* model = nullptr;
   GpuScene gpu;
-  std::optional<Framing> framing = {};  // the last one
+  std::optional<Framing> framing = {};           // the last one
   std::shared_ptr<MeasuredStore> measured = {};  // made when the first is asked for
 };
 

@@ -21,8 +21,8 @@ struct MeasuredProxy {
 // A part that is the same in all directions is taken off, the rest goes through four power iterations; alpha is that
 // of the GGX distribution with the same median slope (along both axes). The part: that share of the least value at
 // which constant + lobe comes closest to the table. Of synthetic GGX tables alpha comes out within 5 % (MERL, alpha
-// from 0.01 to 0.49), of UTIA's up to 25 % too small. What the grid cannot resolve counts as its own width: alpha 1e-3 (MERL), 0.1 (UTIA). Nothing but
-// diffuse light: alpha 1, share 1. About 20 ms.
+// from 0.01 to 0.49), of UTIA's up to 25 % too small. What the grid cannot resolve counts as its own width: alpha 1e-3
+// (MERL), 0.1 (UTIA). Nothing but diffuse light: alpha 1, share 1. About 20 ms.
 MeasuredProxy fitProxy(const MeasuredBrdf& brdf);
 
 // L for V by the proxy: visible normals, or by the cosine with the chance `cosine`; and the density of both together.

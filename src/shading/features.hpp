@@ -73,7 +73,7 @@ struct VariantKey {
   // Models other than the default that the draw can show: indices of optics::Models' enumerations.
   uint8_t diffuse = 0, fresnel = 0, distribution = 0, masking = 0;
   uint8_t imageLight = 0;  // index in optics::ImageLight, but of those that are as the default 0
-  uint8_t conductor = 0;  // 1 + index in optics::metalPresets(), where `fresnel` reads it
+  uint8_t conductor = 0;   // 1 + index in optics::metalPresets(), where `fresnel` reads it
   auto operator<=>(const VariantKey&) const = default;
 };
 

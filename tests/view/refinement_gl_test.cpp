@@ -110,8 +110,8 @@ TEST_CASE("refinement: any change starts with the cheap picture, and few samples
   CHECK_FALSE(viewer.viewport.refinement.targets.sum);
 }
 
-// The true error is that against 512 samples. The ratio of the estimate to it was 0.9 to 1.35 (8, 16, 64 samples): draws
-// that are spread evenly agree faster than two halves of them do.
+// The true error is that against 512 samples. The ratio of the estimate to it was 0.9 to 1.35 (8, 16, 64 samples):
+// draws that are spread evenly agree faster than two halves of them do.
 TEST_CASE("refinement: the estimated error follows the true one", "[gl]") {
   Viewer viewer;
   viewer.load("builtin:poster");
