@@ -6,6 +6,8 @@
 #include "base/parallel.hpp"
 #include "frame/session.hpp"
 #include "io/sources.hpp"
+#include "optics/lights.hpp"
+#include "optics/microfacet.hpp"
 #include "optics/quadrature.hpp"
 #include "optics/reference.hpp"
 #include "report/error_figures.hpp"
@@ -52,6 +54,18 @@ struct Model {
   std::vector<shading::Define> defines;
   double fetches;
 };
+// The sun's part in double precision, as the frame has it: the lobe as wide as the disc makes it. For F = 1 and f0 =
+// 0.04.
+glm::dmat2x3 sunlight(const scene::Sun& sun, const Case& c) {
+  const double NoL = glm::dot(c.N, sun.direction);
+  if (NoL <= 0) return glm::dmat2x3(0);
+  const glm::dvec3 H = glm::normalize(c.V + sun.direction);
+  const double alpha = optics::alphaOfDisc(c.perceptualRoughness * c.perceptualRoughness, sun.angularRadius);
+  const double lobe = optics::D_GGX(c.N, H, alpha) * optics::V_SmithGGXCorrelated(c.NoV, NoL, alpha) * NoL;
+  const double grazing = std::pow(1 - glm::dot(c.V, H), 5);
+  return {sun.irradiance * lobe, sun.irradiance * (lobe * (0.04 + 0.96 * grazing))};
+}
+
 // A look-up reads two layers.
 std::vector<Model> models() {
   const auto defines = [](optics::ImageLight model) {
@@ -75,8 +89,9 @@ Result<Report> lightLobes(const ReportInput& input) {
   const std::vector<Case> list = cases(*environment);
   shading::ProgramStore programs(shading::shaderReader(input.shaderDir), {}, {});
   ibl::Tables tables;
-  if (Result<void> r = ibl::computeTables(tables, &*environment,
-                                          {.dfg = true, .irradiance = true, .layers = true, .taps = true}, programs);
+  if (Result<void> r =
+          ibl::computeTables(tables, &*environment, {.dfg = true, .irradiance = true, .layers = true, .taps = true},
+                             programs, {.takeSunOut = true});
       !r)
     return tl::unexpected(r.error());
   std::vector<glm::vec4> inputs;
@@ -87,7 +102,7 @@ Result<Report> lightLobes(const ReportInput& input) {
   Table table{"light-lobes",
               "Specular light of the environment by run-time model, against the integral",
               "Relative RMSE over 16 normals for each of r 0.1, 0.2, 0.3, 0.5, 0.7, 1 and NoV 0.1, 0.25, 0.5, 0.75, 1; "
-              "single scattering. F = 1 is a metal of f0 1, F0 = 0.04 a dielectric.",
+              "single scattering; a sun is a light of its own. F = 1 is a metal of f0 1, F0 = 0.04 a dielectric.",
               {"model", "fetches", "F = 1", "F0 = 0.04", "bias", "r 0.1", "r 0.3", "r 0.5", "r 1", "NoV 0.1", "NoV 0.5",
                "NoV 1"},
               {}};
@@ -105,6 +120,7 @@ Result<Report> lightLobes(const ReportInput& input) {
       for (size_t i = 0; i < list.size(); ++i) {
         if (!keep(list[i])) continue;
         values.push_back(glm::dvec3((*got)[2 * i + (metal ? 0 : 1)]) * static_cast<double>(tables.radianceScale));
+        if (tables.sun) values.back() += sunlight(*tables.sun, list[i])[metal ? 0 : 1];
         truths.push_back(metal ? list[i].metal : list[i].dielectric);
       }
       return errorFigures(values, truths);

@@ -36,7 +36,13 @@ std::vector<Way> ways(const ReportInput& input) {
     list.back().settings.samples = samples;
     return list.back().settings;
   };
+  using optics::ImageLight;
   add("default", 4);
+  add("mirror direction", 4).imageLight = ImageLight::mirror;
+  add("shifted direction", 4).imageLight = ImageLight::shifted;
+  add("1 fitted tap", 4).imageLight = ImageLight::taps1;
+  add("2 fitted taps", 4).imageLight = ImageLight::taps2;
+  add("3 fitted taps", 4).imageLight = ImageLight::taps3;
   for (const int samples : {8, 16, 32, 64, 256}) add("sampled", samples);
   return list;
 }
