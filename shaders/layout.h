@@ -132,7 +132,7 @@ struct LightUniforms {
   vec4 position;   // xyz metres from the scene's origin; w: type, 0 directional, 1 point, 2 spot, 3 the environment's sun
   vec4 direction;  // xyz unit, the way it shines; w: 1 / range^2 (0: no range)
   vec4 color;      // rgb linear * intensity (candela or lux)
-  vec4 cone;       // x scale, y offset of the spot's cosine ramp; sun: x angular radius (its direction is the map's)
+  vec4 cone;       // x scale, y offset of the spot's cosine ramp; sun: x angular radius, y least radius of a draw's share (its direction is the map's)
 };
 
 // At the start of a measured BRDF's buffer; its cells follow.

@@ -7,9 +7,11 @@
 #endif
 
 #ifdef HAS_ENVIRONMENT
-// The lobes as they reflect a part of the environment's sun.
+// The lobes as they reflect a part of the environment's sun: the share of one draw of its disc, but wide enough to stay
+// within half range, whatever the strength.
 Surface sunlit(Surface s, LightUniforms light) {
-  float angularRadius = light.cone.x * inversesqrt(max(frame.options.z, 1.0));
+  float least = light.cone.y * sqrt(max(frame.environmentScale.z, 1.0));
+  float angularRadius = max(light.cone.x * inversesqrt(max(frame.options.z, 1.0)), least);
   s.alpha = alphaOfDisc(s.alpha, angularRadius);
 #ifdef HAS_ANISOTROPY
   s.grain.alpha = vec2(alphaOfDisc(s.grain.alpha.x, angularRadius), alphaOfDisc(s.grain.alpha.y, angularRadius));

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "ibl/taps.hpp"
+#include "optics/microfacet.hpp"
 #include "scene/deformation.hpp"
 
 namespace facet::frame {
@@ -36,7 +37,12 @@ layout::LightUniforms sunUniforms(const scene::Sun& sun) {
   out.position = glm::vec4(0, 0, 0, 3);
   out.direction = glm::vec4(glm::vec3(-sun.direction), 0);
   out.color = glm::vec4(glm::vec3(sun.irradiance), 0);
-  out.cone = glm::vec4(static_cast<float>(sun.angularRadius), 0, 0, 0);
+  // A narrower lobe of F = 1 would exceed half range at its peak, D(0) / 4 times the irradiance: the frame would cut
+  // it.
+  constexpr double largestPeak = 32768;
+  const double most = std::max({sun.irradiance.x, sun.irradiance.y, sun.irradiance.z});
+  const double leastAlpha = std::sqrt(most / (4 * optics::pi * largestPeak));
+  out.cone = glm::vec4(static_cast<float>(sun.angularRadius), static_cast<float>(2 * leastAlpha), 0, 0);
   return out;
 }
 
