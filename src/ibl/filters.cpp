@@ -36,12 +36,6 @@ void addByFaces(std::vector<Step>& steps, const char* table, int size, uint64_t 
 
 // ---- Sums over the sphere -------------------------------------------------------------------------------------------
 
-int levelOfSize(const gl::Texture& cube, int size) {
-  int level = 0;
-  while ((cube.description().width >> level) > size) ++level;
-  return level;
-}
-
 gl::Buffer levelAsList(const gl::Texture& cube, int size, const gl::Program& program) {
   gl::Buffer list(texels(size) * 2 * sizeof(glm::vec4), "environment list");
   glUseProgram(program.id());

@@ -34,8 +34,7 @@ glm::dvec3 centre(int face, int column, int row, int size) {
 // By the addition theorem no basis is needed: the projection of degree l, evaluated at n, is
 // (2l + 1) / 4 pi int L(d) P_l(n.d) dd.
 gl::Texture irradianceByHarmonics(const gl::Texture& cube, int order, int size) {
-  int level = 0;
-  while ((cube.description().width >> level) > harmonicsSource) ++level;
+  const int level = levelOfSize(cube, harmonicsSource);
   const int source = cube.description().width >> level;
   const auto count = static_cast<size_t>(6 * source * source);
   std::vector<glm::vec4> values(count);

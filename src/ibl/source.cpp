@@ -59,6 +59,12 @@ gl::Texture cubeTexture(GLenum format, int size, int levels, std::string_view la
   return texture;
 }
 
+int levelOfSize(const gl::Texture& cube, int size) {
+  int level = 0;
+  while ((cube.description().width >> level) > size) ++level;
+  return level;
+}
+
 void dispatchFaces(int size, int faces) {
   const GLuint groups = static_cast<GLuint>((size + 7) / 8);
   glDispatchCompute(groups, groups, static_cast<GLuint>(faces));

@@ -37,6 +37,8 @@ Result<void> drawCubeFaces(const gl::Texture& cube, const CubeSource& source, in
 Result<void> drawCubeLevels(const gl::Texture& cube, shading::ProgramStore& programs);
 
 gl::Texture cubeTexture(GLenum format, int size, int levels, std::string_view label);
+// The first level whose faces are at most that large.
+int levelOfSize(const gl::Texture& cube, int size);
 void dispatchFaces(int size, int faces = 6);
 
 uint64_t cubeFetches(int size, const Method& method);

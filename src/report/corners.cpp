@@ -67,26 +67,8 @@ Result<ibl::Tables> tablesOf(Context& context, const scene::Environment* map, co
   return tables;
 }
 
-std::vector<glm::vec4> readLevel(const gl::Texture& cube, int level) {
-  const auto size = static_cast<size_t>(std::max(1, cube.description().width >> level));
-  std::vector<glm::vec4> texels(6 * size * size);
-  glGetTextureImage(cube.id(), level, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(texels.size() * sizeof(glm::vec4)),
-                    texels.data());
-  return texels;
-}
-
-// int L dw of a level, green, in the map's units.
-double flux(const ibl::Tables& tables, int level) {
-  const int size = std::max(1, tables.cube.description().width >> level);
-  const std::vector<glm::vec4> texels = readLevel(tables.cube, level);
-  double sum = 0;
-  for (size_t i = 0; i < texels.size(); ++i) {
-    const auto s = static_cast<size_t>(size);
-    sum += static_cast<double>(texels[i].y) *
-           optics::cubeTexelSolidAngle(static_cast<int>(i % s), static_cast<int>(i / s % s), size);
-  }
-  return sum * static_cast<double>(tables.radianceScale);
-}
+// Of green.
+double flux(const ibl::Tables& tables, int level) { return cubeFlux(tables, level).y; }
 
 // ---- A sun of one texel -----------------------------------------------------------------------------------------
 
@@ -164,7 +146,7 @@ Result<void> constantCorners(Context& context) {
     const Result<ibl::Tables> tables = tablesOf(context, &map, {.irradiance = true, .layers = true, .cube = true});
     if (!tables) return tl::unexpected(tables.error());
     for (int level = 0; level < tables->cube.description().levels; ++level)
-      for (const glm::vec4& texel : readLevel(tables->cube, level))
+      for (const glm::vec4& texel : readCubeLevel(tables->cube, level))
         cube.add(static_cast<double>(texel.y), static_cast<double>(0.7f), name);
     const auto got = probeLight(
         *tables, context.reader, {},

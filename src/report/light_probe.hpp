@@ -13,4 +13,9 @@ Result<std::vector<glm::vec4>> probeLight(const ibl::Tables& tables, const shadi
                                           const std::vector<shading::Define>& defines, const std::string& body,
                                           std::span<const glm::vec4> inputs, int width = 1, int outputs = 1);
 
+// Texels of a level of an RGBA32F cube, face by face.
+std::vector<glm::vec4> readCubeLevel(const gl::Texture& cube, int level);
+// int L dw over a level of tables.cube, in the map's units.
+glm::dvec3 cubeFlux(const ibl::Tables& tables, int level);
+
 }  // namespace facet::report

@@ -127,17 +127,7 @@ Result<void> addCube(const Measured& m, const glm::dvec3& flux, Report& report) 
   for (const auto& [name, method] : methods) {
     const auto tables = make(m, {.cube = true}, {.cube = method});
     if (!tables) return tl::unexpected(tables.error());
-    const int size = tables->cube.description().width;
-    std::vector<glm::vec4> texels(static_cast<size_t>(6 * size * size));
-    glGetTextureImage(tables->cube.id(), 0, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(texels.size() * sizeof(glm::vec4)),
-                      texels.data());
-    glm::dvec3 sum(0);
-    for (size_t i = 0; i < texels.size(); ++i) {
-      const auto s = static_cast<size_t>(size);
-      sum += glm::dvec3(texels[i]) *
-             optics::cubeTexelSolidAngle(static_cast<int>(i % s), static_cast<int>(i / s % s), size);
-    }
-    const double error = luminance(sum) * static_cast<double>(tables->radianceScale) / luminance(flux) - 1;
+    const double error = luminance(cubeFlux(*tables, 0)) / luminance(flux) - 1;
     const ibl::TableStatistics& cost = booked(*tables, "environment cube");
     table.rows.push_back({std::string(name), error, static_cast<double>(cost.fetches), cost.milliseconds});
     figures.push_back({cost.milliseconds, std::abs(error)});
