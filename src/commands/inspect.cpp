@@ -8,8 +8,10 @@
 #include "commands/commands.hpp"
 #include "commands/inspect_parts.hpp"
 #include "commands/notes_json.hpp"
+#include "commands/picture_options.hpp"
 #include "frame/picture.hpp"
 #include "io/image.hpp"
+#include "io/measured.hpp"
 #include "io/sources.hpp"
 #include "report/left_out.hpp"
 #include "scene/geometry.hpp"
@@ -22,8 +24,7 @@ using json = nlohmann::ordered_json;
 
 struct InspectArguments {
   std::string model;
-  int scene = -1;
-  std::string variant;
+  PictureArguments picture;
   bool asJson = false, strict = false;
 };
 
@@ -61,6 +62,7 @@ json describeMaterials(const scene::Model& model, const frame::DrawList& list) {
 }
 
 json describeLeftOut(const scene::Model& model, const frame::DrawList& list) {
+  const bool measured = list.features.measured != shading::Measured::none;
   json out = json::array();
   const std::vector<bool> wanted = frame::missingImages(model, list, {});
   size_t unused = 0, bytes = 0;
@@ -68,17 +70,26 @@ json describeLeftOut(const scene::Model& model, const frame::DrawList& list) {
     if (!wanted[i]) ++unused, bytes += model.images[i].encoded.size();
   if (unused > 0)
     out.push_back(std::to_string(unused) + " of " + std::to_string(wanted.size()) + " images are not decoded (" +
-                  std::to_string(bytes / 1024) + " KiB of embedded data): nothing that the scene draws reads them");
+                  std::to_string(bytes / 1024) + " KiB of embedded data): nothing that the scene draws reads them" +
+                  (measured ? ", the measured BRDF stands in the place of what materials reflect" : ""));
   const ibl::Needs needs = list.needs(false);
-  if (!needs.dfg) out.push_back("no DFG table is computed: nothing is lit");
-  if (!needs.irradiance) out.push_back("no environment is filtered: nothing reflects one");
+  const auto none = [&](const char* what, const char* measuredWhy, const char* why) {
+    out.push_back(std::string(what) + (measured ? measuredWhy : why));
+  };
+  if (!needs.dfg) none("no DFG table is computed: ", "a measured BRDF needs none", "nothing is lit");
+  if (!needs.irradiance)
+    none("no environment is filtered: ", "a measured BRDF samples it at each pixel", "nothing reflects one");
+  if (measured)
+    out.push_back(
+        "no code for what materials reflect is compiled: colour, metallic, roughness and the layers of lit ones");
   if (list.lights.empty()) out.push_back("no code for punctual lights is compiled: the scene has none");
   if (list.transmitting.empty()) out.push_back("nothing is copied for what is behind glass: nothing transmits light");
   if (list.blended.empty()) out.push_back("no blend pass is drawn: no drawn material asks for it");
   return out;
 }
 
-json describeModel(const scene::Model& model, const Notes& notes, const frame::DrawList& list, int scene) {
+json describeModel(const scene::Model& model, const Notes& notes, const frame::DrawList& list, int scene,
+                   const json& measured) {
   json out;
   const Counts counts = countGeometry(model);
   out["file"] = model.name;
@@ -95,6 +106,7 @@ json describeModel(const scene::Model& model, const Notes& notes, const frame::D
   out["extensionsUsed"] = model.extensionsUsed;
   out["extensionsRequired"] = model.extensionsRequired;
   out["drawCalls"] = list.opaque.size() + list.transmitting.size() + list.blended.size();
+  if (!measured.is_null()) out["measured"] = measured;
   out["materials"] = describeMaterials(model, list);
   describeParts(model, out);
   out["leftOut"] = describeLeftOut(model, list);
@@ -130,6 +142,7 @@ void print(const json& out) {
     std::cout << "  bounds: " << out["bounds"]["min"] << " to " << out["bounds"]["max"] << " m\n";
   std::cout << "  extensions used: " << joined(out["extensionsUsed"])
             << "; required: " << joined(out["extensionsRequired"]) << "\n";
+  if (out.contains("measured")) printMeasured(out["measured"], std::cout);
   std::cout << "  draw calls: " << out["drawCalls"] << "\n\nMaterials and their shader variants\n";
   for (const json& material : out["materials"]) {
     std::cout << "  " << material["name"].get<std::string>() << "\n";
@@ -157,22 +170,36 @@ void checkImages(const scene::Model& model, const frame::DrawList& list, Notes& 
   io::decodeImages(model, frame::missingImages(model, list, {}), notes);
 }
 
+// As a picture would find and read it; null without --brdf.
+Result<json> readMeasured(const frame::PictureSettings& settings, frame::DrawOptions& options, Notes& notes) {
+  if (settings.brdf.empty()) return json();
+  const Result<std::string> source = io::resolveMeasured(settings.brdf, settings.brdfDir);
+  if (!source) return tl::unexpected(source.error());
+  const Result<optics::MeasuredBrdf> brdf = io::readMeasured(*source, {.utiaDecode = settings.utiaDecode});
+  if (!brdf) return tl::unexpected(brdf.error());
+  std::ranges::move(io::measuredNotes(*brdf), std::back_inserter(notes));
+  frame::setMeasured(options.features, settings, brdf->kind);
+  return describeMeasured(*brdf, *source);
+}
+
 int runInspect(const InspectArguments& arguments) {
+  frame::PictureSettings settings;
+  if (const Result<void> applied = apply(arguments.picture, settings); !applied) return badInput(applied.error());
   Result<io::LoadedModel> loaded = io::loadModel(arguments.model);
   if (!loaded) return badInput(loaded.error());
   const scene::Model& model = loaded->model;
-  frame::PictureSettings settings;
-  settings.scene = arguments.scene;
-  settings.variant = arguments.variant;
   const Result<int> scene = frame::chooseScene(settings, model);
   if (!scene) return badInput(scene.error());
   const Result<int> variant = frame::chooseVariant(settings, model);
   if (!variant) return badInput(variant.error());
   frame::DrawOptions options = frame::drawOptions(settings, true);
   options.variant = *variant;
+  const Result<json> measured = readMeasured(settings, options, loaded->notes);
+  if (!measured) return badInput(measured.error());
   const frame::DrawList list = frame::buildDrawList(model, *scene, options);
   checkImages(model, list, loaded->notes);
-  const json out = describeModel(model, loaded->notes, list, *scene);
+  if (!measured->is_null()) frame::noteMeasured(list, loaded->notes);
+  const json out = describeModel(model, loaded->notes, list, *scene, *measured);
   if (arguments.asJson)
     std::cout << out.dump(2, ' ', false, json::error_handler_t::replace) << std::endl;
   else
@@ -187,8 +214,8 @@ int runInspect(const InspectArguments& arguments) {
 std::function<int()> addInspect(CLI::App& app) {
   auto arguments = std::make_shared<InspectArguments>();
   app.add_option("model", arguments->model, "a .gltf or .glb file, or builtin:NAME")->type_name("MODEL")->required();
-  app.add_option("--scene", arguments->scene, "index of the scene (the file's default)")->type_name("N");
-  app.add_option("--variant", arguments->variant, "material variant (none)")->type_name("NAME|INDEX");
+  constexpr std::string_view wanted[] = {"scene", "variant", "brdf", "brdf-dir", "brdf-lookup", "utia-decode"};
+  addPictureOptions(app, arguments->picture, wanted);
   app.add_flag("--json", arguments->asJson, "for scripts");
   app.add_flag("--strict", arguments->strict, "any warning makes the exit status 2");
   return [arguments] { return runInspect(*arguments); };

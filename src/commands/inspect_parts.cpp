@@ -4,6 +4,7 @@
 #include <charconv>
 #include <ostream>
 
+#include "frame/measured_gpu.hpp"
 #include "scene/material_properties.hpp"
 #include "scene/usage.hpp"
 
@@ -184,6 +185,23 @@ void printParts(const json& described, std::ostream& out) {
     out << (about.empty() ? "nothing" : about) << ": "
         << entry["packet"].dump(-1, ' ', false, json::error_handler_t::replace);
   });
+}
+
+json describeMeasured(const optics::MeasuredBrdf& brdf, const std::string& source) {
+  const bool merl = brdf.kind == optics::MeasuredKind::merl;
+  return {{"name", brdf.name},
+          {"source", source},
+          {"kind", merl ? "MERL, isotropic" : "UTIA, anisotropic"},
+          {"cells", brdf.values.size()},
+          {"missingCells", brdf.counts.missing()},
+          {"bytesOnGpu", frame::measuredBytes(brdf)}};
+}
+
+void printMeasured(const json& described, std::ostream& out) {
+  const std::string name = described["name"], source = described["source"], kind = described["kind"];
+  out << "  measured BRDF in the place of all lit materials: " << name << " (" << kind << ") from " << source << ", "
+      << described["cells"] << " cells, " << described["missingCells"] << " of them missing, "
+      << described["bytesOnGpu"].get<size_t>() / 1024 << " KiB on the GPU\n";
 }
 
 }  // namespace facet::commands

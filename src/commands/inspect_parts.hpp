@@ -5,6 +5,7 @@
 #include <iosfwd>
 #include <nlohmann/json.hpp>
 
+#include "optics/measured.hpp"
 #include "scene/model.hpp"
 
 namespace facet::commands {
@@ -13,10 +14,14 @@ namespace facet::commands {
 // it names. Null where there are none.
 nlohmann::ordered_json describeEffects(const scene::Material& material);
 
+// A measured BRDF in the place of the materials: what it is, where it was found, what it takes on the GPU.
+nlohmann::ordered_json describeMeasured(const optics::MeasuredBrdf& brdf, const std::string& source);
+
 // Adds "animations", "skins", "morphTargets", "instancing", "variants" and "xmp", each an array, to the object.
 void describeParts(const scene::Model& model, nlohmann::ordered_json& out);
 
-// The same as text; nothing of what is empty.
+void printMeasured(const nlohmann::ordered_json& described, std::ostream& out);
+// The parts as text; nothing of what is empty.
 void printParts(const nlohmann::ordered_json& described, std::ostream& out);
 
 }  // namespace facet::commands

@@ -365,7 +365,7 @@ constexpr PictureOption table[] = {
      "samples sampled (auto)",
      parseName<imageLights, &S::imageLight>, writeName<imageLights, &S::imageLight>},
     {"brdf", "FILE|NAME|builtin:NAME", "a measured BRDF (MERL, UTIA) in the place of all materials (their own)",
-     parseText<&S::brdf>, writeText<&S::brdf>, ',', true},
+     parseText<&S::brdf>, writeText<&S::brdf>, ',', true, true},
     {"brdf-dir", "DIR", "looks for databases of measured BRDFs here first", parseText<&S::brdfDir>,
      writeText<&S::brdfDir>, ',', true},
     {"brdf-lookup", "NAME", "between its cells: interpolated, nearest (interpolated)",
@@ -427,12 +427,17 @@ Result<std::string> textOf(const nlohmann::json& value, const PictureOption& opt
 
 std::span<const PictureOption> pictureOptions() { return table; }
 
-bool isPathValue(const PictureOption& option, Text text) {
-  return option.isPath && !text.empty() && text != "none" && !text.starts_with("builtin:");
+std::string placedBelow(const std::string& folder, const PictureOption& option, const std::string& text) {
+  if (!option.isPath || text.empty() || text == "none" || text.starts_with("builtin:")) return text;
+  const std::filesystem::path path = std::filesystem::path(folder) / text;
+  std::error_code error;
+  const bool word = text.find('/') == std::string::npos && !text.ends_with(".binary") && !text.ends_with(".bin");
+  return option.mayBeName && word && !std::filesystem::exists(path, error) ? text : path.string();
 }
 
-void addPictureOptions(CLI::App& app, PictureArguments& arguments) {
+void addPictureOptions(CLI::App& app, PictureArguments& arguments, std::span<const Text> only) {
   for (const PictureOption& option : table) {
+    if (!only.empty() && std::ranges::find(only, option.name) == only.end()) continue;
     const auto keep = [&arguments, name = option.name](const std::string& text) { arguments[name] = text; };
     app.add_option_function<std::string>("--" + std::string(option.name), keep, std::string(option.help))
         ->type_name(std::string(option.value))
@@ -465,9 +470,9 @@ Result<void> apply(const nlohmann::json& object, std::span<const Text> others, c
   for (const PictureOption& option : table) {
     const auto given = object.find(std::string(option.name));
     if (given == object.end()) continue;
-    Result<std::string> text = textOf(*given, option);
-    if (text && isPathValue(option, *text)) text = (std::filesystem::path(folder) / *text).string();
-    const Result<void> parsed = text ? option.parse(*text, settings) : tl::unexpected(text.error());
+    const Result<std::string> text = textOf(*given, option);
+    const Result<void> parsed =
+        text ? option.parse(placedBelow(folder, option, *text), settings) : tl::unexpected(text.error());
     if (!parsed) {
       const std::string place = pointer + "/" + pointerToken(option.name);
       return fail(file, place, parsed.error().problem, parsed.error().remedy);

@@ -26,22 +26,25 @@ struct PictureOption {
   Result<void> (*parse)(std::string_view text, frame::PictureSettings& settings);
   // The text that parse makes the same setting of; empty where nothing is set.
   std::string (*write)(const frame::PictureSettings& settings);
-  char separator = ',';  // between the numbers where a job gives an array
-  bool isPath = false;   // in a job relative to the job file's folder
+  char separator = ',';    // between the numbers where a job gives an array
+  bool isPath = false;     // in a job relative to the job file's folder
+  bool mayBeName = false;  // a path, but a plain word that is no file there is a name
 };
 
 // In the order in which they are applied, whatever order they are given in: a substance comes before what differs from
 // it.
 std::span<const PictureOption> pictureOptions();
 
-// "builtin:..." or "none": a name, not a file.
-bool isPathValue(const PictureOption& option, std::string_view text);
+// An option's text in a job: paths are taken below `folder`. "builtin:..." and "none" are names; so is a plain word of
+// an option that takes names, unless such a file exists there or its ending is that of a database.
+std::string placedBelow(const std::string& folder, const PictureOption& option, const std::string& text);
 
 // Names and texts of the options that were given.
 using PictureArguments = std::map<std::string_view, std::string>;
 
-// Registers the table's options; parsing fills `arguments`, which must live as long as app.
-void addPictureOptions(CLI::App& app, PictureArguments& arguments);
+// Registers the table's options, or only those of these names; parsing fills `arguments`, which must live as long as
+// app.
+void addPictureOptions(CLI::App& app, PictureArguments& arguments, std::span<const std::string_view> only = {});
 
 // Sets what was given, leaves the rest. Errors name the option: "--samples: 0 is out of range; give ...".
 Result<void> apply(const PictureArguments& arguments, frame::PictureSettings& settings);

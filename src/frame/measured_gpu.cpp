@@ -41,10 +41,9 @@ std::vector<std::byte> bufferOf(const optics::MeasuredBrdf& brdf, const optics::
   layout::MeasuredUniforms head;
   head.lobe = glm::vec4(proxy.alpha.t, proxy.alpha.b, std::cos(proxy.phi), std::sin(proxy.phi));
   head.table = glm::vec4(optics::cosineChance(proxy), packed.scale, brdf.phiSteps, 0);
-  const size_t cellBytes = packed.cells.size() * sizeof(glm::uvec2);
-  std::vector<std::byte> bytes(sizeof head + cellBytes);
+  std::vector<std::byte> bytes(measuredBytes(brdf));
   std::memcpy(bytes.data(), &head, sizeof head);
-  std::memcpy(bytes.data() + sizeof head, packed.cells.data(), cellBytes);
+  std::memcpy(bytes.data() + sizeof head, packed.cells.data(), bytes.size() - sizeof head);
   return bytes;
 }
 
@@ -95,6 +94,10 @@ MeasuredSource measuredSource(const PictureSettings& settings) {
 
 std::shared_ptr<const MeasuredOnGpu> uploadMeasured(const optics::MeasuredBrdf& brdf) { return upload(brdf); }
 
+size_t measuredBytes(const optics::MeasuredBrdf& brdf) {
+  return sizeof(layout::MeasuredUniforms) + brdf.values.size() * sizeof(glm::uvec2);
+}
+
 Result<std::shared_ptr<const MeasuredOnGpu>> findMeasured(MeasuredStore& store, const MeasuredSource& source,
                                                           Notes& notes) {
   const auto known = std::ranges::find_if(store.kept, [&](const auto& kept) { return kept->source == source; });
@@ -127,8 +130,8 @@ Result<std::shared_ptr<const MeasuredOnGpu>> findMeasured(MeasuredStore& store, 
   return store.kept.front();
 }
 
-void setMeasured(shading::FrameFeatures& features, const PictureSettings& settings, const MeasuredOnGpu& measured) {
-  features.measured = measured.kind == optics::MeasuredKind::merl ? shading::Measured::merl : shading::Measured::utia;
+void setMeasured(shading::FrameFeatures& features, const PictureSettings& settings, optics::MeasuredKind kind) {
+  features.measured = kind == optics::MeasuredKind::merl ? shading::Measured::merl : shading::Measured::utia;
   features.measuredNearest = settings.brdfLookUp == optics::LookUp::nearest;
 }
 

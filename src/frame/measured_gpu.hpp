@@ -52,6 +52,7 @@ struct MeasuredOnGpu {
 };
 
 std::shared_ptr<const MeasuredOnGpu> uploadMeasured(const optics::MeasuredBrdf& brdf);
+size_t measuredBytes(const optics::MeasuredBrdf& brdf);  // of its buffer
 
 inline constexpr size_t measuredBudget = size_t{128} << 20;  // bytes on the GPU; ten of MERL's
 
@@ -63,6 +64,6 @@ struct MeasuredStore {
 Result<std::shared_ptr<const MeasuredOnGpu>> findMeasured(MeasuredStore& store, const MeasuredSource& source,
                                                           Notes& notes);
 
-void setMeasured(shading::FrameFeatures& features, const PictureSettings& settings, const MeasuredOnGpu& measured);
+void setMeasured(shading::FrameFeatures& features, const PictureSettings& settings, optics::MeasuredKind kind);
 
 }  // namespace facet::frame

@@ -128,7 +128,20 @@ void noteModels(const DrawList& list, Notes& notes) {
         "samples do without them");
 }
 
-// Where the measured BRDF is not, or not as it was meant.
+// The measured BRDF onto the GPU and into the options, or out of both.
+Result<void> chooseMeasured(const PictureSettings& settings, SceneOnGpu& scene, DrawOptions& options, Notes& notes) {
+  scene.gpu.measured.reset();
+  if (settings.brdf.empty() || options.features.channel != 0) return {};
+  if (!scene.measured) scene.measured = std::make_shared<MeasuredStore>();
+  auto found = findMeasured(*scene.measured, measuredSource(settings), notes);
+  if (!found) return tl::unexpected(found.error());
+  scene.gpu.measured = *found;
+  setMeasured(options.features, settings, (*found)->kind);
+  return {};
+}
+
+}  // namespace
+
 void noteMeasured(const DrawList& list, Notes& notes) {
   size_t unlit = 0, levelled = 0;
   for (const std::vector<Draw>* draws : list.classes())
@@ -143,20 +156,6 @@ void noteMeasured(const DrawList& list, Notes& notes) {
     warn("--brdf: " + std::to_string(levelled) +
          " draws have no tangents: the BRDF's azimuths begin at their level direction");
 }
-
-// The measured BRDF onto the GPU and into the options, or out of both.
-Result<void> chooseMeasured(const PictureSettings& settings, SceneOnGpu& scene, DrawOptions& options, Notes& notes) {
-  scene.gpu.measured.reset();
-  if (settings.brdf.empty() || options.features.channel != 0) return {};
-  if (!scene.measured) scene.measured = std::make_shared<MeasuredStore>();
-  auto found = findMeasured(*scene.measured, measuredSource(settings), notes);
-  if (!found) return tl::unexpected(found.error());
-  scene.gpu.measured = *found;
-  setMeasured(options.features, settings, **found);
-  return {};
-}
-
-}  // namespace
 
 DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment) {
   DrawOptions options;

@@ -56,6 +56,9 @@ DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment);
 // Errors: no such scene in the model.
 Result<int> chooseScene(const PictureSettings& settings, const scene::Model& model);
 
+// Which draws do not show the measured BRDF, or not as it was meant.
+void noteMeasured(const DrawList& list, Notes& notes);
+
 // Index in model.variants, -1 for none. Errors: no such variant.
 Result<int> chooseVariant(const PictureSettings& settings, const scene::Model& model);
 

@@ -105,6 +105,24 @@ TEST_CASE("jobs: the file is read, and its folder is where paths start") {
   CHECK(describe(commands::readJobs(folder.path()).error()) == folder.path().string() + ": this is no regular file.");
 }
 
+TEST_CASE("jobs: a measured BRDF is a file below the folder or a database's name") {
+  const test::TemporaryFolder folder;
+  folder.write("local", std::string("x"));
+  folder.write("jobs.json", R"([
+    {"model": "m", "output": "1.png", "brdf": "gold.paint-2", "brdf-dir": "dbs"}, {"model": "m", "output": "2.png", "brdf": "dbs/gold"},
+    {"model": "m", "output": "3.png", "brdf": "local"}, {"model": "m", "output": "4.png", "brdf": "gold.binary"},
+    {"model": "m", "output": "5.png", "brdf": "builtin:lambert"}, {"model": "m", "output": "6.png", "brdf": "/a/gold.bin"}])");
+  const Result<std::vector<Job>> jobs = commands::readJobs(folder.path() / "jobs.json");
+  REQUIRE(jobs);
+  CHECK((*jobs)[0].settings.brdf == "gold.paint-2");
+  CHECK((*jobs)[0].settings.brdfDir == folder.file("dbs"));
+  CHECK((*jobs)[1].settings.brdf == folder.file("dbs/gold"));
+  CHECK((*jobs)[2].settings.brdf == folder.file("local"));
+  CHECK((*jobs)[3].settings.brdf == folder.file("gold.binary"));
+  CHECK((*jobs)[4].settings.brdf == "builtin:lambert");
+  CHECK((*jobs)[5].settings.brdf == "/a/gold.bin");
+}
+
 TEST_CASE("jobs: a frame's number goes where the pattern says") {
   CHECK(commands::numberedName("f_%04d.png", 7).value() == "f_0007.png");
   CHECK(commands::numberedName("f_%04d.png", 123456).value() == "f_123456.png");
