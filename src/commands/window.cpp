@@ -42,8 +42,6 @@ int runViewer(const WindowArguments& arguments) {
   options.settings.samples = 256;  // a resting picture converges
   if (Result<void> r = apply(arguments.picture, options.settings); !r) return badInput(r.error());
   options.sizeGiven = arguments.picture.contains("size");
-  if (!options.settings.brdf.empty())
-    return badInput(Error{{}, "--brdf", "the window does not show measured BRDFs", "use facet render"});
   if (Result<void> r = sortSources(arguments.sources, options); !r) return badInput(r.error());
   options.diskCache = !arguments.noCache;
   options.glDebug = arguments.glDebug;

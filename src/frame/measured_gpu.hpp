@@ -2,6 +2,7 @@
 
 // Measured BRDFs on the GPU: packed, with the lobe that samples of them are drawn from. The last few stay.
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <list>
@@ -38,19 +39,36 @@ struct MeasuredSource {
 MeasuredSource measuredSource(const PictureSettings& settings);
 
 struct MeasuredTimes {
-  double readMs = 0, fitMs = 0, packMs = 0, uploadMs = 0;  // read: and checked
+  double readMs = 0, fitMs = 0, packMs = 0, uploadMs = 0;  // read: and checked; fit: of the lobe
 };
 
-struct MeasuredOnGpu {
+// What is known of a measured BRDF besides its values.
+struct MeasuredFacts {
   MeasuredSource source;
+  std::string path;  // where it was found; a built-in one: its name
   std::string name;
   optics::MeasuredKind kind = optics::MeasuredKind::merl;
+  size_t cells = 0, missing = 0;
   optics::MeasuredProxy proxy;
-  gl::Buffer buffer;  // layout::MeasuredUniforms, then the cells
   Notes notes;
   MeasuredTimes times;
 };
 
+// layout::MeasuredUniforms, then the cells, as they are uploaded.
+struct MeasuredBytes {
+  MeasuredFacts facts;
+  std::unique_ptr<std::byte[]> bytes;
+  size_t size = 0;
+};
+// No OpenGL here: on any thread. Errors: as io::resolveMeasured and io::readMeasured have them.
+Result<MeasuredBytes> readMeasuredBytes(const MeasuredSource& source);
+
+struct MeasuredOnGpu {
+  MeasuredFacts facts;
+  gl::Buffer buffer;
+};
+
+std::shared_ptr<const MeasuredOnGpu> uploadMeasured(MeasuredBytes read);
 std::shared_ptr<const MeasuredOnGpu> uploadMeasured(const optics::MeasuredBrdf& brdf);
 size_t measuredBytes(const optics::MeasuredBrdf& brdf);  // of its buffer
 
@@ -59,8 +77,11 @@ inline constexpr size_t measuredBudget = size_t{128} << 20;  // bytes on the GPU
 struct MeasuredStore {
   std::list<std::shared_ptr<const MeasuredOnGpu>> kept;  // the last used first
 };
-// From the store, else read and uploaded; what was not used longest goes where the budget is exceeded. Notes: the
-// table's, each time. Errors: as io::resolveMeasured and io::readMeasured have them.
+// Null where it is not there.
+std::shared_ptr<const MeasuredOnGpu> keptMeasured(MeasuredStore& store, const MeasuredSource& source);
+// In the place of what was made of the same source before; what was not used longest goes where the budget is exceeded.
+void keepMeasured(MeasuredStore& store, std::shared_ptr<const MeasuredOnGpu> made);
+// From the store, else read, uploaded and kept. Notes: the table's, each time.
 Result<std::shared_ptr<const MeasuredOnGpu>> findMeasured(MeasuredStore& store, const MeasuredSource& source,
                                                           Notes& notes);
 

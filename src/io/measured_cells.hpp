@@ -2,31 +2,45 @@
 
 // What both readers of measured BRDFs do with the values of a file.
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "optics/measured.hpp"
 
 namespace facet::io {
 
-// brdf.values[i] = value(i), or missing where a channel is no finite, non-negative number; counts those.
+// brdf.values[i] = value(i), or missing where a channel is no finite, non-negative number; counts those. On all cores.
 template <class Value>
 void storeCells(optics::MeasuredBrdf& brdf, const Value& value) {
   constexpr double largest = std::numeric_limits<float>::max();
-  for (size_t i = 0; i < brdf.values.size(); ++i) {
-    const glm::dvec3 v = value(i);
-    // One comparison for what nearly every cell is; NaN fails it, too.
-    const bool valid = v.x >= 0 && v.y >= 0 && v.z >= 0 && v.x <= largest && v.y <= largest && v.z <= largest;
-    brdf.values[i] = valid ? glm::vec3(v) : glm::vec3(optics::missingValue);
-    if (valid) continue;
-    if (std::isnan(v.x) || std::isnan(v.y) || std::isnan(v.z)) {
-      ++brdf.counts.notANumber;
-    } else if (std::abs(v.x) > largest || std::abs(v.y) > largest || std::abs(v.z) > largest) {
-      ++brdf.counts.infinite;
-    } else {
-      ++brdf.counts.negative;
+  const size_t count = brdf.values.size(), slab = std::max<size_t>(1, count / 32);
+  std::vector<optics::MeasuredCounts> slabs((count + slab - 1) / slab);
+  parallelFor(slabs.size(), [&](size_t s) {
+    optics::MeasuredCounts counts;
+    for (size_t i = s * slab; i < std::min(count, (s + 1) * slab); ++i) {
+      const glm::dvec3 v = value(i);
+      // One comparison for what nearly every cell is; NaN fails it, too.
+      const bool valid = v.x >= 0 && v.y >= 0 && v.z >= 0 && v.x <= largest && v.y <= largest && v.z <= largest;
+      brdf.values[i] = valid ? glm::vec3(v) : glm::vec3(optics::missingValue);
+      if (valid) continue;
+      if (std::isnan(v.x) || std::isnan(v.y) || std::isnan(v.z)) {
+        ++counts.notANumber;
+      } else if (std::abs(v.x) > largest || std::abs(v.y) > largest || std::abs(v.z) > largest) {
+        ++counts.infinite;
+      } else {
+        ++counts.negative;
+      }
     }
+    slabs[s] = counts;
+  });
+  for (const optics::MeasuredCounts& counts : slabs) {
+    brdf.counts.notANumber += counts.notANumber;
+    brdf.counts.infinite += counts.infinite;
+    brdf.counts.negative += counts.negative;
   }
 }
 

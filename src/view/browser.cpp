@@ -88,6 +88,7 @@ bool sameFile(const std::string& a, const std::string& b) {
 }
 
 bool isShown(const ViewerState& state, const Entry& entry) {
+  if (entry.kind == FileKind::brdf) return state.shown.measured && sameFile(state.shown.measured->path, entry.source);
   return sameFile(entry.kind == FileKind::model ? state.shown.model : state.shown.environment, entry.source);
 }
 
@@ -98,6 +99,8 @@ void open(Drawing& drawing, const Entry& entry) {
   } else if (entry.kind == FileKind::environment) {
     offerEnvironment(drawing.state, entry.source);
     drawing.state.settings.environment = entry.source;
+  } else {
+    chooseBrdf(drawing.state, entry.source);
   }
 }
 
@@ -117,7 +120,7 @@ void drawPreview(Drawing& drawing, const Entry& entry, ImVec2 min, float side) {
   const ImVec2 size = ImGui::CalcTextSize(sign);
   const ImU32 color = failed ? warningColor : ImGui::GetColorU32(ImGuiCol_TextDisabled);
   draw.AddText({min.x + (side - size.x) / 2, min.y + (side - size.y) / 2}, color, sign);
-  if (!failed && entry.kind != FileKind::brdf) drawing.wanted.push_back({entry.kind, entry.source});
+  if (!failed) drawing.wanted.push_back({entry.kind, entry.source});
 }
 
 void drawTooltip(const Drawing& drawing, const Entry& entry) {
@@ -239,19 +242,17 @@ void drawFoot(const Browser& browser) {
 
 void drawSections(Drawing& drawing) {
   const Browser& browser = drawing.browser;
-  const bool brdfs = std::ranges::any_of(browser.entries, [](const Entry& e) { return e.kind == FileKind::brdf; });
-  const int headers = brdfs ? 3 : 2;
+  constexpr int headers = 3;
   const auto problems = std::ranges::count_if(browser.listings, [](const auto& l) { return !l.problem.empty(); });
   const float foot =
       ImGui::GetTextLineHeightWithSpacing() * static_cast<float>(2 * problems + (browser.scans.empty() ? 0 : 1));
   const float spacing = ImGui::GetStyle().ItemSpacing.y;
   const float room =
       ImGui::GetContentRegionAvail().y - foot - static_cast<float>(headers) * (ImGui::GetFrameHeight() + 2 * spacing);
-  drawing.browser.open[2] = browser.open[2] && brdfs;
   const std::array<float, 3> heights = shareHeight(browser, room);
   drawSection(drawing, FileKind::model, "Models", heights[0]);
   drawSection(drawing, FileKind::environment, "Environments", heights[1]);
-  if (brdfs) drawSection(drawing, FileKind::brdf, "Measured BRDFs", heights[2]);
+  drawSection(drawing, FileKind::brdf, "Measured BRDFs", heights[2]);
   drawFoot(browser);
 }
 
@@ -327,6 +328,13 @@ void noteOpened(Browser& browser, FileKind kind, const std::string& source) {
 void forgetThumbnail(Browser& browser, const std::string& source) {
   std::error_code ignored;
   browser.thumbnails.erase(fs::absolute(source, ignored).lexically_normal().string());
+}
+
+std::vector<Entry> databases(const Browser& browser) {
+  std::vector<Entry> found;
+  for (const int index : filtered(browser.entries, FileKind::brdf, ""))
+    found.push_back(browser.entries[static_cast<size_t>(index)]);
+  return found;
 }
 
 bool collect(Browser& browser) {

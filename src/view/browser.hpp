@@ -62,6 +62,9 @@ void noteOpened(Browser& browser, FileKind kind, const std::string& source);
 // The file has changed: its preview is made anew.
 void forgetThumbnail(Browser& browser, const std::string& source);
 
+// All measured BRDFs that are listed.
+std::vector<Entry> databases(const Browser& browser);
+
 // What scans and previews have brought. True where there is something new to draw.
 bool collect(Browser& browser);
 

@@ -135,7 +135,7 @@ void takeFile(const std::string& path, ViewerState& state, Actions& actions) {
     actions.folders.push_back(path);
     state.browserVisible = state.panelVisible = true;
   } else {
-    state.status = {describe({path, "", "measured BRDFs cannot be shown yet", ""}), true};
+    chooseBrdf(state, path);
   }
 }
 
@@ -155,7 +155,7 @@ const std::vector<Shortcut> shortcuts = {
     {"Scene", "left click", "select a node, read its values there"},
     {"Scene", "E", "next built-in environment"},
     {"Scene", "Space", "play, pause"},
-    {"Scene", "drop", ".glb .gltf .hdr .exr, a folder"},
+    {"Scene", "drop", ".glb .gltf, .hdr .exr, MERL's .binary, UTIA's .bin, a folder"},
     {"Window", "H, Tab", "hide or show all panels"},
     {"Window", "B, N, T", "browser, settings, timeline"},
     {"Window", "/", "search in the browser"},

@@ -17,11 +17,19 @@ FilesChanged follow(Followed& followed, const Viewport& viewport, Loader& loader
     const bool isFile = environment.environment && !environment.source.starts_with("builtin:");
     followed.environmentFiles = isFile ? watchFiles({environment.source}, now) : FileWatch{};
   }
+  if (followed.measured != viewport.built.measured.get()) {
+    followed.measured = viewport.built.measured.get();
+    const auto watch =
+        followed.measured ? viewport.measuredFiles.find(followed.measured->facts.path) : viewport.measuredFiles.end();
+    followed.measuredFiles = watch != viewport.measuredFiles.end() ? watch->second : FileWatch{};
+  }
   // While something else is being read, its files are told at the next look.
   if (!loader.model.running() && !viewport.next) changed.model = filesChanged(followed.modelFiles, now);
   if (!loader.environment.running()) changed.environment = filesChanged(followed.environmentFiles, now);
+  if (!loader.measured.running()) changed.measured = filesChanged(followed.measuredFiles, now);
   if (changed.model) startModel(loader, scene.source, {}, true);
   if (changed.environment) startEnvironment(loader, environment.source, true);
+  if (changed.measured) startMeasured(loader, followed.measured->facts.source, true);
   return changed;
 }
 

@@ -14,11 +14,12 @@ namespace facet::view {
 struct Followed {
   const io::LoadedModel* model = nullptr;  // whose files are watched
   const scene::Environment* environment = nullptr;
-  FileWatch modelFiles, environmentFiles;
+  const frame::MeasuredOnGpu* measured = nullptr;
+  FileWatch modelFiles, environmentFiles, measuredFiles;
 };
 
 struct FilesChanged {
-  bool model = false, environment = false;
+  bool model = false, environment = false, measured = false;
 };
 
 // Starts to read again what has changed. A file that cannot be read then leaves what is shown, and is tried again at

@@ -7,6 +7,7 @@
 #include "frame/gather.hpp"
 #include "scene/material_properties.hpp"
 #include "view/camera_control.hpp"
+#include "view/measured_panel.hpp"
 
 namespace facet::view {
 
@@ -69,8 +70,11 @@ Result<std::optional<glm::vec4>> valueAt(Viewport& viewport, const Inspection& a
   return value;
 }
 
-// What the channel would show as checks, because the material or the primitive has no such thing.
-bool hasChannel(const scene::Primitive& primitive, const scene::Material& material, std::string_view channel) {
+// What the channel would show as checks, because the material or the primitive has no such thing; and what a measured
+// BRDF has taken the place of.
+bool hasChannel(const scene::Primitive& primitive, const scene::Material& material, std::string_view channel,
+                bool measured) {
+  if (measured && (channel == "baseColor" || channel == "metallic" || channel == "roughness")) return false;
   if (channel == "normal" || channel == "geometryNormal") return !primitive.normals.empty();
   if (channel == "tangent") return !primitive.tangents.empty();
   if (channel == "occlusion") return static_cast<bool>(material.occlusion);
@@ -232,6 +236,11 @@ void clickAt(Viewport& viewport, ViewerState& state, const glm::dvec2& at, const
   if (own && inspection.materialName.empty()) inspection.materialName = "material " + std::to_string(draw->material);
   if (!own) inspection.materialName = viewport.built.material.on ? "one for everything" : "glTF's default";
   inspection.materialDetails = own ? materialDetails(viewport, draw->material) : std::vector<Detail>{};
+  inspection.measured = shading::isMeasured(draw->key) && state.shown.measured;
+  if (inspection.measured) {
+    inspection.materialName += ", replaced";
+    inspection.materialDetails = measuredDetails(*state.shown.measured, state.settings.brdfLookUp);
+  }
   state.inspection = std::move(inspection);
   state.selection = {hit->node, own ? draw->material : -1, true};
   readRadianceThere(viewport, state);
@@ -267,7 +276,7 @@ bool inspectNext(Viewport& viewport, ViewerState& state) {
     const scene::Primitive& primitive = primitiveOf(modelOf(viewport), at.hit);
     const scene::Material& material = viewport.list.materials[static_cast<size_t>(at.material)];
     const std::string_view name = shading::channelNames[channel];
-    if (!hasChannel(primitive, material, name)) continue;
+    if (!hasChannel(primitive, material, name, at.measured)) continue;
     const auto value = valueAt(viewport, at, state.settings, at.hit, channel);
     if (!value) return state.status = {describe(value.error()), true}, false;
     if (!*value) continue;

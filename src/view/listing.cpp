@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 
+#include "optics/synthetic_brdf.hpp"
 #include "scene/builtin_environments.hpp"
 #include "scene/builtin_scenes.hpp"
 
@@ -50,6 +51,9 @@ std::vector<Entry> builtinEntries() {
   for (const scene::BuiltinEnvironment& map : scene::builtinEnvironments())
     entries.push_back({FileKind::environment, "builtin:" + std::string(map.name), std::string(map.name), "built-in"});
   entries.push_back({FileKind::environment, "none", "none", "without light from around"});
+  for (const optics::SyntheticBrdf& brdf : optics::syntheticBrdfs())
+    entries.push_back({FileKind::brdf, "builtin:" + std::string(brdf.name), std::string(brdf.name),
+                       "built-in, " + std::string(brdf.summary)});
   return entries;
 }
 

@@ -3,6 +3,7 @@
 #include <new>
 
 #include "ibl/cache.hpp"
+#include "io/measured.hpp"
 #include "io/referenced_files.hpp"
 #include "io/sources.hpp"
 
@@ -50,6 +51,19 @@ EnvironmentLoaded loadEnvironment(const std::string& source, bool again) {
   return out;
 }
 
+MeasuredLoaded loadMeasured(const frame::MeasuredSource& source, bool again) {
+  MeasuredLoaded out{source, again, {}, {}};
+  try {
+    const Result<std::string> path = io::resolveMeasured(source.name, source.folder);
+    if (!path) return {source, again, tl::unexpected(path.error())};
+    out.watch = watchFiles(filesOf(*path), std::chrono::steady_clock::now());
+    out.read = frame::readMeasuredBytes(source);
+  } catch (const std::bad_alloc&) {
+    out.read = tooLarge(source.name);
+  }
+  return out;
+}
+
 ImagesDecoded decodeImages(const std::shared_ptr<const io::LoadedModel>& model, const std::vector<bool>& wanted) {
   ImagesDecoded out{model, {}, {}};
   try {
@@ -68,6 +82,10 @@ void startModel(Loader& loader, const std::string& source, const io::Bump& bump,
 
 void startEnvironment(Loader& loader, const std::string& source, bool again) {
   loader.environment.start([source, again] { return loadEnvironment(source, again); });
+}
+
+void startMeasured(Loader& loader, const frame::MeasuredSource& source, bool again) {
+  loader.measured.start([source, again] { return loadMeasured(source, again); });
 }
 
 void startImages(Loader& loader, std::shared_ptr<const io::LoadedModel> model, std::vector<bool> wanted) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "frame/measured_gpu.hpp"
 #include "io/bump.hpp"
 #include "io/gltf.hpp"
 #include "io/image.hpp"
@@ -33,6 +34,13 @@ struct EnvironmentLoaded {
   Result<std::shared_ptr<const scene::Environment>> environment;  // null for "none"
   Notes notes;
   std::string content;  // ibl::contentKey
+};
+
+struct MeasuredLoaded {
+  frame::MeasuredSource source;
+  bool again = false;
+  Result<frame::MeasuredBytes> read;
+  FileWatch watch = {};  // of the file, as it was before it was read; none for built-in ones
 };
 
 struct ImagesDecoded {
@@ -72,13 +80,15 @@ class Latest {
 struct Loader {
   Latest<ModelLoaded> model;
   Latest<EnvironmentLoaded> environment;
+  Latest<MeasuredLoaded> measured;
   Latest<ImagesDecoded> images;
 
-  bool running() const { return model.running() || environment.running() || images.running(); }
+  bool running() const { return model.running() || environment.running() || measured.running() || images.running(); }
 };
 
 void startModel(Loader& loader, const std::string& source, const io::Bump& bump = {}, bool again = false);
 void startEnvironment(Loader& loader, const std::string& source, bool again = false);
+void startMeasured(Loader& loader, const frame::MeasuredSource& source, bool again = false);
 void startImages(Loader& loader, std::shared_ptr<const io::LoadedModel> model, std::vector<bool> wanted);
 
 }  // namespace facet::view

@@ -7,6 +7,7 @@
 
 #include "optics/presets.hpp"
 #include "shading/features.hpp"
+#include "view/measured_panel.hpp"
 #include "view/playback.hpp"
 #include "view/statistics_panel.hpp"
 #include "view/style.hpp"
@@ -183,14 +184,16 @@ void presetChoice(MaterialChoice& material) {
 
 void materialSection(ViewerState& state) {
   MaterialChoice& material = state.settings.material;
-  if (!section("Material", material.on || !state.shown.variants.empty())) return;
+  MaterialSource source = materialSource(state.settings);
+  if (!section("Material", source != MaterialSource::file || !state.shown.variants.empty())) return;
   variantChoice(state);
-  size_t source = material.on ? 1 : 0;
   static constexpr Choice sources[] = {{"the file's", "each surface has the material that the file gives it"},
-                                       {"one for everything", "in place of the file's"}};
-  if (chooseIndex("source", source, sources, std::size(sources), 0, "where materials come from"))
-    material.on = source == 1;
-  if (!material.on) return;
+                                       {"one for everything", "in place of the file's"},
+                                       {"measured", "a BRDF of MERL's or UTIA's kind in the place of all materials"}};
+  if (chooseEnum("source", source, sources, MaterialSource::file, "where materials come from"))
+    chooseMaterialSource(state, source);
+  if (source == MaterialSource::measured) measuredChoice(state);
+  if (source != MaterialSource::one) return;
   const MaterialChoice plain;
   presetChoice(material);
   editColor("base colour", material.baseColor, plain.baseColor, "of a metal: what it reflects straight on");

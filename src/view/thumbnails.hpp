@@ -1,7 +1,7 @@
 #pragma once
 
-// Small pictures of models and environments, made beside the window: a process of its own, of the lowest priority, one
-// at a time, with a time limit. Kept on disk by path, time and size of the file.
+// Small pictures of models, environments and measured BRDFs, made beside the window: a process of its own, of the
+// lowest priority, one at a time, with a time limit. Kept on disk by path, time and size of the file.
 
 #include <condition_variable>
 #include <deque>
@@ -35,7 +35,8 @@ struct ThumbnailMade {
 // Tells versions of a file apart. Built-ins change with the program, files by time and size.
 std::string thumbnailKey(const ThumbnailRequest& request);
 
-// Arguments of `facet` that make the picture. Environments: a mirror ball in front of them.
+// Arguments of `facet` that make the picture. Environments: a mirror ball in front of them. Measured
+// BRDFs: a ball under the studio.
 std::vector<std::string> thumbnailArguments(const ThumbnailRequest& request, const std::filesystem::path& png);
 
 DiskCache thumbnailCache();  // of the user; 64 MB

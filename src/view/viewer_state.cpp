@@ -77,10 +77,37 @@ ListRequest listRequest(const ViewerState& state, int scene, int variant, bool h
   request.skyVisible =
       hasEnvironment && request.channel == 0 && state.settings.background == frame::Background::environment;
   if (state.settings.material.on) request.material = state.settings.material;
+  if (!state.settings.brdf.empty() && request.channel == 0) {
+    request.brdf = frame::measuredSource(state.settings);
+    request.brdfNearest = state.settings.brdfLookUp == optics::LookUp::nearest;
+    // What will be refined begins with few samples, by the program that refines it.
+    if (state.settings.samples > frame::convergedAbove) request.imageLightSamples = frame::convergedLightSamples;
+  }
   request.animation = state.settings.animation;
   if (!request.animation.empty()) request.timeSeconds = state.settings.timeSeconds;
   return request;
 }
+
+MaterialSource materialSource(const frame::PictureSettings& settings) {
+  if (!settings.brdf.empty()) return MaterialSource::measured;
+  return settings.material.on ? MaterialSource::one : MaterialSource::file;
+}
+
+void chooseBrdf(ViewerState& state, const std::string& source) {
+  state.settings.brdf = state.lastBrdf = source;
+  state.settings.material.on = false;
+}
+
+void chooseMaterialSource(ViewerState& state, MaterialSource source) {
+  if (!state.settings.brdf.empty()) state.lastBrdf = state.settings.brdf;
+  state.settings.brdf.clear();
+  state.settings.material.on = source == MaterialSource::one;
+  if (source != MaterialSource::measured) return;
+  if (!state.lastBrdf.empty()) return chooseBrdf(state, state.lastBrdf);
+  chooseBrdf(state, state.databases.empty() ? "builtin:plastic-0.2" : state.databases.front().source);
+}
+
+const char* kindName(optics::MeasuredKind kind) { return kind == optics::MeasuredKind::merl ? "MERL" : "UTIA"; }
 
 bool differsInTimeOnly(ListRequest a, const ListRequest& b) {
   a.timeSeconds = b.timeSeconds;
@@ -90,6 +117,11 @@ bool differsInTimeOnly(ListRequest a, const ListRequest& b) {
 frame::PictureSettings commandSettings(const ViewerState& state) {
   frame::PictureSettings settings = state.settings;
   settings.environment = state.shown.environment;
+  if (settings.channel.empty()) {
+    const std::optional<frame::MeasuredFacts>& measured = state.shown.measured;
+    settings.brdf = measured ? measured->source.name : std::string();
+    if (measured) settings.brdfDir = measured->source.folder, settings.utiaDecode = measured->source.decode;
+  }
   if (!settings.camera.empty()) return settings;
   settings.orbit = frame::Orbit{state.camera.theta, state.camera.phi, state.camera.radius};
   settings.target = state.camera.target;

@@ -12,10 +12,12 @@
 #include "frame/draw_list.hpp"
 #include "frame/frame.hpp"
 #include "frame/material_choice.hpp"
+#include "frame/measured_gpu.hpp"
 #include "frame/settings.hpp"
 #include "scene/camera.hpp"
 #include "scene/pick.hpp"
 #include "shading/features.hpp"
+#include "view/listing.hpp"
 #include "view/preferences.hpp"
 #include "view/scene_tree.hpp"
 
@@ -93,6 +95,7 @@ struct Inspection {
   int listNumber = 0;                // of the draw list that it was in
   int material = -1;                 // index in the draw list's materials
   std::string materialName;
+  bool measured = false;  // a measured BRDF is in the material's place
   std::optional<glm::vec2> uv;
   std::array<std::optional<glm::vec3>, std::size(shading::channelNames)> values;  // by channel; not known, not there
   int nextChannel = 1;                                                            // that is looked up next
@@ -111,8 +114,9 @@ struct ShownScene {
   std::vector<std::string> scenes;
   int scene = 0;
   std::vector<std::string> variants;
-  int variant = -1;     // -1: the file's own materials
-  int sceneLights = 0;  // lights in the file's scene
+  int variant = -1;                              // -1: the file's own materials
+  int sceneLights = 0;                           // lights in the file's scene
+  std::optional<frame::MeasuredFacts> measured;  // of the BRDF in the materials' place
   std::vector<std::string> warnings, infos;
   ViewerStatistics statistics;
 };
@@ -130,6 +134,9 @@ struct ViewerState {
   Preferences preferences;
   Inspection inspection;
   std::vector<std::string> environments;  // that are offered: the built-in ones, those that were given, "none"
+  std::vector<Entry> databases;           // of measured BRDFs, as the browser has found them
+  std::string lastBrdf;                   // that was chosen, for returning to it
+  std::string brdfFilter;                 // of the databases
 
   ShownScene shown;
   Status status;
@@ -160,6 +167,9 @@ struct ListRequest {
   std::optional<scene::Sun> sun;  // the environment's
   bool skyVisible = false;
   MaterialChoice material;
+  frame::MeasuredSource brdf;                            // without a name: none
+  bool brdfNearest = false;                              // looks up the nearest cell
+  std::shared_ptr<const frame::MeasuredOnGpu> measured;  // what it is on the GPU; null: not there yet
   std::string animation;
   double timeSeconds = 0;  // where an animation is chosen
 
@@ -169,6 +179,16 @@ struct ListRequest {
 bool differsInTimeOnly(ListRequest a, const ListRequest& b);
 ListRequest listRequest(const ViewerState& state, int scene, int variant, bool hasEnvironment);
 frame::DrawOptions drawOptions(const ViewerState& state, int variant, bool hasEnvironment);
+
+// Where materials come from: the file, one for everything, a measured BRDF.
+enum class MaterialSource { file, one, measured };
+MaterialSource materialSource(const frame::PictureSettings& settings);
+// Measured: the last one that was chosen, else the first that was found, else a built-in one.
+void chooseMaterialSource(ViewerState& state, MaterialSource source);
+// source: a path, builtin:NAME or the name of a database.
+void chooseBrdf(ViewerState& state, const std::string& source);
+// "MERL", "UTIA"
+const char* kindName(optics::MeasuredKind kind);
 
 // The settings whose command shows what is on the screen.
 frame::PictureSettings commandSettings(const ViewerState& state);

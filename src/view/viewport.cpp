@@ -35,6 +35,11 @@ void describeNotes(const Viewport& viewport, ShownScene& shown) {
   };
   add(viewport.scene->loaded->model.name, viewport.scene->notes);
   add(viewport.environments.shown->source, viewport.environments.shown->notes);
+  if (!viewport.built.measured) return;
+  add(viewport.built.measured->facts.path, viewport.built.measured->facts.notes);
+  Notes drawn;
+  frame::noteMeasured(viewport.list, drawn);
+  add("", drawn);
 }
 
 void describeShown(const Viewport& viewport, ViewerState& state) {
@@ -61,6 +66,8 @@ void describeShown(const Viewport& viewport, ViewerState& state) {
     shown.variants.push_back(model.variants[i].empty() ? "variant " + std::to_string(i) : model.variants[i]);
   shown.variant = viewport.built.variant;
   shown.sceneLights = static_cast<int>(scene::flatten(model, shown.scene).lights.size());
+  shown.measured.reset();
+  if (viewport.built.measured) shown.measured = viewport.built.measured->facts;
   shown.statistics.variants = variantCount(viewport.list);
   shown.statistics.images = static_cast<int>(model.images.size());
   describeNotes(viewport, shown);
@@ -115,6 +122,8 @@ void show(Viewport& viewport, ViewerState& state, EnvironmentSlot* environment, 
   const bool newScene = viewport.next != nullptr, again = newScene && viewport.next->again;
   const bool otherScene = (newScene && !again) || viewport.built.scene != request.scene;
   const bool otherEnvironment = viewport.environments.shown != environment;
+  const bool otherMeasured = viewport.built.measured != request.measured;
+  const bool sameMeasured = viewport.built.measured && viewport.built.brdf == request.brdf;
   const bool sameSource = viewport.environments.shown && viewport.environments.shown->source == environment->source;
   viewport.asked.reset();
   viewport.failed.reset();
@@ -122,6 +131,7 @@ void show(Viewport& viewport, ViewerState& state, EnvironmentSlot* environment, 
   viewport.built = request;
   ++viewport.listNumber;
   if (newScene) viewport.scene = std::move(viewport.next);
+  viewport.scene->onGpu.gpu.measured = request.measured;
   showEnvironment(viewport.environments, environment);
   describeShown(viewport, state);
   offerEnvironment(state, environment->source);
@@ -139,6 +149,9 @@ void show(Viewport& viewport, ViewerState& state, EnvironmentSlot* environment, 
     state.camera = state.startCamera;
   }
   if (otherEnvironment) say(state, (sameSource ? "reloaded: " : "environment: ") + environment->source);
+  if (otherMeasured)
+    say(state, !request.measured ? "the materials' own look"
+                                 : (sameMeasured ? "reloaded: " : "measured BRDF: ") + request.measured->facts.path);
   if (!newScene) return;
   const size_t warnings = state.shown.warnings.size();
   say(state, (again ? "reloaded: " : "model: ") + state.shown.model);
@@ -155,12 +168,21 @@ void keepWhatFits(frame::PictureSettings& settings, const scene::Model& model) {
   if (!frame::choosePose(settings, model)) settings.animation.clear();
 }
 
+void returnToShownBrdf(const Viewport& viewport, ViewerState& state) {
+  state.settings.brdf = viewport.built.brdf.name;
+  if (state.settings.brdf.empty()) return;
+  state.settings.brdfDir = viewport.built.brdf.folder;
+  state.settings.utiaDecode = viewport.built.brdf.decode;
+}
+
 void returnToShown(Viewport& viewport, ViewerState& state, const std::optional<ListRequest>& request) {
   viewport.failed = request;
   viewport.next.reset();
   if (viewport.environments.shown && !state.settings.environment.empty())
     state.settings.environment = viewport.environments.shown->source;
   if (!viewport.scene) return;
+  // What is wanted of it now may be a debug view, which has none.
+  if (!state.settings.brdf.empty() && state.settings.channel.empty()) returnToShownBrdf(viewport, state);
   state.settings.scene = viewport.built.scene;
   state.settings.variant = viewport.built.variant < 0 ? "" : std::to_string(viewport.built.variant);
 }
@@ -254,6 +276,18 @@ void takeEnvironment(Viewport& viewport, ViewerState& state, EnvironmentLoaded l
   viewport.environments.slots.push_back(std::move(slot));
 }
 
+void takeMeasured(Viewport& viewport, ViewerState& state, MeasuredLoaded loaded) {
+  if (!loaded.read) {
+    complain(state, loaded.read.error());
+    viewport.measuredAsked.reset();
+    if (!loaded.again && frame::measuredSource(state.settings) == loaded.source) returnToShownBrdf(viewport, state);
+    return;
+  }
+  viewport.measuredFiles[loaded.read->facts.path] = std::move(loaded.watch);
+  frame::keepMeasured(viewport.measured, frame::uploadMeasured(std::move(*loaded.read)));
+  viewport.failed.reset();
+}
+
 void takeImages(Viewport& viewport, ViewerState& state, ImagesDecoded decoded) {
   SceneSlot* scene = wantedScene(viewport);
   if (!scene || decoded.model != scene->loaded) return;  // of a model that is no longer wanted
@@ -263,6 +297,22 @@ void takeImages(Viewport& viewport, ViewerState& state, ImagesDecoded decoded) {
   for (size_t i = 0; i < decoded.pixels->size(); ++i)
     if ((*decoded.pixels)[i].width > 0) scene->pixels[i] = std::move((*decoded.pixels)[i]);
 }
+
+namespace {
+
+// Asks for the measured BRDF of the request where it is not there. True where it is.
+bool provideMeasured(Viewport& viewport, Loader& loader, ListRequest& request) {
+  const bool asked = viewport.measuredAsked && viewport.measuredAsked->source == request.brdf;
+  if (viewport.built.brdf != request.brdf && !asked)
+    viewport.measuredAsked = MeasuredAsked{request.brdf, std::chrono::steady_clock::now()};
+  request.measured = frame::keptMeasured(viewport.measured, request.brdf);
+  if (request.measured) return true;
+  if (!loader.measured.running() || viewport.loadingMeasured != request.brdf) startMeasured(loader, request.brdf);
+  viewport.loadingMeasured = request.brdf;
+  return false;
+}
+
+}  // namespace
 
 bool bringUp(Viewport& viewport, ViewerState& state, Loader& loader) {
   viewport.comingUp = false;
@@ -281,6 +331,7 @@ bool bringUp(Viewport& viewport, ViewerState& state, Loader& loader) {
   }
   ListRequest request = listRequest(state, *index, *variant, source != "none");
   if (environment) request.sun = environment->onGpu.sun;
+  if (!request.brdf.name.empty() && !provideMeasured(viewport, loader, request)) return false;
   const bool isShown = scene == viewport.scene.get() && environment == viewport.environments.shown;
   if ((isShown && request == viewport.built) || request == viewport.failed) return false;
   // While an animation plays, images that it has brought to light are waited for, not asked for anew each frame.
@@ -295,6 +346,8 @@ bool bringUp(Viewport& viewport, ViewerState& state, Loader& loader) {
   }
   frame::DrawOptions options = drawOptions(state, *variant, source != "none");
   options.sun = request.sun;
+  options.features.imageLightSamples = request.imageLightSamples;
+  if (request.measured) frame::setMeasured(options.features, state.settings, request.measured->facts.kind);
   frame::DrawList list = frame::buildDrawList(model, *index, options, *pose);
   std::vector<bool> missing = frame::missingImages(model, list, scene->onGpu.gpu);
   for (size_t i = 0; i < scene->pixels.size(); ++i) missing[i] = missing[i] && scene->pixels[i].width == 0;
@@ -317,8 +370,11 @@ bool bringUp(Viewport& viewport, ViewerState& state, Loader& loader) {
 void cancelLoading(Viewport& viewport, ViewerState& state, Loader& loader) {
   loader.model.forget();
   loader.environment.forget();
+  loader.measured.forget();
   loader.images.forget();
   viewport.loadingEnvironment.clear();
+  viewport.loadingMeasured = {};
+  viewport.measuredAsked.reset();
   returnToShown(viewport, state, viewport.asked);
   viewport.asked.reset();
   say(state, "loading cancelled");

@@ -4,6 +4,7 @@
 // comes up beside what is shown and takes its place when it is complete.
 
 #include <array>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -53,6 +54,12 @@ struct DrawnFrame {
   bool operator==(const DrawnFrame&) const = default;
 };
 
+// A measured BRDF that waits for its first frame.
+struct MeasuredAsked {
+  frame::MeasuredSource source;
+  std::chrono::steady_clock::time_point since;
+};
+
 struct Viewport {
   Viewport(gl::ContextInfo contextInfo, shading::ProgramStore store)
       : context(std::move(contextInfo)), programs(std::move(store)) {}
@@ -68,6 +75,10 @@ struct Viewport {
   std::optional<ListRequest> failed;  // could not be drawn; not tried again
   std::optional<ListRequest> asked;   // its images have been asked for
   std::string loadingEnvironment;
+  frame::MeasuredStore measured;
+  std::map<std::string, FileWatch> measuredFiles;  // of those that were read, by path
+  frame::MeasuredSource loadingMeasured;
+  std::optional<MeasuredAsked> measuredAsked;
   int listNumber = 0;
   frame::Targets targets;
   std::optional<DrawnFrame> drawn;
@@ -83,6 +94,7 @@ struct Viewport {
 // These tell state.status what failed; what is shown then stays.
 void takeModel(Viewport& viewport, ViewerState& state, ModelLoaded loaded);
 void takeEnvironment(Viewport& viewport, ViewerState& state, EnvironmentLoaded loaded);
+void takeMeasured(Viewport& viewport, ViewerState& state, MeasuredLoaded loaded);
 void takeImages(Viewport& viewport, ViewerState& state, ImagesDecoded decoded);
 // Asks the loader for what the state wants and is not there yet, and shows it as soon as everything is there. True
 // where the draw list is new.

@@ -13,6 +13,7 @@
 
 #include "base/log.hpp"
 #include "gl/context.hpp"
+#include "io/measured.hpp"
 #include "view/browser.hpp"
 #include "view/camera_control.hpp"
 #include "view/controls.hpp"
@@ -127,15 +128,15 @@ glm::dvec3 flightDirection(const Loop& loop) {
 // Sleeps until there is something to do; seconds since the last time, at most a quarter, for flight.
 double waitForEvents(Loop& loop, const Loader& loader, const Viewport& viewport, const ViewerState& state) {
   const bool watches = !loop.shaders.folder.empty() || !loop.followed.modelFiles.files.empty() ||
-                       !loop.followed.environmentFiles.files.empty();
+                       !loop.followed.environmentFiles.files.empty() || !loop.followed.measuredFiles.files.empty();
   const double idle = watches ? fileWatchSeconds : idleWait;
   if (loop.framesToDraw > 0 || flightDirection(loop) != glm::dvec3(0))
     glfwPollEvents();
   else
-    glfwWaitEventsTimeout(atWork(viewport, state) || viewport.comingUp ? stepWait
-                          : loader.running()                           ? busyWait
-                          : viewport.clock.waiting()                   ? timerWait
-                                                                       : idle);
+    glfwWaitEventsTimeout(atWork(viewport, state) || viewport.comingUp || loader.measured.running() ? stepWait
+                          : loader.running()                                                        ? busyWait
+                          : viewport.clock.waiting()                                                ? timerWait
+                                                                                                    : idle);
   const auto now = std::chrono::steady_clock::now();
   const double seconds = std::chrono::duration<double>(now - loop.last).count();
   loop.last = now;
@@ -216,6 +217,7 @@ void applyPanel(const PanelResult& panel, Viewport& viewport, ViewerState& state
 void takeLoaded(Viewport& viewport, ViewerState& state, Loader& loader) {
   if (auto model = loader.model.take()) takeModel(viewport, state, std::move(*model));
   if (auto environment = loader.environment.take()) takeEnvironment(viewport, state, std::move(*environment));
+  if (auto measured = loader.measured.take()) takeMeasured(viewport, state, std::move(*measured));
   if (auto images = loader.images.take()) takeImages(viewport, state, std::move(*images));
 }
 
@@ -227,6 +229,8 @@ void nameWhatLoads(const Loader& loader, const Viewport& viewport, const std::st
     state.loading = "images of " + (viewport.next ? viewport.next : viewport.scene)->loaded->model.name;
   else if (loader.environment.running())
     state.loading = viewport.loadingEnvironment;
+  else if (loader.measured.running())
+    state.loading = viewport.loadingMeasured.name;
   else if (viewport.comingUp)
     state.loading = (viewport.next ? viewport.next : viewport.scene)->source;
 }
@@ -270,17 +274,30 @@ void noteGap(Loop& loop, bool loading) {
 }
 
 void tellBrowser(Loop& loop, const ViewerState& state) {
-  const std::string shown = state.shown.model + "\n" + state.shown.environment;
+  const std::string measured = state.shown.measured ? state.shown.measured->path : std::string();
+  const std::string shown = state.shown.model + "\n" + state.shown.environment + "\n" + measured;
   if (loop.noted == shown) return;
   loop.noted = shown;
   noteOpened(loop.browser, FileKind::model, state.shown.model);
   noteOpened(loop.browser, FileKind::environment, state.shown.environment);
+  if (!measured.empty()) noteOpened(loop.browser, FileKind::brdf, measured);
 }
 
 void followFiles(Loop& loop, const Viewport& viewport, Loader& loader) {
   const FilesChanged changed = follow(loop.followed, viewport, loader, loop.last);
   if (changed.model) forgetThumbnail(loop.browser, loop.model = viewport.scene->source);
   if (changed.environment) forgetThumbnail(loop.browser, viewport.environments.shown->source);
+  if (changed.measured) forgetThumbnail(loop.browser, viewport.built.measured->facts.path);
+}
+
+// From the choice of a measured BRDF to its first frame on the screen.
+void noteMeasuredShown(Viewport& viewport) {
+  if (!viewport.measuredAsked || viewport.built.brdf != viewport.measuredAsked->source) return;
+  const std::chrono::duration<double, std::milli> spent =
+      std::chrono::steady_clock::now() - viewport.measuredAsked->since;
+  viewport.measuredAsked.reset();
+  log::debug("measured BRDF on the screen after " + std::to_string(std::lround(spent.count())) +
+             " ms: " + viewport.built.measured->facts.name);
 }
 
 // How long the window did not answer, where that could be felt.
@@ -305,6 +322,7 @@ bool turn(Loop& loop, Viewport& viewport, ViewerState& state, Loader& loader) {
   followFiles(loop, viewport, loader);
   tellBrowser(loop, state);
   const bool collected = collect(loop.browser);
+  if (state.databases.empty() || collected) state.databases = databases(loop.browser);
   if (input.any || reloaded || collected || flight.rightUpForward != glm::dvec3(0)) loop.framesToDraw = settlingFrames;
   advance(state, seconds);
   if (state.turntable.on) {
@@ -343,6 +361,7 @@ bool turn(Loop& loop, Viewport& viewport, ViewerState& state, Loader& loader) {
   if (loop.framesToDraw > 0) {
     drawWindow(loop, viewport, state);
     noteGap(loop, !state.loading.empty());
+    noteMeasuredShown(viewport);
     --loop.framesToDraw;
   }
   noteSlowTurn(loop.last);
@@ -371,6 +390,7 @@ Result<Start> prepareStart(const WindowOptions& options) {
   startModel(loader, options.model, {options.settings.bump, options.settings.bumpScale});
   const frame::PictureSettings& settings = options.settings;
   if (!settings.environment.empty()) startEnvironment(loader, settings.environment);
+  if (!settings.brdf.empty()) startMeasured(loader, frame::measuredSource(settings));
   ModelLoaded loaded = *loader.model.take(true);
   if (!loaded.model) return tl::unexpected(loaded.model.error());
   const scene::Model& model = (*loaded.model)->model;
@@ -388,7 +408,10 @@ Result<Start> prepareStart(const WindowOptions& options) {
   }
   EnvironmentLoaded environment = *loader.environment.take(true);
   if (!environment.environment) return tl::unexpected(environment.environment.error());
-  return Start{std::move(loaded), std::move(environment)};
+  std::optional<MeasuredLoaded> measured;
+  if (loader.measured.running()) measured = loader.measured.take(true);
+  if (measured && !measured->read) return tl::unexpected(measured->read.error());
+  return Start{std::move(loaded), std::move(environment), std::move(measured)};
 }
 
 Result<void> runWindow(const WindowOptions& options, Start start) {
@@ -418,9 +441,12 @@ Result<void> runWindow(const WindowOptions& options, Start start) {
   state.openGL = openGLText(context->info());
   Viewport viewport = createViewport(context->info(), options);
   loop.model = options.model;
-  openBrowser(loop.browser, options.folders, options.diskCache ? thumbnailCache() : DiskCache{}, glfwPostEmptyEvent);
+  std::vector<std::string> folders = options.folders;
+  for (const std::filesystem::path& folder : io::brdfFolders(state.settings.brdfDir)) folders.push_back(folder);
+  openBrowser(loop.browser, folders, options.diskCache ? thumbnailCache() : DiskCache{}, glfwPostEmptyEvent);
   takeModel(viewport, state, std::move(start.model));
   takeEnvironment(viewport, state, std::move(start.environment));
+  if (start.measured) takeMeasured(viewport, state, std::move(*start.measured));
   std::string title;
   while (turn(loop, viewport, state, loader)) {
     if (title == state.shown.model) continue;

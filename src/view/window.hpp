@@ -2,6 +2,7 @@
 
 // The viewer: a window on a model.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,9 @@ struct WindowOptions {
 struct Start {
   ModelLoaded model;
   EnvironmentLoaded environment;
+  std::optional<MeasuredLoaded> measured;
 };
-// Errors: model or environment cannot be read, or the model has no such scene or camera.
+// Errors: model, environment or measured BRDF cannot be read, or the model has no such scene or camera.
 Result<Start> prepareStart(const WindowOptions& options);
 
 // Runs until the window is closed. Errors: no display, no usable OpenGL.

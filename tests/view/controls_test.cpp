@@ -183,6 +183,8 @@ TEST_CASE("controls: dropped files are told apart by their ending") {
   const std::vector<std::string> offered = {"builtin:studio",  "builtin:sky",     "builtin:white",
                                             "/skies/dawn.hdr", "/skies/dusk.EXR", "none"};
   CHECK(state.environments == offered);
+  drop(state, "/brdfs/gold.binary");
+  CHECK(state.settings.brdf == "/brdfs/gold.binary");
   CHECK_FALSE(state.status.isError);
   drop(state, "notes.txt");
   CHECK(state.status.isError);

@@ -4,6 +4,8 @@
 
 #include "commands/picture_options.hpp"
 #include "io/image.hpp"
+#include "io/utia.hpp"
+#include "optics/synthetic_brdf.hpp"
 #include "support/command.hpp"
 #include "support/gltf_builder.hpp"
 #include "support/temporary_folder.hpp"
@@ -77,11 +79,25 @@ TEST_CASE("copied command: gives the bytes of the picture on the screen", "[gl]"
          s.camera = view::seenFrom(s.camera, view::ViewFrom::back);
          s.settings.lights = frame::Lights::demo, s.settings.toneMapper = frame::ToneMapper::agx;
        }},
+      {"measured, MERL", [](view::ViewerState& s) { view::chooseBrdf(s, "builtin:ggx-0.35"); }},
+      {"measured, UTIA, nearest, converged",
+       [](view::ViewerState& s) {
+         view::chooseBrdf(s, "builtin:utia-brushed");
+         s.settings.brdfLookUp = optics::LookUp::nearest, s.settings.samples = 6, s.camera.theta = 21;
+       }},
+      {"measured, from a folder, decoded",
+       [](view::ViewerState& s) {
+         view::chooseBrdf(s, "satin");
+         s.settings.brdfDir = s.shown.model.substr(0, s.shown.model.rfind('/'));
+         s.settings.utiaDecode = io::UtiaDecode::srgb, s.settings.environment = "builtin:sky";
+       }},
       {"converged, selected", [](view::ViewerState& s) { s.settings.samples = 6, s.selection.node = 0; }},
   }));
   INFO(c.name);
   const test::TemporaryFolder folder;
   test::Viewer viewer;
+  const optics::SyntheticBrdf& satin = *optics::findSynthetic("utia-satin");
+  folder.write("satin.bin", io::encodeUtia(optics::makeMeasured(satin.formula, satin.kind, satin.name)));
   viewer.load(folder.write("rise.glb", risingTriangle()));
   c.set(viewer.state);
   viewer.settle();

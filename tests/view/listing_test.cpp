@@ -92,4 +92,7 @@ TEST_CASE("listing: the search takes every word, in any case, from name and plac
   const std::vector<view::Entry> builtin = view::builtinEntries();
   CHECK(view::filtered(builtin, FileKind::model, "spheres").size() == 1);
   CHECK(view::filtered(builtin, FileKind::environment, "").size() == 4);  // studio, sky, white, none
+  const std::vector<int> brdfs = view::filtered(builtin, FileKind::brdf, "built-in brushed");
+  REQUIRE(brdfs.size() == 1);
+  CHECK(builtin[static_cast<size_t>(brdfs[0])].source == "builtin:utia-brushed");
 }

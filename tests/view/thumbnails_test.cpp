@@ -61,6 +61,9 @@ TEST_CASE("thumbnails: the arguments are those of a small picture") {
   const auto map = view::thumbnailArguments({FileKind::environment, "/sky.hdr"}, "/o.png");
   CHECK(map[1] == "builtin:furnace");
   CHECK(map[3] == "/sky.hdr");
+  const auto brdf = view::thumbnailArguments({FileKind::brdf, "/gold.binary"}, "/o.png");
+  CHECK(brdf[2] == "--brdf");
+  CHECK(brdf[3] == "/gold.binary");
 }
 
 TEST_CASE("thumbnails: made once, then read from the disk, a changed file is made anew") {

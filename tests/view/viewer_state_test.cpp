@@ -84,6 +84,46 @@ TEST_CASE("viewer state: only what the draw list reads asks for a new one") {
   CHECK(view::listRequest(state, 0, -1, false) != before);
 }
 
+TEST_CASE("viewer state: a measured BRDF takes the materials' place, and gives it back") {
+  view::ViewerState state;
+  using view::MaterialSource;
+  CHECK(view::materialSource(state.settings) == MaterialSource::file);
+  state.settings.material = {true, {0.1f, 0.2f, 0.3f}, 0.75f, 0.25f, 1.5f, {}};
+  CHECK(view::materialSource(state.settings) == MaterialSource::one);
+  const view::ListRequest before = view::listRequest(state, 0, -1, true);
+  view::chooseBrdf(state, "a.binary");
+  CHECK(view::materialSource(state.settings) == MaterialSource::measured);
+  CHECK_FALSE(state.settings.material.on);
+  const view::ListRequest measured = view::listRequest(state, 0, -1, true);
+  CHECK(measured != before);
+  CHECK(measured.brdf.name == "a.binary");
+  state.settings.brdfLookUp = optics::LookUp::nearest;
+  CHECK(view::listRequest(state, 0, -1, true) != measured);
+  state.settings.brdfLookUp = optics::LookUp::interpolated;
+  state.settings.utiaDecode = io::UtiaDecode::srgb;
+  CHECK(view::listRequest(state, 0, -1, true) != measured);
+  state.settings.channel = "normal";  // where no BRDF is seen none is read
+  CHECK(view::listRequest(state, 0, -1, true).brdf.name.empty());
+  state.settings.channel.clear();
+  state.settings.samples = 16;  // the moving picture is drawn by the program of the resting one
+  CHECK(view::listRequest(state, 0, -1, true).imageLightSamples == frame::convergedLightSamples);
+
+  view::chooseMaterialSource(state, MaterialSource::one);
+  CHECK(state.settings.brdf.empty());
+  CHECK(state.settings.material.perceptualRoughness == 0.25f);
+  view::chooseMaterialSource(state, MaterialSource::measured);
+  CHECK(state.settings.brdf == "a.binary");
+  view::chooseMaterialSource(state, MaterialSource::file);
+  CHECK(view::materialSource(state.settings) == MaterialSource::file);
+  view::ViewerState fresh;
+  view::chooseMaterialSource(fresh, MaterialSource::measured);
+  CHECK(fresh.settings.brdf == "builtin:plastic-0.2");
+  fresh = {};
+  fresh.databases = {view::fileEntry(view::FileKind::brdf, "/b/gold.binary")};
+  view::chooseMaterialSource(fresh, MaterialSource::measured);
+  CHECK(fresh.settings.brdf == "/b/gold.binary");
+}
+
 TEST_CASE("viewer state: the material choice takes every draw's place") {
   const std::vector<uint8_t> glb = test::triangle().glb();
   const Result<io::LoadedModel> loaded = io::loadGltfBytes(glb, "triangle.glb");

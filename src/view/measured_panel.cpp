@@ -1,0 +1,118 @@
+#include "view/measured_panel.hpp"
+
+#include <imgui.h>
+#include <imgui/imgui_internal.h>
+
+#include <cstdio>
+#include <cstring>
+
+#include "optics/synthetic_brdf.hpp"
+#include "view/statistics_panel.hpp"
+#include "view/style.hpp"
+#include "view/widgets.hpp"
+
+namespace facet::view {
+
+namespace {
+
+constexpr int shownRows = 7;
+
+std::string number(const char* format, double value) {
+  char text[48];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+// Its name, and at the right where it is.
+void databaseRow(ViewerState& state, const Entry& entry) {
+  const bool chosen =
+      state.settings.brdf == entry.source || (state.shown.measured && state.shown.measured->path == entry.source);
+  ImGui::PushID(entry.source.c_str());
+  if (ImGui::Selectable("##row", chosen)) chooseBrdf(state, entry.source);
+  hint(entry.source.starts_with("builtin:") ? entry.source + "\n" + entry.place : entry.source);
+  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+  const std::string place = entry.place.substr(0, entry.place.find(','));
+  const float width = std::min(ImGui::CalcTextSize(place.c_str()).x, 0.45f * (max.x - min.x));
+  const float gap = 0.5f * ImGui::GetFontSize(), middle = max.x - width - gap;
+  const auto text = [&](float left, float right, const std::string& words, ImGuiCol color) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(color));
+    ImGui::RenderTextEllipsis(ImGui::GetWindowDrawList(), {left, min.y}, {right, max.y}, right, right, words.c_str(),
+                              words.c_str() + words.size(), nullptr);
+    ImGui::PopStyleColor();
+  };
+  text(min.x, middle - gap, entry.name, ImGuiCol_Text);
+  text(middle, max.x, place, ImGuiCol_TextDisabled);
+  ImGui::PopID();
+}
+
+void databaseList(ViewerState& state) {
+  char filter[128] = "";
+  std::strncpy(filter, state.brdfFilter.c_str(), sizeof filter - 1);
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::InputTextWithHint("##databases", "search the databases", filter, sizeof filter)) state.brdfFilter = filter;
+  hint(
+      "MERL and UTIA files in --brdf-dir, resources/brdf, $XDG_DATA_HOME/facet/brdf and folders that are browsed, "
+      "and built-in ones; drop a file to add it");
+  const std::vector<int> found = filtered(state.databases, FileKind::brdf, state.brdfFilter);
+  const float height = ImGui::GetTextLineHeightWithSpacing() * static_cast<float>(shownRows);
+  if (ImGui::BeginChild("databases", {0, height}, true)) {
+    if (found.empty()) ImGui::TextDisabled("none matches");
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(found.size()), ImGui::GetTextLineHeightWithSpacing());
+    while (clipper.Step())
+      for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+        databaseRow(state, state.databases[static_cast<size_t>(found[static_cast<size_t>(i)])]);
+  }
+  ImGui::EndChild();
+}
+
+}  // namespace
+
+std::vector<Detail> measuredDetails(const frame::MeasuredFacts& facts, optics::LookUp lookUp) {
+  std::vector<Detail> details;
+  const bool merl = facts.kind == optics::MeasuredKind::merl, builtin = facts.path.starts_with("builtin:");
+  details.push_back({"measured", facts.name});
+  details.push_back({"kind", std::string(kindName(facts.kind)) + (merl ? ", isotropic" : ", anisotropic")});
+  if (builtin)
+    details.push_back({"made from", std::string(optics::findSynthetic(facts.name)->summary)});
+  else
+    details.push_back({"file", facts.path});
+  std::string cells = grouped(facts.cells);
+  if (facts.missing > 0) cells += ", " + grouped(facts.missing) + " of them missing";
+  details.push_back({"cells", cells});
+  details.push_back({"look-up", lookUp == optics::LookUp::nearest ? "nearest" : "interpolated"});
+  constexpr const char* decodings[] = {"linear, as stored", "through an sRGB curve", "v / 140 through an sRGB curve"};
+  if (!merl && !builtin) details.push_back({"numbers", decodings[static_cast<size_t>(facts.source.decode)]});
+  const optics::MeasuredProxy& lobe = facts.proxy;
+  details.push_back({"lobe", number("alpha %.3g", lobe.alpha.t) + (merl ? "" : number(" and %.3g", lobe.alpha.b)) +
+                                 number(", %.0f %% of the light even", 100 * lobe.diffuseShare)});
+  return details;
+}
+
+void measuredChoice(ViewerState& state) {
+  databaseList(state);
+  frame::PictureSettings& settings = state.settings;
+  static constexpr Choice lookUps[] = {{"nearest", "the cell that a pair of directions lies in"},
+                                       {"interpolated", "between the cells"}};
+  chooseEnum("look-up", settings.brdfLookUp, lookUps, optics::LookUp::interpolated, "in the table");
+  const std::optional<frame::MeasuredFacts>& shown = state.shown.measured;
+  if (shown && shown->kind == optics::MeasuredKind::utia && !shown->path.starts_with("builtin:")) {
+    static constexpr Choice decodings[] = {{"raw", "linear, as stored"},
+                                           {"srgb", "an sRGB curve is undone"},
+                                           {"srgb140", "an sRGB curve is undone on v / 140; counts a hundredfold"}};
+    chooseEnum("UTIA's numbers", settings.utiaDecode, decodings, io::UtiaDecode::raw,
+               "what they are is disputed: an albedo above 1 (facet brdf) is wrong");
+  }
+  if (!shown || !beginDetails("measured")) return;
+  for (const Detail& row : measuredDetails(*shown, settings.brdfLookUp)) {
+    detail(row.name, row.value);
+    if (row.name == "lobe") hint("that samples of the environment are drawn from; fitted to the table");
+  }
+  const frame::MeasuredTimes& t = shown->times;
+  detail("took", milliseconds(t.readMs + t.fitMs + t.packMs + t.uploadMs));
+  hint("read and checked " + milliseconds(t.readMs) + ", lobe " + milliseconds(t.fitMs) + ", packed " +
+       milliseconds(t.packMs) + ", all beside the window; uploaded " + milliseconds(t.uploadMs));
+  ImGui::EndTable();
+}
+
+}  // namespace facet::view

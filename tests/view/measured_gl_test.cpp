@@ -1,0 +1,191 @@
+#include <catch2/catch.hpp>
+
+#include "base/srgb.hpp"
+#include "io/merl.hpp"
+#include "io/utia.hpp"
+#include "optics/synthetic_brdf.hpp"
+#include "support/picture.hpp"
+#include "support/temporary_folder.hpp"
+#include "view/follow.hpp"
+#include "view/inspector.hpp"
+#include "view/viewer.hpp"
+
+using namespace facet;
+
+namespace {
+
+// A file of UTIA's kind: the same in all directions.
+std::vector<uint8_t> matte(const glm::dvec3& albedo) {
+  const optics::AnalyticBrdf formula{.f0 = glm::dvec3(0), .albedo = albedo, .alpha = {1, 1}};
+  return io::encodeUtia(optics::makeMeasured(formula, optics::MeasuredKind::utia, "matte"));
+}
+
+// What a white furnace shows of it.
+glm::ivec3 shown(const glm::dvec3& albedo) {
+  glm::ivec3 bytes;
+  for (int c = 0; c < 3; ++c) bytes[c] = static_cast<int>(std::lround(255 * srgbFromLinear(albedo[c])));
+  return bytes;
+}
+
+struct Furnace : test::Viewer {
+  const test::TemporaryFolder folder;
+
+  // A square that fills the middle, under white light.
+  Furnace() {
+    state.settings.environment = "builtin:white";
+    state.settings.toneMapper = frame::ToneMapper::none;
+    test::GltfBuilder b = test::emptyScene();
+    b.append("materials", test::material({0.9f, 0.9f, 0.9f, 1}, 0.25, 0.5));
+    test::addMeshNode(b, test::addQuad(b, {-1, -1}, {1, 1}), 0);
+    load(folder.write("square.glb", b.glb()));
+    state.camera = {0, 90, 3, {0, 0, 0}, 45};
+  }
+  void choose(const std::string& source) {
+    view::chooseBrdf(state, source);
+    view::bringUp(viewport, state, loader);
+    settle();
+  }
+  void checkMiddle(const glm::dvec3& albedo) {
+    const glm::ivec3 got = middle(), expected = shown(albedo);
+    INFO(got.x << " " << got.y << " " << got.z << " for " << expected.x << " " << expected.y << " " << expected.z);
+    for (int c = 0; c < 3; ++c) CHECK(std::abs(got[c] - expected[c]) <= 1);
+  }
+};
+
+constexpr glm::dvec3 red(0.6, 0.2, 0.1), green(0.1, 0.5, 0.2);
+
+}  // namespace
+
+TEST_CASE("measured BRDF in the window: comes up beside it, a bad file leaves the picture and says why", "[gl]") {
+  Furnace viewer;
+  const glm::ivec3 own = viewer.middle();
+  viewer.choose(viewer.folder.write("red.bin", matte(red)));
+  viewer.checkMiddle(red);
+  REQUIRE(viewer.state.shown.measured);
+  CHECK(viewer.state.shown.measured->name == "red");
+  CHECK(viewer.state.shown.measured->kind == optics::MeasuredKind::utia);
+  CHECK(viewer.state.shown.warnings.size() == 1);  // no tangents
+
+  viewer.choose(viewer.folder.write("cut.binary", std::string(1000, 'x')));
+  CHECK(viewer.state.status.isError);
+  CHECK(viewer.state.status.text.find("cut.binary") != std::string::npos);
+  CHECK(viewer.state.status.text.find("1000 bytes") != std::string::npos);
+  CHECK(viewer.state.settings.brdf == viewer.folder.file("red.bin"));
+  viewer.checkMiddle(red);
+
+  view::chooseMaterialSource(viewer.state, view::MaterialSource::file);
+  viewer.settle();
+  CHECK_FALSE(viewer.state.shown.measured);
+  CHECK(viewer.middle() == own);
+
+  viewer.choose("nothing-like-it");
+  CHECK(viewer.state.status.isError);
+  CHECK(viewer.state.settings.brdf.empty());
+  CHECK(viewer.middle() == own);
+}
+
+TEST_CASE("measured BRDF in the window: the newest of several is shown, the last ones stay, reading is cancelled",
+          "[gl]") {
+  Furnace viewer;
+  const std::string reds = viewer.folder.write("red.bin", matte(red)),
+                    greens = viewer.folder.write("green.bin", matte(green));
+  for (const std::string& source : {reds, greens, reds, greens}) {
+    view::chooseBrdf(viewer.state, source);
+    view::bringUp(viewer.viewport, viewer.state, viewer.loader);
+  }
+  viewer.settle();
+  viewer.checkMiddle(green);
+  viewer.choose(reds);
+  viewer.checkMiddle(red);
+  view::chooseBrdf(viewer.state, greens);
+  CHECK(view::bringUp(viewer.viewport, viewer.state, viewer.loader));  // nothing has to be read
+  viewer.checkMiddle(green);
+
+  view::chooseBrdf(viewer.state, "builtin:ggx-0.5");
+  view::bringUp(viewer.viewport, viewer.state, viewer.loader);
+  CHECK(viewer.loader.running());
+  view::cancelLoading(viewer.viewport, viewer.state, viewer.loader);
+  viewer.settle();
+  CHECK(viewer.state.settings.brdf == greens);
+  viewer.checkMiddle(green);
+}
+
+TEST_CASE("measured BRDF in the window: a file that changes is read again, a faulty one leaves what is shown", "[gl]") {
+  Furnace viewer;
+  const std::string source = viewer.folder.write("a.bin", matte(red));
+  viewer.choose(source);
+  view::Followed followed;
+  auto now = std::chrono::steady_clock::now();
+  const auto look = [&] {
+    now += std::chrono::milliseconds(500);
+    const bool changed = view::follow(followed, viewer.viewport, viewer.loader, now).measured;
+    if (changed) viewer.settle();
+    return changed;
+  };
+  CHECK_FALSE(look());
+  viewer.folder.write("a.bin", std::string("half"));
+  CHECK_FALSE(look());
+  CHECK(look());
+  CHECK(viewer.state.status.isError);
+  CHECK(viewer.state.settings.brdf == source);
+  viewer.checkMiddle(red);
+  viewer.folder.write("a.bin", matte(green));
+  CHECK_FALSE(look());
+  CHECK(look());
+  CHECK(viewer.state.status.text == "reloaded: " + source);
+  viewer.checkMiddle(green);
+  CHECK_FALSE(look());
+
+  // One that changes while another is shown.
+  viewer.choose("builtin:utia-lambert");
+  CHECK_FALSE(look());
+  viewer.folder.write("a.bin", matte({0.3, 0.3, 0.3}));
+  viewer.choose(source);
+  viewer.checkMiddle(green);
+  look();
+  look();
+  viewer.checkMiddle({0.3, 0.3, 0.3});
+}
+
+TEST_CASE("measured BRDF in the window: at rest it becomes what facet render makes, byte by byte", "[gl]") {
+  test::Viewer viewer;
+  viewer.state.settings.samples = 16;
+  viewer.state.settings.brdf = "builtin:ggx-0.5";
+  viewer.load("builtin:spheres");
+  viewer.converge();
+  CHECK(viewer.state.refinement.shown == 16);
+  CHECK(viewer.state.refinement.error > 0);
+  test::Studio studio;
+  CHECK((viewer.display().data ==
+         studio.render(test::loadBuiltin("builtin:spheres"), viewer.state.settings).display.data));
+}
+
+TEST_CASE("measured BRDF in the window: the inspector tells of it in the place of the material", "[gl]") {
+  Furnace viewer;
+  viewer.choose(viewer.folder.write("red.bin", matte(red)));
+  view::drawViewport(viewer.viewport, viewer.state);
+  view::clickAt(viewer.viewport, viewer.state, {32, 24}, {64, 48});
+  while (view::inspectNext(viewer.viewport, viewer.state)) {
+  }
+  const view::Inspection& found = viewer.state.inspection;
+  REQUIRE(found.on);
+  CHECK(found.measured);
+  const auto value = [&](const char* channel) {
+    return found.values[static_cast<size_t>(shading::channelIndex(channel))];
+  };
+  CHECK_FALSE(value("baseColor"));
+  CHECK_FALSE(value("metallic"));
+  CHECK_FALSE(value("roughness"));
+  REQUIRE(value("normal"));
+  CHECK(value("normal")->z == Approx(1));
+  REQUIRE(found.radiance);
+  CHECK(found.radiance->x == Approx(red.x).epsilon(0.01));
+  const auto told = [&](const std::string& name) {
+    const auto row = std::ranges::find(found.materialDetails, name, &view::Detail::name);
+    return row == found.materialDetails.end() ? std::string() : row->value;
+  };
+  CHECK(told("measured") == "red");
+  CHECK(told("kind") == "UTIA, anisotropic");
+  CHECK(told("file") == viewer.folder.file("red.bin"));
+  CHECK(told("cells") == "82 944");
+}
