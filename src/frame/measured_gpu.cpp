@@ -173,7 +173,7 @@ Result<std::shared_ptr<const MeasuredOnGpu>> findMeasured(MeasuredStore& store, 
   return found;
 }
 
-void setMeasured(shading::FrameFeatures& features, const PictureSettings& settings, const MeasuredOnGpu& measured) {
+void setMeasured(shading::FrameFeatures& features, const PictureSettings& settings, optics::MeasuredKind kind) {
   features.measured = kind == optics::MeasuredKind::merl ? shading::Measured::merl : shading::Measured::utia;
   features.measuredNearest = settings.brdfLookUp == optics::LookUp::nearest;
 }
