@@ -62,6 +62,9 @@ struct Surface {
   float perceptualRoughness;
   float alpha;                // perceptualRoughness^2
   vec3 dfg;                   // A, B and tilt of (NoV, perceptualRoughness): dfg_table.glsl
+#if ENERGY_MODEL == 3
+  float albedoL;              // A + B at L, where a light is evaluated
+#endif
   float occlusion;            // share of distant light that reaches the point
   float diffuseShare;         // of the light below the dielectric's interface: what does not pass through the surface
 #ifdef HAS_DIELECTRIC_SPECULAR
@@ -92,6 +95,9 @@ Surface makeSurface(vec3 N, vec3 V, vec3 baseColor, float metallic, float percep
   s.perceptualRoughness = perceptualRoughness;
   s.alpha = perceptualRoughness * perceptualRoughness;
   s.dfg = vec3(1.0, 0.0, 0.0);
+#if ENERGY_MODEL == 3
+  s.albedoL = 1.0;
+#endif
   s.occlusion = occlusion;
   s.diffuseShare = 1.0;
   return s;
@@ -105,6 +111,9 @@ Surface makeSpecularGlossinessSurface(vec3 N, vec3 V, vec3 diffuse, vec4 specula
   s.dielectricF0 = f0;
   return s;
 }
+
+// That of the table's entries, whatever widens the lobe.
+float tableAlpha(Surface s) { return s.perceptualRoughness * s.perceptualRoughness; }
 
 float largestOf(vec3 v) { return max(v.r, max(v.g, v.b)); }
 
@@ -189,17 +198,33 @@ vec3 leftBelow(vec3 reflected) {
   return max(1.0 - reflected, 0.0);
 #endif
 }
-// For analytic lights ...
-vec3 dielectricLeft(Surface s) {
-  vec3 f0 = dielectricBoundF0(s);
-  return leftBelow(singleScatterAlbedo(f0, dielectricF90(s), s.dfg.xy) * energyCompensation(f0, s.dfg.xy));
+// energy: lightEnergy or distantEnergy.
+vec3 dielectricLeft(Surface s, int energy) {
+  return leftBelow(specularAlbedo(energy, dielectricBoundF0(s), dielectricF90(s), s.dfg.xy, tableAlpha(s)));
 }
-// ... and for distant light, where multiple scattering is reckoned apart.
-vec3 dielectricLeftDistant(Surface s) {
-  vec3 f0 = dielectricBoundF0(s);
-  float f90 = dielectricF90(s);
-  return leftBelow(singleScatterAlbedo(f0, f90, s.dfg.xy) + multipleScatterAlbedo(f0, f90, s.dfg.xy));
+
+// Of the base: factor on each lobe of one bounce, and albedo of the lobe of further bounces.
+vec3 dielectricGain(Surface s, int energy) { return specularGain(energy, dielectricAlbedoF0(s), s.dfg.xy); }
+vec3 metalGain(Surface s, int energy) { return specularGain(energy, metalAlbedoF0(s), s.dfg.xy); }
+vec3 baseMultipleAlbedo(Surface s, int energy) {
+  vec3 dielectric = multipleAlbedo(energy, dielectricAlbedoF0(s), dielectricF90(s), s.dfg.xy, tableAlpha(s));
+  return mix(dielectric, multipleAlbedo(energy, metalAlbedoF0(s), 1.0, s.dfg.xy, tableAlpha(s)), s.metallic);
 }
+// The latter is flat, but for Kulla and Conty's; a grain has no table of E at L, so that theirs is flat there.
+float baseMultipleShape(Surface s, float albedoL) {
+#ifdef HAS_ANISOTROPY
+  return 1.0;
+#else
+  return multipleShapeKullaConty(albedoL, missingOnAverage(tableAlpha(s)));
+#endif
+}
+
+// The table of directional albedos is that of GGX with Smith's term: other lobes stay as they are, single scattering.
+#if NDF_MODEL == 0 && MASKING_MODEL == 0
+const int lobeEnergy = lightEnergy;
+#else
+const int lobeEnergy = noCompensation;
+#endif
 
 // D V of the base's lobes, without Fresnel term and cosine [1/sr].
 float baseFacets(Surface s, vec3 L, vec3 H, float NoL) {
@@ -225,12 +250,16 @@ vec3 evaluateBase(Surface s, vec3 L) {
   float length2 = dot(VL, VL);
   vec3 H = length2 > 1e-12 ? VL * inversesqrt(length2) : vec3(0.0);  // L = -V leaves H undefined: D = 0
   float VoH = dot(s.V, H);
-  vec3 metalGain = modelGain(energyCompensation(metalAlbedoF0(s), s.dfg.xy));
-  vec3 dielectricGain = modelGain(energyCompensation(dielectricAlbedoF0(s), s.dfg.xy));
-  vec3 fresnel = mix(dielectricFresnel(s, VoH) * dielectricGain, metalFresnel(s, VoH) * metalGain, s.metallic);
+  vec3 fresnel = mix(dielectricFresnel(s, VoH) * dielectricGain(s, lobeEnergy),
+                     metalFresnel(s, VoH) * metalGain(s, lobeEnergy), s.metallic);
   vec3 specular = baseFacets(s, L, H, NoL) * fresnel;
+#if ENERGY_MODEL == 2
+  specular += baseMultipleAlbedo(s, lobeEnergy) / PI;
+#elif ENERGY_MODEL == 3
+  specular += baseMultipleAlbedo(s, lobeEnergy) * (baseMultipleShape(s, s.albedoL) / PI);
+#endif
   vec3 diffuse = diffuseTerm(s.baseColor, s.NoV, NoL, dot(s.V, L), s.perceptualRoughness) * (1.0 - s.metallic) *
-                 s.diffuseShare * dielectricLeft(s);
+                 s.diffuseShare * dielectricLeft(s, lightEnergy);
   return (specular + diffuse) * NoL;
 }
 
@@ -287,20 +316,18 @@ vec3 evaluateBsdf(Surface s, vec3 L) {
 }
 
 // What of distant light reaches the dielectric's diffuse base, before what passes through the surface is taken off.
-vec3 dielectricBaseShare(Surface s) { return (1.0 - s.metallic) * dielectricLeftDistant(s); }
+vec3 dielectricBaseShare(Surface s) { return (1.0 - s.metallic) * dielectricLeft(s, distantEnergy); }
 
 // What of irradiance / pi the base sends towards the viewer: light that left the microsurface after several bounces,
 // which is taken as diffuse, and the dielectric's diffuse part.
 vec3 irradianceAlbedo(Surface s) {
-  vec3 dielectric = multipleScatterAlbedo(dielectricAlbedoF0(s), dielectricF90(s), s.dfg.xy);
-  vec3 multiple = mix(dielectric, multipleScatterAlbedo(metalAlbedoF0(s), 1.0, s.dfg.xy), s.metallic);
   vec3 diffuse = diffuseReturned(s.baseColor, s.NoV, s.perceptualRoughness);
-  return multiple + diffuse * s.diffuseShare * dielectricBaseShare(s);
+  return baseMultipleAlbedo(s, distantEnergy) + diffuse * s.diffuseShare * dielectricBaseShare(s);
 }
 // What enters the dielectric, before its colour: the rest is reflected by its interface, by the metal or by the layers.
 vec3 enteringShare(Surface s) { return dielectricBaseShare(s) * layersLeft(s); }
 // The same of the prefiltered radiance: the lobes after one bounce.
 vec3 prefilteredAlbedo(Surface s) {
-  return mix(singleScatterAlbedo(dielectricAlbedoF0(s), dielectricF90(s), s.dfg.xy),
-             singleScatterAlbedo(metalAlbedoF0(s), 1.0, s.dfg.xy), s.metallic);
+  return mix(singleScatterAlbedo(dielectricAlbedoF0(s), dielectricF90(s), s.dfg.xy) * dielectricGain(s, distantEnergy),
+             singleScatterAlbedo(metalAlbedoF0(s), 1.0, s.dfg.xy) * metalGain(s, distantEnergy), s.metallic);
 }

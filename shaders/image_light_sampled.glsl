@@ -5,6 +5,9 @@
 #include "mapping.glsl"
 #include "frame.glsl"
 #include "environment_samples.glsl"
+#if ENERGY_MODEL == 3
+#include "dfg_table.glsl"
+#endif
 
 layout(binding = irradianceUnit) uniform samplerCube irradianceOverPi;
 
@@ -18,7 +21,7 @@ vec3 sampleVisibleNormal(vec3 V, float alpha, vec2 u) {
   return normalize(vec3(alpha * H.xy, max(H.z, 1e-7)));
 }
 
-// Radiance off the base's lobes after one bounce.
+// Radiance off the base's lobes after one bounce, with the model's gain.
 vec3 specularSampled(Surface s) {
 #ifdef HAS_ANISOTROPY
   mat3 worldFromLocal = mat3(s.grain.T, s.grain.B, s.N);
@@ -29,6 +32,7 @@ vec3 specularSampled(Surface s) {
 #endif
   vec3 V = s.V * worldFromLocal;
   V = normalize(vec3(V.xy, max(V.z, minNoV)));
+  vec3 gainD = dielectricGain(s, distantEnergy), gainM = metalGain(s, distantEnergy);
   vec3 specular = vec3(0.0);
   int first = int(frame.options.y) * IMAGE_LIGHT_SAMPLES;
   for (int i = first; i < first + IMAGE_LIGHT_SAMPLES; ++i) {
@@ -49,11 +53,35 @@ vec3 specularSampled(Surface s) {
     float pdf = G1 * D_GGX(vec3(0.0, 0.0, 1.0), H, alpha) / (4.0 * V.z);
     float weight = V_SmithGGXCorrelated(V.z, L.z, alpha) * 4.0 * V.z * L.z / G1;
 #endif
-    vec3 fresnel = mix(dielectricFresnel(s, VoH), metalFresnel(s, VoH), s.metallic);
+    vec3 fresnel = mix(dielectricFresnel(s, VoH) * gainD, metalFresnel(s, VoH) * gainM, s.metallic);
     specular += fresnel * weight * sampledRadiance(worldFromLocal * L, pdf);
   }
   return specular / float(IMAGE_LIGHT_SAMPLES);
 }
+
+#if DIFFUSE_MODEL != 0 || ENERGY_MODEL == 3
+// In the frame of N, density NoL / pi.
+vec3 cosineSample(vec2 u) {
+  float phi = 2.0 * PI * u.x, NoL = sqrt(max(1.0 - u.y, 1e-6)), sinL = sqrt(max(1.0 - NoL * NoL, 0.0));
+  return vec3(cos(phi) * sinL, sin(phi) * sinL, NoL);
+}
+#endif
+
+#if ENERGY_MODEL == 3
+// irradianceAlbedo takes the lobe of further bounces as flat: samples of the difference, whose mean is 0.
+vec3 multipleDetail(Surface s) {
+  mat3 worldFromLocal = frameAround(s.N);
+  vec3 sum = vec3(0.0);
+  int first = int(frame.options.y) * IMAGE_LIGHT_SAMPLES;
+  for (int i = first; i < first + IMAGE_LIGHT_SAMPLES; ++i) {
+    vec3 L = cosineSample(samplePoint(i));
+    vec3 dfgL = lookUpDfg(L.z, s.perceptualRoughness);
+    float difference = baseMultipleShape(s, dfgL.x + dfgL.y) - 1.0;
+    sum += difference * sampledRadiance(worldFromLocal * L, L.z / PI);
+  }
+  return sum / float(IMAGE_LIGHT_SAMPLES);
+}
+#endif
 
 #if DIFFUSE_MODEL != 0
 // irradianceAlbedo weighs all of the hemisphere alike. Cosine-distributed samples of the difference, whose mean makes up
@@ -66,11 +94,9 @@ vec3 diffuseDetail(Surface s) {
   vec3 sum = vec3(0.0);
   int first = int(frame.options.y) * IMAGE_LIGHT_SAMPLES;
   for (int i = first; i < first + IMAGE_LIGHT_SAMPLES; ++i) {
-    vec2 u = samplePoint(i);
-    float phi = 2.0 * PI * u.x, NoL = sqrt(max(1.0 - u.y, 1e-6)), sinL = sqrt(max(1.0 - NoL * NoL, 0.0));
-    vec3 L = vec3(cos(phi) * sinL, sin(phi) * sinL, NoL);
-    vec3 f = diffuseTerm(s.baseColor, V.z, NoL, dot(V, L), s.perceptualRoughness);
-    sum += (PI * f - returned) * sampledRadiance(worldFromLocal * L, NoL / PI);
+    vec3 L = cosineSample(samplePoint(i));
+    vec3 f = diffuseTerm(s.baseColor, V.z, L.z, dot(V, L), s.perceptualRoughness);
+    sum += (PI * f - returned) * sampledRadiance(worldFromLocal * L, L.z / PI);
   }
   return sum / float(IMAGE_LIGHT_SAMPLES);
 }
@@ -119,6 +145,9 @@ vec3 sheenSampled(Surface s) {
 vec3 imageLight(Surface s) {
   vec3 irradiance = textureLod(irradianceOverPi, environmentFromWorld(s.N), 0.0).rgb;
   vec3 radiance = specularSampled(s) + irradiance * irradianceAlbedo(s);
+#if ENERGY_MODEL == 3
+  radiance += multipleDetail(s) * baseMultipleAlbedo(s, distantEnergy);
+#endif
 #if DIFFUSE_MODEL != 0
   radiance += diffuseDetail(s) * s.diffuseShare * dielectricBaseShare(s);
 #endif

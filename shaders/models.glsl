@@ -46,15 +46,6 @@ float modelV(float NoV, float NoL, float NoH, float VoH, float alpha) {
 #endif
 }
 
-// The table of directional albedos is that of GGX with Smith's term: other lobes stay as they are, single scattering.
-vec3 modelGain(vec3 ggxGain) {
-#if NDF_MODEL == 0 && MASKING_MODEL == 0
-  return ggxGain;
-#else
-  return vec3(1.0);
-#endif
-}
-
 vec3 fresnelDielectric(float VoH, vec3 f0, float f90) {
 #if FRESNEL_MODEL == 1
   if (f90 <= 0.0) return vec3(0.0);

@@ -5,6 +5,9 @@
 #ifdef HAS_SHEEN
 #include "sheen_table.glsl"
 #endif
+#if ENERGY_MODEL == 3
+#include "dfg_table.glsl"
+#endif
 
 #ifdef HAS_ENVIRONMENT
 // The lobes as they reflect a part of the environment's sun: the share of one draw of its disc, but wide enough to stay
@@ -32,6 +35,10 @@ vec3 punctualLight(Surface s, vec3 position) {
     if (arriving == vec3(0.0)) continue;
 #ifdef HAS_SHEEN
     s.sheen.albedoL = lookUpSheenAlbedo(dot(s.N, L), s.sheen.perceptualRoughness);
+#endif
+#if ENERGY_MODEL == 3
+    vec3 dfgL = lookUpDfg(dot(s.N, L), s.perceptualRoughness);
+    s.albedoL = dfgL.x + dfgL.y;
 #endif
 #ifdef HAS_ENVIRONMENT
     if (isSun(lights[i])) {

@@ -83,6 +83,13 @@ constexpr Named<optics::ImageLight> imageLights[] = {
     {"shifted", optics::ImageLight::shifted}, {"mean", optics::ImageLight::mean},
     {"taps1", optics::ImageLight::taps1},     {"taps2", optics::ImageLight::taps2},
     {"taps3", optics::ImageLight::taps3},     {"sampled", optics::ImageLight::sampled}};
+
+constexpr Named<optics::EnergyModel> energyModels[] = {{"auto", optics::EnergyModel::automatic},
+                                                       {"none", optics::EnergyModel::none},
+                                                       {"fdez-aguera", optics::EnergyModel::fdezAguera},
+                                                       {"kulla-conty", optics::EnergyModel::kullaConty},
+                                                       {"turquin", optics::EnergyModel::turquin}};
+
 constexpr Named<optics::LookUp> lookUps[] = {{"interpolated", optics::LookUp::interpolated},
                                              {"nearest", optics::LookUp::nearest}};
 
@@ -364,6 +371,10 @@ constexpr PictureOption table[] = {
      "specular light of the environment: mirror, shifted, mean, taps1, taps2, taps3, sampled; auto: mean, above 4 "
      "samples sampled (auto)",
      parseName<imageLights, &S::imageLight>, writeName<imageLights, &S::imageLight>},
+    {"energy", "NAME",
+     "light of further bounces in a rough lobe: none, fdez-aguera, kulla-conty, turquin; auto: fdez-aguera for the "
+     "environment, turquin for lights (auto)",
+     parseName<energyModels, &S::energy>, writeName<energyModels, &S::energy>},
     {"brdf", "FILE|NAME|builtin:NAME", "a measured BRDF (MERL, UTIA) in the place of all materials (their own)",
      parseText<&S::brdf>, writeText<&S::brdf>, ',', true, true},
     {"brdf-dir", "DIR", "looks for databases of measured BRDFs here first", parseText<&S::brdfDir>,

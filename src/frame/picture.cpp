@@ -168,7 +168,7 @@ DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment) {
   else if (settings.imageLight == optics::ImageLight::automatic && converging)
     options.features.imageLightSamples = convergedLightSamples;
   options.features.models = {settings.diffuse, settings.fresnel, settings.distribution, settings.masking,
-                             settings.imageLight};
+                             settings.imageLight, settings.energy};
   options.sceneLights = settings.lights != Lights::none;
   options.demoLights = settings.lights == Lights::demo;
   options.moving = !settings.animation.empty();

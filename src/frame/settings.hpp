@@ -64,12 +64,14 @@ struct PictureSettings {
   glm::vec3 backgroundColor = glm::vec3(0);  // linear Rec. 709; Background::color only
 
   Lights lights = Lights::scene;
-  // Models for comparison. Of the environment: diffuse; Fresnel's terms only where it is sampled; the rest is GGX.
+  // Models for comparison. Of the environment: diffuse and energy; Fresnel's terms only where it is sampled; the rest
+  // is GGX.
   optics::DiffuseModel diffuse = optics::DiffuseModel::lambert;
   optics::FresnelModel fresnel = optics::FresnelModel::schlick;
   optics::NormalDistribution distribution = optics::NormalDistribution::ggx;
   optics::Masking masking = optics::Masking::smith;
   optics::ImageLight imageLight = optics::ImageLight::automatic;
+  optics::EnergyModel energy = optics::EnergyModel::automatic;
 
   // A measured BRDF (a file, builtin:NAME or the name of a database) in the place of all materials but unlit ones:
   // their normal maps, occlusion, alpha and emission stay. Empty: the materials' own.

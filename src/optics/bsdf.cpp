@@ -41,25 +41,34 @@ glm::dvec3 leftBelow(const Surface& surface, const glm::dvec3& albedo) {
   return glm::max(layered ? glm::dvec3(1 - largestOf(albedo)) : glm::dvec3(1) - albedo, glm::dvec3(0));
 }
 
-// F of the mix with each part's compensation; times D V.
-Reflected reflectFacets(const Surface& surface, const Dfg& dfg, const Angles& angles, double facets, bool compensated) {
+// The lobe of one bounce, with F in it, and that of further ones.
+struct Facets {
+  double DV;
+  double shape;        // of further bounces: multipleShape
+  EnergyModel energy;  // none where the table is not the lobe's
+};
+
+// F of the mix with each part's compensation.
+Reflected reflectFacets(const Surface& surface, const Dfg& dfg, const Angles& angles, const Facets& facets) {
   const AlbedoF0 f0 = albedoF0(surface, angles.NoV);
   const FresnelModel model = surface.models.fresnel;
+  const double alpha = alphaOf(surface);
   const auto lobe = [&](const glm::dvec3& bare, const glm::dvec3& bareF0, double f90, const glm::dvec3& albedoF0) {
-    const glm::dvec3 gain = compensated ? compensationTurquin(dfg, albedoF0) : glm::dvec3(1);
-    return covered(surface.film, angles.VoH, bare, bareF0, f90) * gain;
+    const Compensation made = compensationOf(facets.energy, dfg, alpha, albedoF0, f90);
+    return facets.DV * covered(surface.film, angles.VoH, bare, bareF0, f90) * made.gain +
+           made.multiple * facets.shape / pi;
   };
   const glm::dvec3 metal = fresnelMetal(model, angles.VoH, surface.baseColor, surface.conductor);
   const glm::dvec3 dielectric = fresnelDielectric(model, angles.VoH, surface.f0, surface.f90);
   const double m = surface.metallic;
   Reflected reflected;
-  reflected.specular = facets * angles.NoL *
-                       (m * lobe(metal, surface.baseColor, 1, f0.metal) +
-                        (1 - m) * lobe(dielectric, surface.f0, surface.f90, f0.dielectric));
+  reflected.specular = angles.NoL * (m * lobe(metal, surface.baseColor, 1, f0.metal) +
+                                     (1 - m) * lobe(dielectric, surface.f0, surface.f90, f0.dielectric));
   const DiffuseAngles base{angles.NoV, angles.NoL, 2 * angles.VoH * angles.VoH - 1};
-  reflected.diffuse = (1 - m) *
-                      diffuseTerm(surface.models.diffuse, base, surface.perceptualRoughness, surface.baseColor) *
-                      leftBelow(surface, specularAlbedoTurquin(dfg, f0.bound, surface.f90)) * angles.NoL;
+  reflected.diffuse =
+      (1 - m) * diffuseTerm(surface.models.diffuse, base, surface.perceptualRoughness, surface.baseColor) *
+      leftBelow(surface, specularAlbedo(lightEnergy(surface.models.energy), dfg, alpha, f0.bound, surface.f90)) *
+      angles.NoL;
   return reflected;
 }
 
@@ -92,31 +101,36 @@ AlbedoF0 albedoF0(const Surface& surface, double NoV) {
 
 Dfg dfgOf(const Surface& surface, double NoV) { return integrateDfg(NoV, alphaOf(surface)); }
 
-Reflected reflect(const Surface& surface, const Dfg& dfg, const glm::dvec3& N, const glm::dvec3& V,
-                  const glm::dvec3& L) {
+Reflected reflect(const Surface& surface, const Dfg& dfg, const glm::dvec3& N, const glm::dvec3& V, const glm::dvec3& L,
+                  double albedoL) {
   const Angles angles = anglesBetween(N, V, L);
-  if (surface.grain.strength == 0) return reflect(surface, dfg, angles);
+  if (surface.grain.strength == 0) return reflect(surface, dfg, angles, albedoL);
   if (angles.NoV < 0 || angles.NoL <= 0) return {};
   const AnisotropicAlpha alpha = alphaFromAnisotropy(alphaOf(surface), surface.grain.strength);
   const auto local = [&](const glm::dvec3& d) { return inGrain(surface.grain, N, d); };
-  const double facets = D_GGXAnisotropic(local(angles.H), alpha) * V_GGXAnisotropic(local(V), local(L), alpha);
-  return reflectFacets(surface, dfg, angles, facets, true);
+  const double DV = D_GGXAnisotropic(local(angles.H), alpha) * V_GGXAnisotropic(local(V), local(L), alpha);
+  return reflectFacets(surface, dfg, angles, {DV, 1, lightEnergy(surface.models.energy)});
 }
 
-Reflected reflect(const Surface& surface, const Dfg& dfg, const Angles& angles) {
+Reflected reflect(const Surface& surface, const Dfg& dfg, const Angles& angles, double albedoL) {
   if (angles.NoV < 0 || angles.NoL <= 0) return {};
   const double alpha = alphaOf(surface);
   const Models& models = surface.models;
-  const double facets = distributionOf(models.distribution, angles, alpha) *
-                        visibilityOf(models.distribution, models.masking, angles, alpha);
+  const double DV = distributionOf(models.distribution, angles, alpha) *
+                    visibilityOf(models.distribution, models.masking, angles, alpha);
   const bool compensated = models.distribution == NormalDistribution::ggx && models.masking == Masking::smith;
-  return reflectFacets(surface, dfg, angles, facets, compensated);
+  const EnergyModel energy = compensated ? lightEnergy(models.energy) : EnergyModel::none;
+  return reflectFacets(surface, dfg, angles, {DV, multipleShape(energy, albedoL, alpha), energy});
 }
 
 Albedos albedosOf(const Surface& surface, const glm::dvec3& N, const glm::dvec3& V, const glm::dvec3& L) {
   Albedos albedos;
   if (surface.grain.strength == 0) {
     albedos.base = dfgOf(surface, glm::dot(N, V));
+    if (surface.models.energy == EnergyModel::kullaConty) {
+      const Dfg atL = dfgOf(surface, glm::dot(N, L));
+      albedos.baseL = atL.A + atL.B;
+    }
   } else {
     const AnisotropicAlpha alpha = alphaFromAnisotropy(alphaOf(surface), surface.grain.strength);
     albedos.base = integrateDfgAnisotropic(inGrain(surface.grain, N, V), alpha);
@@ -133,7 +147,7 @@ Albedos albedosOf(const Surface& surface, const glm::dvec3& N, const glm::dvec3&
 
 glm::dvec3 evaluate(const Surface& surface, const Albedos& albedos, const glm::dvec3& N, const glm::dvec3& V,
                     const glm::dvec3& L) {
-  const Reflected base = reflect(surface, albedos.base, N, V, L);
+  const Reflected base = reflect(surface, albedos.base, N, V, L, albedos.baseL);
   glm::dvec3 sum = base.specular + base.diffuse;
   const Angles angles = anglesBetween(N, V, L);
   const Sheen& sheen = surface.sheen;
@@ -154,13 +168,14 @@ glm::dvec3 evaluate(const Surface& surface, const Albedos& albedos, const glm::d
 
 DistantWeights distantWeights(const Surface& surface, const Dfg& dfg, double NoV) {
   const AlbedoF0 f0 = albedoF0(surface, NoV);
-  const SpecularEnergy metal = energyFdezAguera(dfg, f0.metal);
-  const SpecularEnergy dielectric = energyFdezAguera(dfg, f0.dielectric, surface.f90);
-  const SpecularEnergy bound = energyFdezAguera(dfg, f0.bound, surface.f90);
-  const glm::dvec3 left = leftBelow(surface, bound.single + bound.multiple);
-  const double m = surface.metallic;
+  const EnergyModel energy = distantEnergy(surface.models.energy);
+  const double alpha = alphaOf(surface), m = surface.metallic;
+  const Compensation metal = compensationOf(energy, dfg, alpha, f0.metal);
+  const Compensation dielectric = compensationOf(energy, dfg, alpha, f0.dielectric, surface.f90);
+  const glm::dvec3 left = leftBelow(surface, specularAlbedo(energy, dfg, alpha, f0.bound, surface.f90));
   DistantWeights weights;
-  weights.prefiltered = m * metal.single + (1 - m) * dielectric.single;
+  weights.prefiltered = m * metal.gain * (f0.metal * dfg.A + dfg.B) +
+                        (1 - m) * dielectric.gain * (f0.dielectric * dfg.A + surface.f90 * dfg.B);
   const glm::dvec3 base = diffuseReturned(surface.models.diffuse, NoV, surface.perceptualRoughness, surface.baseColor);
   weights.irradiance = m * metal.multiple + (1 - m) * (dielectric.multiple + base * left);
   return weights;

@@ -75,18 +75,20 @@ struct Reflected {
 // its own f0, and baseColor / pi (1 - Es) NoL with Es the directional albedo, at V, of that very lobe. So white
 // reflects exactly all of a white furnace; of a lobe that a film or f0 colours, the strongest channel counts (1 - max
 // Es), as the extensions have it. Both factors look at V only: the sum is not reciprocal, D V F is. Other models take
-// the places of D, V, F and Lambert's 1 / pi; lobes other than GGX with Smith's term stay without compensation, because
-// E is that lobe's, which also decides what is left for the base. 0 if V or L is below the horizon; alpha = 0 has no
-// specular value here (a delta). dfg = dfgOf(surface, NoV), passed in because it costs an integral.
-Reflected reflect(const Surface& surface, const Dfg& dfg, const glm::dvec3& N, const glm::dvec3& V,
-                  const glm::dvec3& L);
+// the places of D, V, F, Lambert's 1 / pi and the compensation; lobes other than GGX with Smith's term stay without it,
+// because E is that lobe's, which also decides what is left for the base. 0 if V or L is below the horizon; alpha = 0
+// has no specular value here (a delta). dfg = dfgOf(surface, NoV) and albedoL, E at L, are passed in because they cost
+// an integral each; the latter is Kulla and Conty's.
+Reflected reflect(const Surface& surface, const Dfg& dfg, const glm::dvec3& N, const glm::dvec3& V, const glm::dvec3& L,
+                  double albedoL = 1);
 // The same where the angles are at hand; without grain.
-Reflected reflect(const Surface& surface, const Dfg& dfg, const Angles& angles);
+Reflected reflect(const Surface& surface, const Dfg& dfg, const Angles& angles, double albedoL = 1);
 
 // What the layers' energy rests on: integrals, passed in because they cost.
 struct Albedos {
   Dfg base, coat;
   double sheenV = 0, sheenL = 0;  // E of the lobe, unclamped
+  double baseL = 1;               // E of the base at L, where Kulla and Conty's lobe asks for it
 };
 Albedos albedosOf(const Surface& surface, const glm::dvec3& N, const glm::dvec3& V, const glm::dvec3& L);
 
@@ -95,7 +97,7 @@ Albedos albedosOf(const Surface& surface, const glm::dvec3& N, const glm::dvec3&
 glm::dvec3 evaluate(const Surface& surface, const Albedos& albedos, const glm::dvec3& N, const glm::dvec3& V,
                     const glm::dvec3& L);
 
-// What distant light is weighted with: the same mix, each part after Fdez-Aguera 2019.
+// What distant light is weighted with: the same mix, each part after distantEnergy.
 struct DistantWeights {
   glm::dvec3 prefiltered{0};     // times the prefiltered radiance LD
   glm::dvec3 irradiance{0};      // times irradiance / pi: multiple scattering and the diffuse part

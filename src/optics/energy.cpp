@@ -63,6 +63,7 @@ struct SlopeIntegral {
 
 constexpr double smallestNoV = 1e-9;  // E(NoV) - E(0) is about NoV ln NoV at worst: 2e-8
 constexpr double mirrorAlpha = 1e-12;
+constexpr double leastMissing = 0.011;  // roughness 0.24: what the shaders' half floats hold well
 
 SlopeIntegral slopeIntegral(double NoV, double alpha, double tolerance) {
   const double cosV = std::clamp(NoV, smallestNoV, 1.0);
@@ -107,8 +108,51 @@ glm::dvec3 compensationTurquin(const Dfg& dfg, const glm::dvec3& f0) {
   return glm::dvec3(1) + f0 * ((1 - E) / E);
 }
 
-glm::dvec3 specularAlbedoTurquin(const Dfg& dfg, const glm::dvec3& f0, double f90) {
-  return (f0 * dfg.A + glm::dvec3(f90 * dfg.B)) * compensationTurquin(dfg, f0);
+double missingOnAverage(double alpha) {
+  // mu = u^2: E has an infinite slope at the horizon. Most is lost where NoV is about alpha.
+  const double tolerance = 1e-6 * alpha * alpha;
+  const auto f = [&](double u) {
+    const Dfg dfg = integrateDfg(u * u, alpha, std::max(tolerance / 10, 1e-12));
+    return 4 * u * u * u * (1 - dfg.A - dfg.B);
+  };
+  const double split = std::min(0.9, std::sqrt(3 * alpha));
+  return integrateAdaptive<double>(f, 0, split, tolerance, 12) + integrateAdaptive<double>(f, split, 1, tolerance, 12);
+}
+
+double missingOnAverageFit(double alpha) {
+  const double a = std::max(alpha, 1e-3), a2 = a * a;
+  const double even = 0.488068 - 0.268273 * a2 - 0.179286 * a2 * a2, odd = 0.073123 + 0.477188 * a2;
+  return a2 * (even + a * odd + std::log(1 / a));
+}
+
+EnergyModel distantEnergy(EnergyModel chosen) {
+  return chosen == EnergyModel::automatic ? EnergyModel::fdezAguera : chosen;
+}
+EnergyModel lightEnergy(EnergyModel chosen) { return chosen == EnergyModel::automatic ? EnergyModel::turquin : chosen; }
+
+Compensation compensationOf(EnergyModel model, const Dfg& dfg, double alpha, const glm::dvec3& f0, double f90) {
+  Compensation made;
+  if (model == EnergyModel::turquin) made.gain = compensationTurquin(dfg, f0);
+  if (model == EnergyModel::fdezAguera) made.multiple = energyFdezAguera(dfg, f0, f90).multiple;
+  if (model != EnergyModel::kullaConty) return made;
+  // Bounces after the first: a share Eavg leaves, the rest meets a facet again. The first facet's Favg counts, too
+  // (Hill 2018, "A Multi-Faceted Exploration", part 2).
+  const double missing = missingOnAverageFit(alpha);
+  const glm::dvec3 average = F_SchlickAverage(f0, f90);
+  const glm::dvec3 series = average * (1 - missing) / (glm::dvec3(1) - missing * average);
+  made.multiple = (1 - dfg.A - dfg.B) * average * series;
+  return made;
+}
+
+glm::dvec3 specularAlbedo(EnergyModel model, const Dfg& dfg, double alpha, const glm::dvec3& f0, double f90) {
+  const Compensation made = compensationOf(model, dfg, alpha, f0, f90);
+  return (f0 * dfg.A + glm::dvec3(f90 * dfg.B)) * made.gain + made.multiple;
+}
+
+double multipleShape(EnergyModel model, double albedoL, double alpha) {
+  if (model != EnergyModel::kullaConty) return 1;
+  const double missing = missingOnAverageFit(alpha), flat = std::max(1 - missing / leastMissing, 0.0);
+  return flat + (1 - flat) * std::max(1 - albedoL, 0.0) / missing;
 }
 
 }  // namespace facet::optics

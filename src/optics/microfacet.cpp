@@ -94,7 +94,7 @@ Angles anglesBetween(const glm::dvec3& N, const glm::dvec3& V, const glm::dvec3&
 glm::dvec3 sampleVisibleGGX(const glm::dvec3& V, double alpha, const glm::dvec2& u) {
   const glm::dvec3 normal(0, 0, 1);
   if (alpha < smallestAlpha) return normal;
-  glm::dvec3 stretched(alpha * V.x, alpha * V.y, std::max(V.z, 0.0));
+  glm::dvec3 stretched(alpha * V.x, alpha * V.y, V.z);
   const double length = glm::length(stretched);
   if (!(length > 0)) return normal;
   stretched /= length;

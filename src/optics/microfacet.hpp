@@ -51,8 +51,9 @@ struct Angles {
 Angles anglesBetween(const glm::dvec3& N, const glm::dvec3& V, const glm::dvec3& L);
 double D_GGX(const Angles& angles, double alpha);
 
-// Normals that V sees (tangent space, V.z >= 0), density D_v [1/sr] of Heitz 2014 eq. 2: G1(V) max(VoH, 0) D / NoV,
-// finite at NoV = 0. Dupuy and Benyoub 2023, listing 3, for u in [0, 1]^2.
+// Normals that V sees (tangent space), density D_v [1/sr] of Heitz 2014 eq. 2: G1(V) max(VoH, 0) D / NoV, finite at
+// NoV = 0. Dupuy and Benyoub 2023, listing 3, for u in [0, 1]^2. V.z < 0: those that are seen from among the facets,
+// density proportional to max(VoH, 0) D.
 glm::dvec3 sampleVisibleGGX(const glm::dvec3& V, double alpha, const glm::dvec2& u);
 double pdfVisibleGGX(const glm::dvec3& V, const glm::dvec3& H, double alpha);
 // The density over L = reflect(-V, H): pdf / (4 VoH).

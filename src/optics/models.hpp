@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 
 #include "optics/diffuse.hpp"
+#include "optics/energy.hpp"
 #include "optics/microfacet.hpp"
 
 namespace facet::optics {
@@ -33,6 +34,7 @@ struct Models {
   NormalDistribution distribution = NormalDistribution::ggx;
   Masking masking = Masking::smith;
   ImageLight imageLight = ImageLight::automatic;
+  EnergyModel energy = EnergyModel::automatic;
   bool operator==(const Models&) const = default;
 };
 

@@ -12,6 +12,7 @@ namespace facet::report {
 namespace {
 
 using optics::DiffuseModel;
+using optics::EnergyModel;
 using optics::FresnelModel;
 using optics::Masking;
 using optics::NormalDistribution;
@@ -45,6 +46,43 @@ Check checkBeckmannRational() {
   return check;
 }
 
+// ---- energy.glsl ----------------------------------------------------------------------------------------------------
+
+Check checkMissingOnAverage() {
+  Check check = relativeCheck("missingOnAverage", "energy.glsl", "out0.x = missingOnAverage(in0.x);", {"alpha"});
+  check.inputs = grid({0, 1e-4, 1e-3, 0.01, 0.1, 0.3, 0.7, 1});
+  check.twin = [](CheckVectors in) { return CheckValues{optics::missingOnAverageFit(in[0].x)}; };
+  allow(check, 32, "12 roundings; log is the driver's. The fit's own error is tested in tests/optics/energy_test.cpp");
+  check.clamped = "alpha >= 1e-3";
+  return check;
+}
+
+Check checkKullaConty() {
+  Check check = absoluteCheck("multipleScatterKullaConty", "energy.glsl",
+                              "out0.x = multipleScatterKullaConty(in0.xxx, in0.y, in0.zw, missingOnAverage(0.5)).x;",
+                              {"f0", "f90", "A", "B"});
+  check.inputs = grid({0, 0.04, 0.5, 1}, {0, 1}, {0.1, 0.6, 0.9}, {0, 0.1, 0.1005});
+  check.twin = [](CheckVectors in) {
+    const optics::Dfg dfg{in[0].z, in[0].w};
+    return CheckValues{
+        optics::compensationOf(EnergyModel::kullaConty, dfg, 0.5, glm::dvec3(in[0].x), in[0].y).multiple.x};
+  };
+  allow(check, 32, "20 roundings of numbers up to 1; log is the driver's");
+  return check;
+}
+
+Check checkKullaContyShape() {
+  Check check = absoluteCheck("multipleShapeKullaConty", "energy.glsl",
+                              "out0.x = multipleShapeKullaConty(in0.x, missingOnAverage(in0.y));", {"E(L)", "alpha"});
+  check.inputs = grid({0, 0.3, 0.9, 0.9995, 1, 1.0005}, {0, 1e-3, 0.01, 0.1, 0.5, 1});
+  check.twin = [](CheckVectors in) {
+    return CheckValues{optics::multipleShape(EnergyModel::kullaConty, in[0].x, in[0].y)};
+  };
+  allow(check, 32, "of 1 / (1 - Eavg), at most 91: 16 roundings; log is the driver's");
+  check.conditioning = [](CheckVectors in) { return 1 / std::max(optics::missingOnAverageFit(in[0].y), 0.011); };
+  return check;
+}
+
 // ---- models.glsl ----------------------------------------------------------------------------------------------------
 
 const optics::MetalPreset& gold() { return *optics::findMetal("gold"); }
@@ -62,6 +100,7 @@ std::vector<Define> definesOf(const optics::Models& models) {
   add("FRESNEL_MODEL", static_cast<int>(models.fresnel));
   add("NDF_MODEL", static_cast<int>(models.distribution));
   add("MASKING_MODEL", static_cast<int>(models.masking));
+  add("ENERGY_MODEL", static_cast<int>(models.energy));
   if (models.fresnel == FresnelModel::schlick) return defines;
   defines.push_back({"CONDUCTOR_F0", vec3Of(gold().f0())});
   defines.push_back({"CONDUCTOR_ETA", vec3Of(gold().eta)});
@@ -76,6 +115,9 @@ Check checkModel(const std::string& name, const optics::Models& models, double t
                               "Surface s = makeSurface(vec3(0.0, 0.0, 1.0), in0.xyz, vec3(0.9, 0.5, 0.1), in1.w, "
                               "in0.w, 1.0);\n"
                               "s.dfg = vec3(0.75, 0.125, 0.0);\n"
+                              "#if ENERGY_MODEL == 3\n"
+                              "s.albedoL = 0.75;\n"
+                              "#endif\n"
                               "out0.rgb = evaluateBsdf(s, in1.xyz);",
                               {"V.x", "V.y", "V.z", "perceptualRoughness", "L.x", "L.y", "L.z", "metallic"});
   check.probe.inputs = 2;
@@ -93,12 +135,33 @@ Check checkModel(const std::string& name, const optics::Models& models, double t
     optics::Surface surface{{double(0.9f), 0.5, double(0.1f)}, in[1].w, in[0].w, glm::dvec3(double(0.04f))};
     surface.models = models;
     surface.conductor = &conductor;
-    const optics::Reflected f = reflect(surface, {0.75, 0.125}, {0, 0, 1}, xyzOf(in[0]), xyzOf(in[1]));
+    const optics::Reflected f = reflect(surface, {0.75, 0.125}, {0, 0, 1}, xyzOf(in[0]), xyzOf(in[1]), 0.75);
     return valuesOf(f.specular + f.diffuse);
   };
   check.floor = 1e-6;  // Gaussian tails
   check.tolerance = tolerance;
   check.reason = reason;
+  return check;
+}
+
+// What distant light is weighted with: LD in x, irradiance in y.
+Check checkDistant(const std::string& name, EnergyModel energy) {
+  Check check = absoluteCheck("irradianceAlbedo, " + name, "bsdf.glsl",
+                              "Surface s = makeSurface(vec3(0.0, 0.0, 1.0), vec3(0.0, 0.0, 1.0), in0.xxx, in0.y, 0.75, "
+                              "1.0);\n"
+                              "s.dfg = vec3(in0.zw, 0.0);\n"
+                              "out0.xy = vec2(prefilteredAlbedo(s).x, irradianceAlbedo(s).x);",
+                              {"baseColor", "metallic", "A", "B"});
+  check.probe.defines = definesOf({.energy = energy});
+  check.inputs = grid({0, 0.04, 0.5, 1}, {0, 0.5, 1}, {0.3, 0.6, 0.9}, {0, 0.1, 0.1005});
+  check.twin = [energy](CheckVectors in) {
+    optics::Surface surface{glm::dvec3(in[0].x), in[0].y, 0.75};
+    surface.models.energy = energy;
+    const optics::DistantWeights weights = optics::distantWeights(surface, {in[0].z, in[0].w});
+    return CheckValues{weights.prefiltered.x, weights.irradiance.x};
+  };
+  check.observe = [](CheckVectors, CheckVectors out) { return CheckValues{out[0].x, out[0].y}; };
+  allow(check, 32, "24 roundings of numbers up to 3");
   return check;
 }
 
@@ -127,6 +190,17 @@ std::vector<Check> choiceChecks() {
       checkModel("Blinn", {.distribution = NormalDistribution::blinn}, 1e-4, "as Beckmann"),
       checkModel("approximate masking", {.masking = Masking::approximate}, 3e-5, lobes),
       checkModel("V-cavities", {.masking = Masking::cavity}, 3e-5, lobes),
+      checkMissingOnAverage(),
+      checkKullaConty(),
+      checkKullaContyShape(),
+      checkModel("single scattering", {.energy = EnergyModel::none}, 3e-5, lobes),
+      checkModel("Fdez-Aguera", {.energy = EnergyModel::fdezAguera}, 3e-5, lobes),
+      checkModel("Kulla and Conty", {.energy = EnergyModel::kullaConty}, 3e-5, lobes),
+      checkModel("Turquin", {.energy = EnergyModel::turquin}, 3e-5, lobes),
+      checkDistant("single scattering", EnergyModel::none),
+      checkDistant("Fdez-Aguera", EnergyModel::fdezAguera),
+      checkDistant("Kulla and Conty", EnergyModel::kullaConty),
+      checkDistant("Turquin", EnergyModel::turquin),
   };
 }
 

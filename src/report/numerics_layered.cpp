@@ -75,7 +75,9 @@ Check checkLayers(const char* name, const optics::Models& models = {}) {
   check.twin = [models](CheckVectors in) {
     optics::Surface surface = layeredSurface(in);
     surface.models = models;
-    const optics::Albedos albedos{{in[3].x, in[3].y}, {in[3].z, in[3].w}, in[4].x, in[4].y};
+    // The shader has a grain, if of strength 0: Kulla and Conty's lobe is flat there, and is so where E is its mean.
+    const double mean = 1 - optics::missingOnAverageFit(optics::alphaOf(surface));
+    const optics::Albedos albedos{{in[3].x, in[3].y}, {in[3].z, in[3].w}, in[4].x, in[4].y, mean};
     const glm::dvec3 V = xyzOf(in[0]);
     const glm::dvec3 value = optics::evaluate(surface, albedos, {0, 0, 1}, V, xyzOf(in[1]));
     const optics::DistantWeights weights = optics::distantWeights(surface, albedos, V.z);
@@ -104,6 +106,13 @@ Check checkLayersOfModels() {
   return check;
 }
 
+// With a grain the lobe of further bounces is flat.
+Check checkLayersOfEnergy() {
+  Check check = checkLayers("evaluateBsdf of all layers, Kulla and Conty", {.energy = optics::EnergyModel::kullaConty});
+  check.probe.defines.push_back({"ENERGY_MODEL", "3"});
+  return check;
+}
+
 Check checkAnisotropicDfg() {
   Check check = absoluteCheck("dfgAnisotropic", "anisotropy.glsl", "out0.xy = dfgAnisotropic(in0.xyz, in1.xy);",
                               {"V.x", "V.y", "V.z", "", "alpha.t", "alpha.b"}, 2);
@@ -129,7 +138,8 @@ Check checkAnisotropicDfg() {
 }  // namespace
 
 std::vector<Check> layeredChecks() {
-  return {checkLayers("evaluateBsdf of all layers"), checkLayersOfModels(), checkAnisotropicDfg()};
+  return {checkLayers("evaluateBsdf of all layers"), checkLayersOfModels(), checkLayersOfEnergy(),
+          checkAnisotropicDfg()};
 }
 
 }  // namespace facet::report

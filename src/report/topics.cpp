@@ -1,5 +1,6 @@
 #include "report/topics.hpp"
 
+#include "report/energy.hpp"
 #include "report/light.hpp"
 #include "report/models.hpp"
 
@@ -15,6 +16,7 @@ Result<Report> computed(const ReportInput&) {
 constexpr Topic topics[] = {
     {"fresnel", "Schlick's approximation and F82-tint against Fresnel's equations", false, computed<fresnelTables>},
     {"diffuse", "energy of the diffuse models", false, computed<diffuseTables>},
+    {"energy", "what rough lobes return: models of further bounces, for environment and lights", true, energyReport},
     {"light", "image-based light: error against run time under --env", true, lightReport},
     {"ndf", "shadowing terms and energy of GGX, Beckmann and Blinn", false, computed<ndfTables>},
 };

@@ -221,8 +221,24 @@ constexpr const char* maskingNames[] = {"Smith", "approximate masking", "V-cavit
 constexpr const char* imageLightNames[] = {
     "", "mirror direction", "shifted direction", "mean direction", "1 tap", "2 taps", "3 taps", "sampled"};
 
+constexpr const char* energyNames[] = {"", "single scattering", "Fdez-Aguera's energy", "Kulla and Conty's energy",
+                                       "Turquin's energy"};
+
 bool hasDielectric(const scene::Material& m) {
   return m.specularGlossiness || m.metallicFactor < 1 || m.metallicRoughness;
+}
+
+// Zero where the choice is what the automatic one means for all that the draw shows.
+uint8_t energyIndex(const FeatureInput& in, const VariantKey& key) {
+  const optics::EnergyModel chosen = in.frame.models.energy, usual = optics::EnergyModel::automatic;
+  // Lobes other than GGX with Smith's term have no compensation; what they leave for the base has.
+  const bool lights = usesFeature(key, "HAS_PUNCTUAL_LIGHTS") &&
+                      ((key.distribution == 0 && key.masking == 0) || hasDielectric(in.material));
+  const bool distant = usesFeature(key, "HAS_ENVIRONMENT") || usesFeature(key, "HAS_TRANSMISSION") ||
+                       usesFeature(key, "HAS_DIFFUSE_TRANSMISSION");
+  const bool differs = (lights && optics::lightEnergy(chosen) != optics::lightEnergy(usual)) ||
+                       (distant && optics::distantEnergy(chosen) != optics::distantEnergy(usual));
+  return differs ? static_cast<uint8_t>(chosen) : 0;
 }
 
 // Which of the chosen models the draw can show.
@@ -237,6 +253,7 @@ void setModels(const FeatureInput& in, VariantKey& key) {
     key.distribution = static_cast<uint8_t>(own >= 0 ? own : static_cast<int>(models.distribution));
     key.masking = static_cast<uint8_t>(models.masking);
   }
+  key.energy = energyIndex(in, key);
   if (environment && !sampled && models.imageLight != optics::ImageLight::mean)
     key.imageLight = static_cast<uint8_t>(models.imageLight);
   if (!(lights || sampled) || models.fresnel == optics::FresnelModel::schlick) return;
@@ -262,6 +279,7 @@ void addModels(const VariantKey& key, std::vector<Define>& defines) {
   add("NDF_MODEL", key.distribution);
   add("MASKING_MODEL", key.masking);
   add("IMAGE_LIGHT_MODEL", key.imageLight);
+  add("ENERGY_MODEL", key.energy);
   if (key.conductor == 0) return;
   const optics::MetalPreset& metal = optics::metalPresets()[key.conductor - 1u];
   defines.push_back({"CONDUCTOR_F0", vec3Text(metal.f0())});
@@ -330,6 +348,7 @@ std::string variantName(const VariantKey& key) {
   add(key.distribution, distributionNames[key.distribution]);
   add(key.masking, maskingNames[key.masking]);
   add(key.imageLight, imageLightNames[key.imageLight]);
+  add(key.energy, energyNames[key.energy]);
   if (key.conductor != 0) name += " of " + std::string(optics::metalPresets()[key.conductor - 1u].name);
   return name.empty() ? "plain" : name;
 }

@@ -72,6 +72,7 @@ struct VariantKey {
   uint8_t imageLightSamples = 0;
   // Models other than the default that the draw can show: indices of optics::Models' enumerations.
   uint8_t diffuse = 0, fresnel = 0, distribution = 0, masking = 0;
+  uint8_t energy = 0;      // index in optics::EnergyModel, 0 where the draw's light is none that it changes
   uint8_t imageLight = 0;  // index in optics::ImageLight, but of those that are as the default 0
   uint8_t conductor = 0;   // 1 + index in optics::metalPresets(), where `fresnel` reads it
   auto operator<=>(const VariantKey&) const = default;

@@ -265,9 +265,16 @@ void modelsSection(ViewerState& state) {
                                            {"2 fitted taps", nullptr},
                                            {"3 fitted taps", nullptr},
                                            {"sampled", "the integral itself, at each pixel"}};
+  static constexpr Choice energies[] = {
+      {"automatic", "Fdez-Aguera for the environment, Turquin for lights"},
+      {"none", "one bounce: a rough white metal returns as little as 31 % of what it gets"},
+      {"Fdez-Aguera", "what is missing leaves evenly to all sides"},
+      {"Kulla and Conty", "reciprocal; what is missing leaves as it came, by the albedo's complement"},
+      {"Turquin", "the lobe itself is made brighter"}};
   chooseEnum("diffuse", settings.diffuse, diffuse, usual.diffuse, "of lights and environment");
   chooseEnum("environment", settings.imageLight, imageLights, usual.imageLight,
              "how a pixel looks the environment's reflection up");
+  chooseEnum("energy", settings.energy, energies, usual.energy, "light that leaves a rough surface after many bounces");
   ImGui::TextDisabled("of the lights:");
   chooseEnum("Fresnel", settings.fresnel, fresnel, usual.fresnel,
              "what an interface reflects by angle; of the environment only with more than 4 samples");

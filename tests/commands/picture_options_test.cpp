@@ -60,7 +60,7 @@ PictureSettings unusual() {
   s.bump = "h.png", s.bumpScale = -0.125;
   s.diffuse = optics::DiffuseModel::callOfDuty, s.fresnel = optics::FresnelModel::f82Tint;
   s.distribution = optics::NormalDistribution::blinn, s.masking = optics::Masking::cavity;
-  s.imageLight = optics::ImageLight::taps2;
+  s.imageLight = optics::ImageLight::taps2, s.energy = optics::EnergyModel::kullaConty;
   s.brdf = "steel", s.brdfDir = "/brdf", s.brdfLookUp = optics::LookUp::nearest, s.utiaDecode = io::UtiaDecode::srgb;
   s.animation = "run's", s.timeSeconds = 1.25;
   s.environment = "it's here/a b.hdr";
@@ -127,6 +127,7 @@ TEST_CASE("each option sets its own field") {
   CHECK(set("material-metallic", "0.5").material.metallic == 0.5f);
   CHECK(set("material-roughness", "0").material.perceptualRoughness == 0);
   CHECK(set("material-ior", "2").material.ior == 2);
+  CHECK(set("energy", "turquin").energy == optics::EnergyModel::turquin);
   CHECK(set("lights", "none").lights == frame::Lights::none);
   CHECK(set("occlusion", "0.5").occlusion == 0.5f);
   CHECK(set("exposure", "-1.5").exposureStops == -1.5f);

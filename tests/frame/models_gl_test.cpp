@@ -13,6 +13,7 @@ using namespace facet;
 using frame::PictureSettings;
 using nlohmann::json;
 using optics::DiffuseModel;
+using optics::EnergyModel;
 using optics::FresnelModel;
 using optics::Masking;
 using optics::NormalDistribution;
@@ -49,6 +50,7 @@ double worstError(test::Studio& studio, const optics::Models& chosen, const opti
   settings.camera = "0";
   settings.diffuse = chosen.diffuse, settings.fresnel = chosen.fresnel;
   settings.distribution = chosen.distribution, settings.masking = chosen.masking;
+  settings.energy = chosen.energy;
   const GltfBuilder builder = litPlane(light, std::move(extension), glm::vec3(color), metallic);
   const frame::Picture picture = studio.render(test::loadBuilt(builder), settings);
   optics::Surface surface{color, metallic, roughness};
@@ -61,7 +63,9 @@ double worstError(test::Studio& studio, const optics::Models& chosen, const opti
     for (int x = 0; x < 16; ++x) {
       const glm::dvec3 towards = light - glm::dvec3((x + 0.5) / 8 - 1, 1 - (y + 0.5) / 8, 0);
       const double distance2 = glm::dot(towards, towards);
-      const optics::Reflected r = optics::reflect(surface, dfg, N, N, towards / std::sqrt(distance2));
+      const glm::dvec3 L = towards / std::sqrt(distance2);
+      const optics::Dfg dfgL = optics::dfgOf(surface, L.z);
+      const optics::Reflected r = optics::reflect(surface, dfg, N, N, L, dfgL.A + dfgL.B);
       const glm::dvec3 expected = (r.specular + r.diffuse) * (7 / distance2);
       const glm::vec4& got = test::pixel(picture.radiance, x, y);
       for (int i = 0; i < 3; ++i)
@@ -96,6 +100,10 @@ TEST_CASE("Chosen models under a point light, against the double-precision surfa
   check("Blinn", {.distribution = NormalDistribution::blinn}, nullptr, 0.5);
   check("approximate masking", {.masking = Masking::approximate}, nullptr, 0.5);
   check("V-cavities", {.masking = Masking::cavity}, nullptr, 0.5);
+  check("single scattering", {.energy = EnergyModel::none}, nullptr, 0.5);
+  check("Fdez-Aguera", {.energy = EnergyModel::fdezAguera}, nullptr, 0.5);
+  check("Kulla and Conty", {.energy = EnergyModel::kullaConty}, nullptr, 0.5);
+  check("Turquin", {.energy = EnergyModel::turquin}, nullptr, 0.5);
   // A material that names its distribution keeps it, whatever the picture's.
   const double own =
       worstError(studio, {.distribution = NormalDistribution::blinn}, {.distribution = NormalDistribution::beckmann},
@@ -178,6 +186,84 @@ TEST_CASE("Sampled pictures shade with the diffuse model itself: against the sum
               << expected.x << " of " << lambert.x << "\n";
     for (int i = 0; i < 3; ++i) CHECK(std::abs(got[i] - expected[i]) < 0.005 * lambert[i]);
   }
+}
+
+TEST_CASE("Energy models in a white furnace, in default and in sampled pictures") {
+  const io::LoadedModel model = test::loadBuiltin("builtin:furnace");
+  test::Studio studio;
+  PictureSettings settings = test::bareSettings(220, 44);
+  settings.environment = "builtin:white";
+  settings.orbit = frame::Orbit{0, 90, 32.2};
+  settings.fovYDeg = 4;
+  const auto check = [&](const char* name, EnergyModel energy, int samples, float within) {
+    settings.energy = energy;
+    settings.samples = samples;
+    const frame::Picture picture = studio.render(model, settings);
+    glm::vec2 ends[2] = {{9, 0}, {9, 0}};  // metal above, dielectric below
+    for (int y = 0; y < 44; ++y)
+      for (int x = 0; x < 220; ++x) {
+        const glm::vec4& p = test::pixel(picture.radiance, x, y);
+        glm::vec2& range = ends[y < 22 ? 0 : 1];
+        if (p.w == 1) range = {std::min(range.x, p.x), std::max(range.y, p.x)};
+      }
+    std::cout << "white furnace, " << name << ", " << samples << " samples: metal " << ends[0].x << " to " << ends[0].y
+              << ", dielectric " << ends[1].x << " to " << ends[1].y << "\n";
+    INFO(name << ", " << samples << " samples");
+    if (energy == EnergyModel::none)
+      CHECK(ends[0].x == Approx(1 - std::log(2.0)).margin(within + 0.01));
+    else
+      CHECK(ends[0].x > 1 - within);
+    CHECK(ends[0].y < 1 + within);
+    CHECK(ends[1].x > 1 - within);
+    CHECK(ends[1].y < 1 + within);
+  };
+  // In sampled pictures 64 samples of the lobe, the same ones in every pixel.
+  check("none", EnergyModel::none, 4, 0.01f);
+  check("Turquin", EnergyModel::turquin, 4, 0.01f);
+  check("Kulla and Conty", EnergyModel::kullaConty, 4, 0.01f);
+  check("none", EnergyModel::none, 16, 0.06f);
+  check("Turquin", EnergyModel::turquin, 16, 0.08f);
+  check("Kulla and Conty", EnergyModel::kullaConty, 16, 0.06f);
+}
+
+TEST_CASE("Sampled pictures: Kulla and Conty's further bounces against the sum over the environment's texels") {
+  GltfBuilder builder = test::emptyScene();
+  const int rough = builder.append("materials", test::material({0.9, 0.6, 0.3, 1}, 1, 1));
+  const double tilt = glm::radians(-65.0);
+  test::addMeshNode(builder, test::addQuad(builder, {-4, -4}, {4, 4}), rough,
+                    {{"rotation", {std::sin(tilt / 2), 0, 0, std::cos(tilt / 2)}}});
+  test::addOrthographicCamera(builder, 0.1, 0.1);
+  const io::LoadedModel model = test::loadBuilt(builder);
+  PictureSettings settings = test::bareSettings(4, 4);
+  settings.camera = "0";
+  settings.environment = "builtin:studio";
+  settings.samples = 256;
+  test::Studio studio;
+  settings.energy = EnergyModel::none;
+  const glm::dvec3 single(test::pixel(studio.render(model, settings).radiance, 2, 2));
+  settings.energy = EnergyModel::kullaConty;
+  const glm::dvec3 got = glm::dvec3(test::pixel(studio.render(model, settings).radiance, 2, 2)) - single;
+
+  const scene::Environment studioMap = *scene::builtinEnvironment("studio");
+  const glm::dvec3 N(0, -std::sin(tilt), std::cos(tilt)), color(0.9, 0.6, 0.3);
+  const glm::dvec3 multiple =
+      optics::compensationOf(EnergyModel::kullaConty, optics::integrateDfg(N.z, 1), 1, color).multiple;
+  glm::dvec3 expected(0), flat(0);
+  for (int row = 0; row < studioMap.height; ++row)
+    for (int column = 0; column < studioMap.width; ++column) {
+      const glm::dvec3 L =
+          optics::directionFromEquirect(optics::equirectTexelCentre(column, row, studioMap.width, studioMap.height));
+      const double NoL = glm::dot(N, L);
+      if (NoL <= 0) continue;
+      const double E = 1 - NoL * std::log1p(1 / NoL);  // roughness 1
+      const glm::dvec3 arriving =
+          multiple * glm::dvec3(studioMap.radiance[size_t(row * studioMap.width + column)]) *
+          (NoL / optics::pi * optics::equirectTexelSolidAngle(row, studioMap.width, studioMap.height));
+      expected += arriving * optics::multipleShape(EnergyModel::kullaConty, E, 1);
+      flat += arriving;
+    }
+  std::cout << "sampled, Kulla and Conty: " << got.x << ", expected " << expected.x << ", flat " << flat.x << "\n";
+  for (int i = 0; i < 3; ++i) CHECK(got[i] == Approx(expected[i]).epsilon(0.02));
 }
 
 TEST_CASE("Models that a picture cannot show are told") {

@@ -1,7 +1,9 @@
 #include "optics/bsdf.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdio>
 
 #include "optics/microfacet.hpp"
 #include "optics/quadrature.hpp"
@@ -18,9 +20,14 @@ glm::dvec2 furnace(const Surface& surface, double NoV) {
   const Dfg dfg = dfgOf(surface, NoV);
   const double mirror = std::acos(NoV);
   const auto overRing = [&](double theta) {
+    double albedoL = 1;
+    if (surface.models.energy == EnergyModel::kullaConty) {
+      const Dfg atL = integrateDfg(std::cos(theta), alphaOf(surface), 1e-7);
+      albedoL = atL.A + atL.B;
+    }
     const auto onRing = [&](double phi) {
       const double s = std::sin(theta);
-      const Reflected r = reflect(surface, dfg, N, V, {s * std::cos(phi), s * std::sin(phi), std::cos(theta)});
+      const Reflected r = reflect(surface, dfg, N, V, {s * std::cos(phi), s * std::sin(phi), std::cos(theta)}, albedoL);
       return glm::dvec2(r.specular.x, r.diffuse.x);
     };
     return 2 * std::sin(theta) *
@@ -43,6 +50,41 @@ TEST_CASE("BSDF: white furnace") {
         CHECK(total.x + total.y == Approx(1).margin(2e-5));
         if (metallic == 1) CHECK(total.y == 0);
       }
+}
+
+TEST_CASE("BSDF: white furnace of each energy model, under lights and in weights of distant light") {
+  using M = EnergyModel;
+  constexpr struct {
+    const char* name;
+    M model;
+  } models[] = {{"automatic", M::automatic},
+                {"none", M::none},
+                {"Fdez-Aguera", M::fdezAguera},
+                {"Kulla and Conty", M::kullaConty},
+                {"Turquin", M::turquin}};
+  std::printf("white furnace by quadrature        metal            dielectric\n");
+  for (const auto& [name, model] : models) {
+    double least[2] = {2, 2}, most[2] = {0, 0};
+    for (double metallic : {0.0, 1.0})
+      for (double r : {0.05, 0.1, 0.2, 0.5, 1.0})
+        for (double NoV : {0.02, 0.1, 0.5, 1.0}) {
+          Surface white{glm::dvec3(1), metallic, r};
+          white.models.energy = model;
+          const DistantWeights w = distantWeights(white, dfgOf(white, NoV));
+          const double distant = (w.prefiltered + w.irradiance).x;
+          const glm::dvec2 lights = furnace(white, NoV);
+          const size_t i = metallic == 1 ? 0 : 1;
+          least[i] = std::min({least[i], lights.x + lights.y, distant});
+          most[i] = std::max({most[i], lights.x + lights.y, distant});
+          INFO(name << ", metallic " << metallic << ", r " << r << ", NoV " << NoV);
+          // What is asked for: 0.001 of distant light, 0.005 of lights.
+          if (model == M::none && metallic == 1) continue;
+          CHECK(distant == Approx(1).margin(1e-9));
+          CHECK(lights.x + lights.y == Approx(1).margin(3e-4));
+        }
+    std::printf("%-28s %.5f %.5f  %.5f %.5f\n", name, least[0], most[0], least[1], most[1]);
+    if (model == M::none) CHECK(least[0] == Approx(1 - std::log(2.0)).margin(1e-4));
+  }
 }
 
 TEST_CASE("BSDF: a mix is linear in metallic, each part with its own compensation") {
@@ -89,10 +131,10 @@ TEST_CASE("BSDF: parameters") {
   CHECK(r.diffuse.x == 0);
   // White: what the lobe leaves goes to Lambert.
   const Surface white{glm::dvec3(1), 0, 1};
-  const double specularAlbedo = specularAlbedoTurquin(dfgOf(white, 1), glm::dvec3(0.04)).x;
-  CHECK(reflect(white, dfgOf(white, 1), N, N, N).diffuse.x == Approx((1 - specularAlbedo) / pi).epsilon(1e-12));
-  CHECK(specularAlbedo > 0.01);
-  CHECK(specularAlbedo < 0.04);
+  const double lobeAlbedo = specularAlbedo(EnergyModel::turquin, dfgOf(white, 1), 1, glm::dvec3(0.04)).x;
+  CHECK(reflect(white, dfgOf(white, 1), N, N, N).diffuse.x == Approx((1 - lobeAlbedo) / pi).epsilon(1e-12));
+  CHECK(lobeAlbedo > 0.01);
+  CHECK(lobeAlbedo < 0.04);
 }
 
 TEST_CASE("BSDF: extremes are finite, nothing below the horizon") {

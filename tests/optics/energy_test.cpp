@@ -115,8 +115,8 @@ TEST_CASE("Energy: furnace is exactly one for white metal and white dielectric")
       CHECK((plastic.single + plastic.multiple + plastic.diffuse).x == Approx(1).epsilon(1e-14));
       CHECK(plastic.diffuse.x >= -1e-8);
       CHECK(plastic.multiple.x >= -1e-8);
-      CHECK(specularAlbedoTurquin(dfg, glm::dvec3(1)).x == Approx(1).epsilon(1e-14));
-      CHECK(specularAlbedoTurquin(dfg, glm::dvec3(0.04)).x <= 1 + 1e-8);
+      CHECK(specularAlbedo(EnergyModel::turquin, dfg, alpha, glm::dvec3(1)).x == Approx(1).epsilon(1e-14));
+      CHECK(specularAlbedo(EnergyModel::turquin, dfg, alpha, glm::dvec3(0.04)).x <= 1 + 1e-8);
       CHECK(energyFdezAguera(dfg, glm::dvec3(0), 0).single.x == 0);
     }
 }
@@ -131,4 +131,64 @@ TEST_CASE("Energy: what is lost without compensation") {
   const double E = dfg.A + dfg.B, Fss = 0.5 * dfg.A + dfg.B, Favg = 0.5 + 0.5 / 21;
   CHECK(energyFdezAguera(dfg, glm::dvec3(0.5)).multiple.x ==
         Approx(Fss * Favg / (1 - (1 - E) * Favg) * (1 - E)).epsilon(1e-13));
+}
+
+TEST_CASE("Energy: what a rough white surface loses of all light, by quadrature and by the fit") {
+  CHECK(missingOnAverage(1) == Approx(1 - 4.0 / 3 * (1 - std::log(2.0))).epsilon(1e-6));
+  double worst = 0;
+  for (double alpha : {1e-3, 3e-3, 0.01, 0.05, 0.15, 0.3, 0.5, 0.75, 1.0})
+    worst = std::max(worst, std::abs(missingOnAverageFit(alpha) / missingOnAverage(alpha) - 1));
+  INFO("fit off by " << worst);
+  CHECK(worst < 2e-4);
+  CHECK(missingOnAverageFit(0) == missingOnAverageFit(1e-3));
+}
+
+TEST_CASE("Energy models: white metal keeps its energy, white dielectric too, but for single scattering") {
+  using M = EnergyModel;
+  double least = 1;
+  for (M model : {M::none, M::fdezAguera, M::kullaConty, M::turquin})
+    for (double alpha : {0.0, 1e-3, 0.04, 0.25, 1.0})
+      for (double NoV : {0.02, 0.3, 1.0}) {
+        const Dfg dfg = integrateDfg(NoV, alpha);
+        const double white = specularAlbedo(model, dfg, alpha, glm::dvec3(1)).x;
+        if (model == M::none)
+          least = std::min(least, white);
+        else
+          CHECK(white == Approx(1).epsilon(1e-12));
+        // Coloured light never grows, and none comes of none.
+        const glm::dvec3 part = specularAlbedo(model, dfg, alpha, {0.9, 0.5, 0.04});
+        CHECK(part.x < 1 + 1e-7);
+        CHECK(part.y < part.x + 1e-7);
+        CHECK(specularAlbedo(model, dfg, alpha, glm::dvec3(0), 0).x == 0);
+      }
+  CHECK(least == Approx(1 - std::log(2.0)).margin(1e-6));  // 69 % are lost
+  CHECK(distantEnergy(M::automatic) == M::fdezAguera);
+  CHECK(lightEnergy(M::automatic) == M::turquin);
+  CHECK(distantEnergy(M::none) == M::none);
+  CHECK(lightEnergy(M::kullaConty) == M::kullaConty);
+}
+
+TEST_CASE("Kulla and Conty: further bounces spread over the hemisphere as their albedo says, and both ways alike") {
+  const auto E = [](double mu, double alpha) {
+    const Dfg dfg = integrateDfg(mu, alpha, 1e-8);
+    return dfg.A + dfg.B;
+  };
+  for (double alpha : {0.01, 0.09, 0.5, 1.0}) {
+    const double mean = integrateAdaptive<double>(
+        [&](double u) { return 4 * u * u * u * multipleShape(EnergyModel::kullaConty, E(u * u, alpha), alpha); }, 0, 1,
+        1e-6);
+    INFO("alpha " << alpha);
+    CHECK(mean == Approx(1).margin(2e-4));  // the fit's error
+  }
+  for (double alpha : {0.09, 0.5, 1.0}) {
+    const auto f = [&](double v, double l) {
+      const glm::dvec3 m =
+          compensationOf(EnergyModel::kullaConty, integrateDfg(v, alpha), alpha, glm::dvec3(0.6)).multiple;
+      return m.x * multipleShape(EnergyModel::kullaConty, E(l, alpha), alpha);
+    };
+    CHECK(f(0.2, 0.9) == Approx(f(0.9, 0.2)).epsilon(1e-5));
+  }
+  CHECK(multipleShape(EnergyModel::fdezAguera, 0.3, 0.5) == 1);
+  CHECK(multipleShape(EnergyModel::kullaConty, 1 - missingOnAverageFit(0), 0) == Approx(1).epsilon(1e-12));
+  CHECK(multipleShape(EnergyModel::kullaConty, 1.0005, 1) == 0);  // as a table of half floats may have it
 }

@@ -243,4 +243,21 @@ TEST_CASE("Models: only what the draw can show enters its key, and the defaults 
   looked.imageLightSamples = 0;
   looked.environment = false;
   CHECK(definesOf(gold, looked).count("IMAGE_LIGHT_MODEL") == 0);
+
+  // Only where it differs from what the automatic choice means there.
+  FrameFeatures energy = lit;
+  energy.models.energy = optics::EnergyModel::turquin;
+  CHECK(variant(gold, full, energy) == "normals, punctual lights, environment, Turquin's energy");
+  CHECK(definesOf(gold, energy).count("ENERGY_MODEL") == 1);
+  CHECK(definesOf(gold, lit).count("ENERGY_MODEL") == 0);
+  CHECK(shading::variantKey({unlit, full, energy}) == shading::variantKey({unlit, full, lit}));
+  energy.environment = false;
+  CHECK(shading::variantKey({gold, full, energy}).energy == 0);
+  energy.models.energy = optics::EnergyModel::fdezAguera;
+  CHECK(shading::variantKey({gold, full, energy}).energy == 2);
+  energy.models.distribution = optics::NormalDistribution::beckmann;  // no compensation, but what the base gets
+  CHECK(shading::variantKey({gold, full, energy}).energy == 0);
+  CHECK(shading::variantKey({dielectric, full, energy}).energy == 2);
+  energy.environment = true, energy.punctualLights = false;
+  CHECK(shading::variantKey({gold, full, energy}).energy == 0);
 }

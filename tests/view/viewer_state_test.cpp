@@ -78,6 +78,7 @@ TEST_CASE("viewer state: only what the draw list reads asks for a new one") {
   CHECK_FALSE(changes([](view::ViewerState& s) { s.settings.samples = 16; }));  // only at rest
   CHECK(changes([](view::ViewerState& s) { s.settings.diffuse = optics::DiffuseModel::eon; }));
   CHECK(changes([](view::ViewerState& s) { s.settings.masking = optics::Masking::cavity; }));
+  CHECK(changes([](view::ViewerState& s) { s.settings.energy = optics::EnergyModel::none; }));
   CHECK_FALSE(changes([](view::ViewerState& s) { s.settings.samples = 2; }));
   CHECK(view::listRequest(state, 1, -1, true) != before);
   CHECK(view::listRequest(state, 0, 0, true) != before);

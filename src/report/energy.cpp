@@ -1,0 +1,241 @@
+#include "report/energy.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "base/parallel.hpp"
+#include "frame/session.hpp"
+#include "optics/presets.hpp"
+#include "optics/random_walk.hpp"
+#include "report/compare.hpp"
+#include "report/light_probe.hpp"
+
+namespace facet::report {
+
+namespace {
+
+using optics::EnergyModel;
+
+struct NamedEnergy {
+  const char* name;
+  EnergyModel model;
+  double readsPerLight, readsPerSample;  // of the DFG table, beyond one a pixel
+};
+constexpr NamedEnergy models[] = {{"automatic", EnergyModel::automatic, 0, 0},
+                                  {"none", EnergyModel::none, 0, 0},
+                                  {"Fdez-Aguera", EnergyModel::fdezAguera, 0, 0},
+                                  {"Kulla and Conty", EnergyModel::kullaConty, 1, 1},
+                                  {"Turquin", EnergyModel::turquin, 0, 0}};
+
+std::vector<shading::Define> definesOf(EnergyModel model) {
+  if (model == EnergyModel::automatic) return {};
+  return {{"ENERGY_MODEL", std::to_string(static_cast<int>(model))}};
+}
+
+// ---- White furnace --------------------------------------------------------------------------------------------------
+
+constexpr double minAnalyticAlpha = 1e-3;  // shaders/constants.glsl
+
+// x distant, y lights. The light's lobe returns its true A and B (in0.zw), times the gain that the table gives; further
+// bounces the integral of their shape, in1.x nodes over u = sqrt(NoL), which resolves the table's first texels.
+const char* const furnaceBody = R"(
+  Surface s = makeSurface(vec3(0.0, 0.0, 1.0), vec3(sqrt(1.0 - in0.x * in0.x), 0.0, in0.x), vec3(1.0), in1.y, in0.y, 1.0);
+  s.dfg = lookUpDfg(s.NoV, s.perceptualRoughness);
+  float dielectric = singleScatterAlbedo(s.dielectricF0, in0.zw).x * dielectricGain(s, lobeEnergy).x;
+  float metal = singleScatterAlbedo(s.baseColor, in0.zw).x * metalGain(s, lobeEnergy).x;
+  float shape = 1.0;
+#if ENERGY_MODEL == 3
+  shape = 0.0;
+  for (int i = 0; i < int(in1.x); ++i) {
+    float u = (float(i) + 0.5) / in1.x;
+    vec3 dfgL = lookUpDfg(u * u, s.perceptualRoughness);
+    shape += 4.0 * u * u * u / in1.x * baseMultipleShape(s, dfgL.x + dfgL.y);
+  }
+#endif
+  float multiple = baseMultipleAlbedo(s, lobeEnergy).x * shape;
+  float left = (1.0 - s.metallic) * dielectricLeft(s, lightEnergy).x;
+  out0.x = (prefilteredAlbedo(s) + irradianceAlbedo(s)).x;
+  out0.y = mix(dielectric, metal, s.metallic) + multiple + left;
+)";
+
+// NoV, perceptual roughness, A, B of the lobe that lights have. Between the table's texels and on them.
+const std::vector<glm::dvec4>& furnacePoints() {
+  static const std::vector<glm::dvec4> points = [] {
+    std::vector<glm::dvec4> list;
+    for (int i = 0; i <= 48; ++i)
+      for (int j = 0; j <= 32; ++j) {
+        const double u = std::sqrt(0.02) + (1 - std::sqrt(0.02)) * j / 32;
+        list.emplace_back(u * u, i / 48.0, 0, 0);
+      }
+    parallelFor(list.size(), [&](size_t i) {
+      const double alpha = std::max(list[i].y * list[i].y, minAnalyticAlpha);
+      const optics::Dfg dfg = optics::integrateDfg(list[i].x, alpha, 1e-6);
+      list[i].z = dfg.A, list[i].w = dfg.B;
+    });
+    return list;
+  }();
+  return points;
+}
+
+Table furnaceTable(const std::vector<std::pair<Furnace, Furnace>>& found) {
+  Table table{
+      "energy-furnace",
+      "Energy models in a white furnace, with this GPU's table",
+      "What returns: 1 is all of it. Metal: f0 = 1; dielectric: f0 = 0.04 over white. Roughness 0 to 1, NoV 0.02 "
+      "to 1. Lights: their BRDF over the hemisphere. Reads of the DFG table: beyond the one of each pixel, for "
+      "each light and for each sample of the environment in pictures of more than 4.",
+      {"model", "metal, environment: least", "metal, environment: most", "metal, lights: least", "metal, lights: most",
+       "dielectric, environment: least", "dielectric, environment: most", "dielectric, lights: least",
+       "dielectric, lights: most", "reads a light", "reads a sample"},
+      {}};
+  for (size_t i = 0; i < std::size(models); ++i) {
+    const auto& [metal, dielectric] = found[i];
+    table.rows.push_back({std::string(models[i].name), metal.distant.least, metal.distant.most, metal.lights.least,
+                          metal.lights.most, dielectric.distant.least, dielectric.distant.most, dielectric.lights.least,
+                          dielectric.lights.most, models[i].readsPerLight, models[i].readsPerSample});
+  }
+  return table;
+}
+
+// ---- Coloured metals ------------------------------------------------------------------------------------------------
+
+constexpr size_t walks = 1 << 16;
+
+Table metalTable() {
+  Table table{"energy-metal",
+              "Energy models of coloured metals against a random walk among the facets",
+              "Truth: Heitz et al. 2016, Schlick's F at each facet. Error of the albedo (model - truth) over roughness "
+              "0.3, 0.5, 0.7, 0.85, 1 and NoV 0.1, 0.3, 0.6, 1: the largest, in which channel and where, and RMSE over "
+              "all channels.",
+              {"metal", "model", "largest error", "channel", "roughness", "NoV", "RMSE", "truth's deviation"},
+              {}};
+  struct Place {
+    double r, NoV;
+    optics::WalkedAlbedo truth;
+    optics::Dfg dfg;
+  };
+  for (const char* name : {"gold", "copper", "iron"}) {
+    const glm::dvec3 f0 = optics::findMetal(name)->f0();
+    std::vector<Place> places;
+    for (const double r : {0.3, 0.5, 0.7, 0.85, 1.0})
+      for (const double NoV : {0.1, 0.3, 0.6, 1.0}) places.push_back({r, NoV, {}, {}});
+    parallelFor(places.size(), [&](size_t i) {
+      Place& p = places[i];
+      p.truth = optics::walkAlbedo(p.NoV, p.r * p.r, f0, 1, walks);
+      p.dfg = optics::integrateDfg(p.NoV, p.r * p.r, 1e-7);
+    });
+    for (const NamedEnergy& energy : models) {
+      if (energy.model == EnergyModel::automatic) continue;
+      double worst = 0, squares = 0, deviation = 0;
+      const Place* at = &places[0];
+      int channel = 0;
+      for (const Place& p : places) {
+        const glm::dvec3 error =
+            optics::specularAlbedo(energy.model, p.dfg, p.r * p.r, f0) - p.truth.single - p.truth.multiple;
+        for (int c = 0; c < 3; ++c) {
+          squares += error[c] * error[c] / static_cast<double>(3 * places.size());
+          deviation = std::max(deviation, p.truth.deviation[c]);
+          if (std::abs(error[c]) > std::abs(worst)) worst = error[c], at = &p, channel = c;
+        }
+      }
+      table.rows.push_back({std::string(name), std::string(energy.name), worst, std::string(1, "RGB"[channel]), at->r,
+                            at->NoV, std::sqrt(squares), deviation});
+    }
+  }
+  return table;
+}
+
+// ---- Pictures -------------------------------------------------------------------------------------------------------
+
+constexpr int pictureSize = 128, timedFrames = 4;
+
+Result<Table> pictureTable(const ReportInput& input) {
+  Table table{"energy-pictures",
+              "What the energy models change in a picture",
+              input.model + " under " + input.environment +
+                  " alone and under four point lights alone, 128 x 128, against the automatic choice: mean radiance of "
+                  "the strongest channel (relative), RMS difference of the sRGB picture in 1/255. Frame: median of 4.",
+              {"light", "model", "samples", "mean", "dRMS", "frame ms"},
+              {}};
+  const CompareOptions options{.maskFromAlpha = true};
+  struct Way {
+    const char* name;
+    bool lights;
+    int samples;
+  };
+  for (const Way& way : {Way{"environment", false, 4}, Way{"environment", false, 64}, Way{"lights", true, 4}}) {
+    Result<frame::Picture> usual = fail({}, {}, "not drawn");
+    for (const NamedEnergy& energy : models) {
+      input.progress(std::string("pictures: ") + way.name + ", " + energy.name);
+      frame::PictureSettings settings;
+      settings.width = settings.height = pictureSize;
+      settings.environment = way.lights ? "none" : input.environment;
+      settings.lights = way.lights ? frame::Lights::demo : frame::Lights::none;
+      settings.background = frame::Background::transparent;
+      settings.samples = way.samples;
+      settings.energy = energy.model;
+      Notes notes;
+      Stages stages;
+      const int repeat = way.samples > 4 ? 0 : timedFrames;
+      Result<frame::Picture> picture =
+          input.session->render(input.model, settings, {.radiance = true, .repeat = repeat}, notes, stages);
+      if (!picture) return tl::unexpected(picture.error());
+      if (energy.model == EnergyModel::automatic) usual = *picture;
+      const Result<Comparison> c = compare(usual->radiance, picture->radiance, options);
+      if (!c) return tl::unexpected(c.error());
+      std::vector<double> times = picture->statistics.frameMs;
+      if (times.size() > 1) times.erase(times.begin());
+      std::ranges::sort(times);
+      const double bias = *std::ranges::max_element(c->bias, {}, [](double b) { return std::abs(b); });
+      table.rows.push_back({std::string(way.name), std::string(energy.name), static_cast<double>(way.samples), bias,
+                            c->displayRmse, times.empty() ? 0 : times[times.size() / 2]});
+    }
+  }
+  return table;
+}
+
+}  // namespace
+
+Result<Furnace> whiteFurnace(const ibl::Tables& tables, const shading::ShaderReader& reader, EnergyModel energy,
+                             double metallic) {
+  std::vector<glm::vec4> inputs;
+  for (const glm::dvec4& p : furnacePoints()) {
+    inputs.emplace_back(p);
+    inputs.emplace_back(512, metallic, 0, 0);
+  }
+  const auto got = probeLight(tables, reader, definesOf(energy), furnaceBody, inputs, 2);
+  if (!got) return tl::unexpected(got.error());
+  Furnace furnace;
+  const auto widen = [](FurnaceRange& range, float value) {
+    range.least = std::min(range.least, static_cast<double>(value));
+    range.most = std::max(range.most, static_cast<double>(value));
+  };
+  for (const glm::vec4& value : *got) widen(furnace.distant, value.x), widen(furnace.lights, value.y);
+  return furnace;
+}
+
+Result<Report> energyReport(const ReportInput& input) {
+  const shading::ShaderReader reader = shading::shaderReader(input.shaderDir);
+  shading::ProgramStore programs(reader, {}, {});
+  ibl::Tables tables;
+  if (Result<void> r = ibl::computeTables(tables, nullptr, {.dfg = true}, programs); !r)
+    return tl::unexpected(r.error());
+  std::vector<std::pair<Furnace, Furnace>> furnaces;
+  for (const NamedEnergy& energy : models) {
+    input.progress(std::string("furnace: ") + energy.name);
+    const Result<Furnace> metal = whiteFurnace(tables, reader, energy.model, 1);
+    if (!metal) return tl::unexpected(metal.error());
+    const Result<Furnace> dielectric = whiteFurnace(tables, reader, energy.model, 0);
+    if (!dielectric) return tl::unexpected(dielectric.error());
+    furnaces.emplace_back(*metal, *dielectric);
+  }
+  input.progress("coloured metals: the random walk");
+  Report report{{furnaceTable(furnaces), metalTable()}, {}};
+  Result<Table> pictures = pictureTable(input);
+  if (!pictures) return tl::unexpected(pictures.error());
+  report.tables.push_back(std::move(*pictures));
+  return report;
+}
+
+}  // namespace facet::report
