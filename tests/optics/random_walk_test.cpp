@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "optics/energy.hpp"
-#include "optics/fresnel.hpp"
+#include "optics/presets.hpp"
 
 using namespace facet::optics;
 
@@ -33,4 +33,27 @@ TEST_CASE("Random walk: hardly rough is a mirror, and of grey facets each bounce
   CHECK(grey.multiple.x > 0.5 * 0.25 * missing);
   const WalkedAlbedo again = walkAlbedo(1, 1, glm::dvec3(0.5), 0.5, 20000);
   CHECK(again.multiple == grey.multiple);
+}
+
+TEST_CASE("Random walk: how far the energy models are off for rough gold") {
+  const glm::dvec3 f0 = findMetal("gold")->f0();
+  constexpr struct {
+    EnergyModel model;
+    double least, most;
+  } models[] = {{EnergyModel::none, -0.58, -0.04},
+                {EnergyModel::fdezAguera, -0.08, 0.005},
+                {EnergyModel::kullaConty, -0.05, 0.005},
+                {EnergyModel::turquin, -0.01, 0.06}};
+  for (double NoV : {0.3, 1.0}) {
+    const WalkedAlbedo truth = walkAlbedo(NoV, 1, f0, 1, 1 << 15);
+    const Dfg dfg = integrateDfg(NoV, 1);
+    for (const auto& [model, least, most] : models) {
+      const glm::dvec3 error = specularAlbedo(model, dfg, 1, f0) - truth.single - truth.multiple;
+      INFO("model " << int(model) << ", NoV " << NoV << ": " << error.r << ", " << error.g << ", " << error.b);
+      for (int c = 0; c < 3; ++c) {
+        CHECK(error[c] > least);
+        CHECK(error[c] < most);
+      }
+    }
+  }
 }
