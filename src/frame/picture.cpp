@@ -167,8 +167,8 @@ DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment) {
     options.features.imageLightSamples = converging ? convergedLightSamples : onceLightSamples;
   else if (settings.imageLight == optics::ImageLight::automatic && converging)
     options.features.imageLightSamples = convergedLightSamples;
-  options.features.models = {settings.diffuse, settings.fresnel, settings.distribution, settings.masking,
-                             settings.imageLight, settings.energy};
+  options.features.models = {settings.diffuse, settings.fresnel,    settings.distribution,
+                             settings.masking, settings.imageLight, settings.energy};
   options.sceneLights = settings.lights != Lights::none;
   options.demoLights = settings.lights == Lights::demo;
   options.moving = !settings.animation.empty();

@@ -46,8 +46,8 @@ TEST_CASE("White furnace: white metal and white dielectric of any roughness cann
   std::cout << "white furnace: metal off by at most " << worst[0] << ", dielectric " << worst[1] << "\n";
   CHECK(covered[0] > 2000);  // 11 discs of 9 pixels radius
   CHECK(covered[1] > 2000);
-  CHECK(worst[0] <= 0.01f);
-  CHECK(worst[1] <= 0.015f);
+  CHECK(worst[0] <= 0.001f);
+  CHECK(worst[1] <= 0.001f);
 }
 
 TEST_CASE("White furnace: the converging picture keeps the energy too") {
