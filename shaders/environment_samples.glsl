@@ -12,10 +12,11 @@ layout(binding = environmentCubeUnit) uniform samplerCube environmentCube;
 const float filterGain = 4.0;
 
 // Radiance from direction L as one of all the pixel's samples sees it.
-vec3 sampledRadiance(vec3 L, float pdf) {
+vec3 sampledRadiance(vec3 L, float pdf, float gain) {
   float faceSize = float(textureSize(environmentCube, 0).x);
   float texelSolidAngle = 4.0 * PI / (6.0 * faceSize * faceSize);
   float total = float(IMAGE_LIGHT_SAMPLES) * frame.options.z;
-  float level = 0.5 * log2(max(filterGain / (total * pdf * texelSolidAngle), 1.0));
+  float level = 0.5 * log2(max(gain / (total * pdf * texelSolidAngle), 1.0));
   return textureLod(environmentCube, environmentFromWorld(L), level).rgb;
 }
+vec3 sampledRadiance(vec3 L, float pdf) { return sampledRadiance(L, pdf, filterGain); }

@@ -138,7 +138,7 @@ struct LightUniforms {
 // At the start of a measured BRDF's buffer; its cells follow.
 struct MeasuredUniforms {
   vec4 lobe;   // of measured_sampling.glsl
-  vec4 table;  // x share of the samples that the cosine gets; y scale of the cells; z MERL: steps of phi_d; w unused
+  vec4 table;  // x share of the samples that the cosine gets; y scale of RGB9_E5 cells; z MERL: steps of phi_d; w unused
 };
 
 #ifdef __cplusplus

@@ -178,7 +178,7 @@ Result<json> readMeasured(const frame::PictureSettings& settings, frame::DrawOpt
   const Result<optics::MeasuredBrdf> brdf = io::readMeasured(*source, {.utiaDecode = settings.utiaDecode});
   if (!brdf) return tl::unexpected(brdf.error());
   std::ranges::move(io::measuredNotes(*brdf), std::back_inserter(notes));
-  frame::setMeasured(options.features, settings, brdf->kind);
+  frame::setMeasured(options.features, settings, brdf->kind, optics::fitProxy(*brdf));
   return describeMeasured(*brdf, *source);
 }
 

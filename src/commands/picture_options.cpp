@@ -209,6 +209,10 @@ std::string writeBumpScale(const PictureSettings& settings) {
   return settings.bump.empty() ? std::string() : number(settings.bumpScale);
 }
 
+std::string writeBrdfSamples(const PictureSettings& settings) {
+  return settings.brdfSamples == 0 ? std::string() : number(settings.brdfSamples);
+}
+
 std::string writeTime(const PictureSettings& settings) {
   return settings.animation.empty() ? std::string() : number(settings.timeSeconds);
 }
@@ -381,6 +385,9 @@ constexpr PictureOption table[] = {
      writeText<&S::brdfDir>, ',', true},
     {"brdf-lookup", "NAME", "between its cells: interpolated, nearest (interpolated)",
      parseName<lookUps, &S::brdfLookUp>, writeName<lookUps, &S::brdfLookUp>},
+    {"brdf-samples", "N",
+     "environment samples a pixel of measured BRDFs, in pictures of at most 4 --samples (by the BRDF's sharpness)",
+     parseNumberInto<&S::brdfSamples, 1, 1024>, writeBrdfSamples},
     {"utia-decode", "NAME", "what UTIA's numbers are: raw, srgb, srgb140 (raw)", parseName<utiaDecodes, &S::utiaDecode>,
      writeName<utiaDecodes, &S::utiaDecode>},
     {"occlusion", "0..1", "scales the occlusion textures' strength (1)", parseNumberInto<&S::occlusion, 0, 1>,

@@ -32,20 +32,6 @@ layout::LightUniforms lightUniforms(const scene::Light& light, const scene::Plac
   return out;
 }
 
-layout::LightUniforms sunUniforms(const scene::Sun& sun) {
-  layout::LightUniforms out;
-  out.position = glm::vec4(0, 0, 0, 3);
-  out.direction = glm::vec4(glm::vec3(-sun.direction), 0);
-  out.color = glm::vec4(glm::vec3(sun.irradiance), 0);
-  // A narrower lobe of F = 1 would exceed half range at its peak, D(0) / 4 times the irradiance: the frame would cut
-  // it.
-  constexpr double largestPeak = 32768;
-  const double most = std::max({sun.irradiance.x, sun.irradiance.y, sun.irradiance.z});
-  const double leastAlpha = std::sqrt(most / (4 * optics::pi * largestPeak));
-  out.cone = glm::vec4(static_cast<float>(sun.angularRadius), static_cast<float>(2 * leastAlpha), 0, 0);
-  return out;
-}
-
 // Four points on a ring above and before the scene, which together light its centre with about 3 lux each.
 void addDemoLights(DrawList& list) {
   const double radius = std::max(list.bounds.radius(), 1e-30);
@@ -213,6 +199,20 @@ void addLobes(RoughnessRange& range, const scene::Material& material, const shad
 }
 
 }  // namespace
+
+layout::LightUniforms sunUniforms(const scene::Sun& sun) {
+  layout::LightUniforms out;
+  out.position = glm::vec4(0, 0, 0, 3);
+  out.direction = glm::vec4(glm::vec3(-sun.direction), 0);
+  out.color = glm::vec4(glm::vec3(sun.irradiance), 0);
+  // A narrower lobe of F = 1 would exceed half range at its peak, D(0) / 4 times the irradiance: the frame would cut
+  // it.
+  constexpr double largestPeak = 32768;
+  const double most = std::max({sun.irradiance.x, sun.irradiance.y, sun.irradiance.z});
+  const double leastAlpha = std::sqrt(most / (4 * optics::pi * largestPeak));
+  out.cone = glm::vec4(static_cast<float>(sun.angularRadius), static_cast<float>(2 * leastAlpha), 0, 0);
+  return out;
+}
 
 ibl::Needs DrawList::needs(bool environmentVisible) const {
   ibl::Needs needs;

@@ -47,6 +47,9 @@ struct FileCamera {
   scene::Camera lens;
 };
 
+// The environment's sun as a light.
+layout::LightUniforms sunUniforms(const scene::Sun& sun);
+
 struct DrawList {
   glm::dvec3 origin = glm::dvec3(0);       // world position of the draw list's zero
   scene::Bounds bounds;                    // world

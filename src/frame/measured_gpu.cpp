@@ -9,6 +9,7 @@
 
 #include "base/log.hpp"
 #include "base/parallel.hpp"
+#include "frame/measured_samples.hpp"
 #include "io/measured.hpp"
 #include "layout.h"
 
@@ -21,7 +22,17 @@ uint32_t halfBits(float value) {
   const auto bits = std::bit_cast<uint32_t>(value * 0x1p-112f);
   return (bits + 0xfffu + (bits >> 13 & 1u)) >> 13;
 }
-constexpr uint32_t missingHalf = 0xbc00;  // -1
+constexpr glm::uvec2 missingCell(0xbc00, 0x3c000000);  // -1, and 1 for a unit
+
+// The unit: the power of two below the largest channel, as far as that is a half, and its bits.
+glm::uvec2 packCell(const glm::vec3& value) {
+  const float largest = std::max({value.x, value.y, value.z});
+  const int exponent = std::clamp(static_cast<int>(std::bit_cast<uint32_t>(largest) >> 23) - 127, -24, 15);
+  const float inverse = std::bit_cast<float>(static_cast<uint32_t>(127 - exponent) << 23);
+  const uint32_t unit = exponent >= -14 ? static_cast<uint32_t>(exponent + 15) << 10 : 1u << (exponent + 24);
+  const glm::vec3 scaled = glm::min(value * inverse, glm::vec3(65504));
+  return {halfBits(scaled.x) | halfBits(scaled.y) << 16, halfBits(scaled.z) | unit << 16};
+}
 
 class Clock {
  public:
@@ -37,32 +48,13 @@ class Clock {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-// To the halves of all cells; returns their scale. By slabs, on all cores.
-float pack(const optics::MeasuredBrdf& brdf, glm::uvec2* cells) {
+// By slabs, on all cores.
+void pack(const optics::MeasuredBrdf& brdf, glm::uvec2* cells) {
   const size_t count = brdf.values.size(), slab = std::max<size_t>(1, count / 32);
-  const size_t slabs = (count + slab - 1) / slab;
-  const auto each = [&](const auto& work) {
-    parallelFor(slabs, [&](size_t s) { work(s, s * slab, std::min(count, (s + 1) * slab)); });
-  };
-  std::vector<float> largests(slabs, 0.0f);
-  each([&](size_t s, size_t first, size_t last) {
-    float largest = 0;
-    for (size_t i = first; i < last; ++i)
-      largest = std::max({largest, brdf.values[i].x, brdf.values[i].y, brdf.values[i].z});
-    largests[s] = largest;
+  parallelFor((count + slab - 1) / slab, [&](size_t s) {
+    for (size_t i = s * slab; i < std::min(count, (s + 1) * slab); ++i)
+      cells[i] = brdf.values[i].x < 0 ? missingCell : packCell(brdf.values[i]);
   });
-  const float largest = *std::ranges::max_element(largests);
-  const float scale = largest > 0 ? std::ldexp(1.0f, std::max(std::ilogb(largest) - 14, -100)) : 1;
-  const float inverse = 1 / scale;
-  each([&](size_t, size_t first, size_t last) {
-    for (size_t i = first; i < last; ++i) {
-      const glm::vec3& value = brdf.values[i];
-      cells[i] = value.x < 0 ? glm::uvec2(missingHalf, 0)
-                             : glm::uvec2(halfBits(value.x * inverse) | halfBits(value.y * inverse) << 16,
-                                          halfBits(value.z * inverse));
-    }
-  });
-  return scale;
 }
 
 MeasuredBytes bytesOf(const optics::MeasuredBrdf& brdf) {
@@ -78,9 +70,9 @@ MeasuredBytes bytesOf(const optics::MeasuredBrdf& brdf) {
   layout::MeasuredUniforms head;
   made.size = measuredBytes(brdf);
   made.bytes = std::make_unique_for_overwrite<std::byte[]>(made.size);
-  const float scale = pack(brdf, reinterpret_cast<glm::uvec2*>(made.bytes.get() + sizeof head));
+  pack(brdf, reinterpret_cast<glm::uvec2*>(made.bytes.get() + sizeof head));
   head.lobe = glm::vec4(proxy.alpha.t, proxy.alpha.b, std::cos(proxy.phi), std::sin(proxy.phi));
-  head.table = glm::vec4(optics::cosineChance(proxy), scale, brdf.phiSteps, 0);
+  head.table = glm::vec4(optics::cosineChance(proxy), 1, brdf.phiSteps, 0);
   std::memcpy(made.bytes.get(), &head, sizeof head);
   made.facts.times.packMs = clock.lap();
   return made;
@@ -92,18 +84,17 @@ size_t measuredBytes(const optics::MeasuredBrdf& brdf) {
   return sizeof(layout::MeasuredUniforms) + brdf.values.size() * sizeof(glm::uvec2);
 }
 
-PackedBrdf packMeasured(const optics::MeasuredBrdf& brdf) {
-  PackedBrdf packed;
-  packed.cells.resize(brdf.values.size());
-  packed.scale = pack(brdf, packed.cells.data());
-  return packed;
+std::vector<glm::uvec2> packMeasured(const optics::MeasuredBrdf& brdf) {
+  std::vector<glm::uvec2> cells(brdf.values.size());
+  pack(brdf, cells.data());
+  return cells;
 }
 
-optics::MeasuredBrdf unpackMeasured(const PackedBrdf& packed, const optics::MeasuredBrdf& like) {
+optics::MeasuredBrdf unpackMeasured(const std::vector<glm::uvec2>& cells, const optics::MeasuredBrdf& like) {
   optics::MeasuredBrdf brdf = like;
-  for (size_t i = 0; i < packed.cells.size(); ++i) {
-    const glm::vec2 low = glm::unpackHalf2x16(packed.cells[i].x), high = glm::unpackHalf2x16(packed.cells[i].y);
-    brdf.values[i] = low.x < 0 ? glm::vec3(optics::missingValue) : packed.scale * glm::vec3(low, high.x);
+  for (size_t i = 0; i < cells.size(); ++i) {
+    const glm::vec2 low = glm::unpackHalf2x16(cells[i].x), high = glm::unpackHalf2x16(cells[i].y);
+    brdf.values[i] = low.x < 0 ? glm::vec3(optics::missingValue) : high.y * glm::vec3(low, high.x);
   }
   return brdf;
 }
@@ -173,9 +164,11 @@ Result<std::shared_ptr<const MeasuredOnGpu>> findMeasured(MeasuredStore& store, 
   return found;
 }
 
-void setMeasured(shading::FrameFeatures& features, const PictureSettings& settings, optics::MeasuredKind kind) {
+void setMeasured(shading::FrameFeatures& features, const PictureSettings& settings, optics::MeasuredKind kind,
+                 const optics::MeasuredProxy& proxy) {
   features.measured = kind == optics::MeasuredKind::merl ? shading::Measured::merl : shading::Measured::utia;
   features.measuredNearest = settings.brdfLookUp == optics::LookUp::nearest;
+  features.measuredLightSamples = settings.brdfSamples > 0 ? settings.brdfSamples : measuredSamples(proxy);
 }
 
 }  // namespace facet::frame

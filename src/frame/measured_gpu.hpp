@@ -19,15 +19,12 @@
 
 namespace facet::frame {
 
-// Three halves a cell, 8 bytes, in units of a power of two that puts the largest value at 2^14 to 2^15: off by 2^-11 of
-// the value (4.9e-4), below 2^-29 of the largest by 2^-40 of that. Missing cells: -1.
-struct PackedBrdf {
-  float scale = 1;
-  std::vector<glm::uvec2> cells;
-};
-PackedBrdf packMeasured(const optics::MeasuredBrdf& brdf);
+// Four halves a cell, 8 bytes: red, green and blue in units of the fourth, a power of two of the cell's own, so that
+// the dim cells beside a highlight 10^9 times as bright keep their digits: off by 2^-11 of the value (4.9e-4), of a
+// channel below 2^-14 of the cell's largest by 2^-25 of that. From 2^-38 to 2^31 per steradian. Missing cells: -1.
+std::vector<glm::uvec2> packMeasured(const optics::MeasuredBrdf& brdf);
 // The table with the values that the GPU reads.
-optics::MeasuredBrdf unpackMeasured(const PackedBrdf& packed, const optics::MeasuredBrdf& like);
+optics::MeasuredBrdf unpackMeasured(const std::vector<glm::uvec2>& cells, const optics::MeasuredBrdf& like);
 
 // What a BRDF is found by again.
 struct MeasuredSource {
@@ -85,6 +82,7 @@ void keepMeasured(MeasuredStore& store, std::shared_ptr<const MeasuredOnGpu> mad
 Result<std::shared_ptr<const MeasuredOnGpu>> findMeasured(MeasuredStore& store, const MeasuredSource& source,
                                                           Notes& notes);
 
-void setMeasured(shading::FrameFeatures& features, const PictureSettings& settings, optics::MeasuredKind kind);
+void setMeasured(shading::FrameFeatures& features, const PictureSettings& settings, optics::MeasuredKind kind,
+                 const optics::MeasuredProxy& proxy);
 
 }  // namespace facet::frame

@@ -136,7 +136,7 @@ Result<void> chooseMeasured(const PictureSettings& settings, SceneOnGpu& scene, 
   auto found = findMeasured(*scene.measured, measuredSource(settings), notes);
   if (!found) return tl::unexpected(found.error());
   scene.gpu.measured = *found;
-  setMeasured(options.features, settings, (*found)->facts.kind);
+  setMeasured(options.features, settings, (*found)->facts.kind, (*found)->facts.proxy);
   return {};
 }
 

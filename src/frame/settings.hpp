@@ -79,6 +79,9 @@ struct PictureSettings {
   std::string brdfDir;  // where databases are looked for first
   optics::LookUp brdfLookUp = optics::LookUp::interpolated;
   io::UtiaDecode utiaDecode = io::UtiaDecode::raw;
+  // Environment samples a pixel of pictures of at most 4 samples, [1, 1024]; 0: as many as frame/measured_samples.hpp
+  // says.
+  int brdfSamples = 0;
 
   float occlusion = 1;  // scales every material's occlusion strength, [0, 1]
 

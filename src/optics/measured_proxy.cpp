@@ -256,7 +256,9 @@ MeasuredProxy fitProxy(const MeasuredBrdf& brdf) {
   return best;
 }
 
-double cosineChance(const MeasuredProxy& proxy) { return std::clamp(proxy.diffuseShare, 0.1, 1.0); }
+double cosineChance(const MeasuredProxy& proxy) {
+  return std::clamp(proxy.diffuseShare, 0.1, proxy.diffuseShare > 0.97 ? 1.0 : 0.5);
+}
 
 glm::dvec3 sampleProxy(const MeasuredProxy& proxy, const glm::dvec3& V, const glm::dvec2& u, double choice) {
   if (choice < cosineChance(proxy)) {

@@ -26,7 +26,10 @@ struct MeasuredProxy {
 MeasuredProxy fitProxy(const MeasuredBrdf& brdf);
 
 // L for V by the proxy: visible normals, or by the cosine with the chance `cosine`; and the density of both together.
-// The share of the cosine that this file's integrals use: at least 0.1, so that no direction is left out.
+// The cosine's share of the samples: at least 0.1, so that no direction is left out. Half at most where there is a
+// lobe: it sees the environment's details, its share of the luminance is less than that of a darker channel (a red
+// plastic's green), and it grows towards grazing. With the share of the luminance a plastic of alpha 0.04 had 12 of 64
+// samples for its lobe, and an error of 15 % in the place of 6 under an indoor map.
 double cosineChance(const MeasuredProxy& proxy);
 glm::dvec3 sampleProxy(const MeasuredProxy& proxy, const glm::dvec3& V, const glm::dvec2& u, double choice);
 double pdfProxy(const MeasuredProxy& proxy, const glm::dvec3& V, const glm::dvec3& L);  // [1/sr], 0 below the horizon

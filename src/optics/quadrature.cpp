@@ -45,6 +45,11 @@ glm::dvec2 hammersley(uint32_t i, uint32_t n) {
   return {static_cast<double>(i) / n, static_cast<double>(bits) / 4294967296.0};
 }
 
+glm::dvec2 spiralPoint(uint32_t i, uint32_t n) {
+  constexpr double ratio = 0.6180339887498949;
+  return {(i + 0.5) / n, std::fmod(i * ratio, 1.0)};
+}
+
 glm::dvec3 goldenSpiral(size_t i, size_t n) {
   const double z = 1 - (2 * static_cast<double>(i) + 1) / static_cast<double>(n);
   const double sine = std::sqrt((1 - z) * (1 + z));

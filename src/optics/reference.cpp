@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "base/parallel.hpp"
@@ -23,10 +25,23 @@ glm::dvec3 texel(const scene::Environment& environment, int column, int row) {
   return glm::dvec3(environment.radiance[size_t(y) * size_t(environment.width) + size_t(x)]);
 }
 
-// A lobe has two components (1 - Fc and Fc; or one and nothing).
+// A lobe's value: two components (1 - Fc and Fc; or one and nothing), or one of each channel.
+template <class Lobe>
+using ValueOf = decltype(std::declval<Lobe>().value(glm::dvec3()));
+
+template <class Value>
 struct Sum {
-  glm::dvec3 radiance[2] = {glm::dvec3(0), glm::dvec3(0)};
-  glm::dvec2 weight{0};
+  glm::dvec3 radiance[2] = {glm::dvec3(0), glm::dvec3(0)};  // by component; by channel: the first
+  Value weight{0};
+  void add(const glm::dvec3& texel, const Value& value) {
+    if constexpr (std::is_same_v<Value, glm::dvec3>) {
+      radiance[0] += texel * value;
+    } else {
+      radiance[0] += texel * value.x;
+      radiance[1] += texel * value.y;
+    }
+    weight += value;
+  }
   void add(const Sum& other) {
     for (int k = 0; k < 2; ++k) radiance[k] += other.radiance[k];
     weight += other.weight;
@@ -34,8 +49,9 @@ struct Sum {
 };
 
 // Lobe against the four bilinear weights of a cell, corner = 2 * (lower row) + (right column).
+template <class Value>
 struct Moments {
-  glm::dvec2 corner[4] = {};
+  Value corner[4] = {};
 };
 
 struct Range {
@@ -58,7 +74,7 @@ const Quadrature& rule(size_t n) {
 glm::dvec3 fromAngles(double phi, double theta) { return directionFromEquirect({phi / (2 * pi), 1 - theta / pi}); }
 
 template <class Lobe>
-void integrate(const Cell& cell, const Lobe& lobe, size_t n, Moments& moments) {
+void integrate(const Cell& cell, const Lobe& lobe, size_t n, Moments<ValueOf<Lobe>>& moments) {
   const Quadrature& nodes = rule(n);
   for (size_t i = 0; i < n; ++i) {
     const double theta = cell.theta.a + cell.theta.size() * nodes.nodes[i];
@@ -69,7 +85,7 @@ void integrate(const Cell& cell, const Lobe& lobe, size_t n, Moments& moments) {
       const double phi = cell.phi.a + cell.phi.size() * nodes.nodes[k];
       const double s = (phi - cell.phiAll.a) / cell.phiAll.size();
       const glm::dvec3 direction(-sine * std::cos(phi), cosine, -sine * std::sin(phi));  // u = 1/2 is +X
-      const glm::dvec2 value = lobe.value(direction) * (area * nodes.weights[k]);
+      const ValueOf<Lobe> value = lobe.value(direction) * (area * nodes.weights[k]);
       moments.corner[0] += value * ((1 - s) * (1 - t));
       moments.corner[1] += value * (s * (1 - t));
       moments.corner[2] += value * ((1 - s) * t);
@@ -79,7 +95,7 @@ void integrate(const Cell& cell, const Lobe& lobe, size_t n, Moments& moments) {
 }
 
 template <class Lobe>
-void refine(const Cell& cell, const Lobe& lobe, int depth, Moments& moments) {
+void refine(const Cell& cell, const Lobe& lobe, int depth, Moments<ValueOf<Lobe>>& moments) {
   const double widest =
       cell.theta.a < pi / 2 && cell.theta.b > pi / 2 ? 1 : std::max(std::sin(cell.theta.a), std::sin(cell.theta.b));
   const double width = cell.phi.size() * widest, height = cell.theta.size();
@@ -105,35 +121,31 @@ void refine(const Cell& cell, const Lobe& lobe, int depth, Moments& moments) {
 }
 
 template <class Lobe>
-Sum overRow(const scene::Environment& environment, const Lobe& lobe, int row) {
+Sum<ValueOf<Lobe>> overRow(const scene::Environment& environment, const Lobe& lobe, int row) {
   const double dPhi = 2 * pi / environment.width, dTheta = pi / environment.height;
-  Sum sum;
+  using Value = ValueOf<Lobe>;
+  Sum<Value> sum;
   for (int column = 0; column < environment.width; ++column) {
     Cell cell;
     cell.phiAll = cell.phi = {(column + 0.5) * dPhi, (column + 1.5) * dPhi};
     cell.thetaAll = {(row - 0.5) * dTheta, (row + 0.5) * dTheta};
     cell.theta = {std::max(cell.thetaAll.a, 0.0), std::min(cell.thetaAll.b, pi)};
-    Moments moments;
+    Moments<Value> moments;
     refine(cell, lobe, 64, moments);
-    for (int corner = 0; corner < 4; ++corner) {
-      const glm::dvec2 weight = moments.corner[corner];
-      if (weight == glm::dvec2(0)) continue;
-      const glm::dvec3 value = texel(environment, column + corner % 2, row - 1 + corner / 2);
-      sum.radiance[0] += value * weight.x;
-      sum.radiance[1] += value * weight.y;
-      sum.weight += weight;
-    }
+    for (int corner = 0; corner < 4; ++corner)
+      if (moments.corner[corner] != Value(0))
+        sum.add(texel(environment, column + corner % 2, row - 1 + corner / 2), moments.corner[corner]);
   }
   return sum;
 }
 
 // Rows in parallel, added up in order: the same bits every time.
 template <class Lobe>
-Sum overSphere(const scene::Environment& environment, const Lobe& lobe) {
-  std::vector<Sum> rows(size_t(environment.height) + 1);
+Sum<ValueOf<Lobe>> overSphere(const scene::Environment& environment, const Lobe& lobe) {
+  std::vector<Sum<ValueOf<Lobe>>> rows(size_t(environment.height) + 1);
   parallelFor(rows.size(), [&](size_t row) { rows[row] = overRow(environment, lobe, static_cast<int>(row)); });
-  Sum sum;
-  for (const Sum& row : rows) sum.add(row);
+  Sum<ValueOf<Lobe>> sum;
+  for (const auto& row : rows) sum.add(row);
   return sum;
 }
 
@@ -218,6 +230,32 @@ struct AnisotropicLobe {
   }
 };
 
+// The table's interpolation has kinks at each of its cells: what is left of them is the error of the nodes.
+struct MeasuredLobe {
+  const MeasuredBrdf& brdf;
+  MeasuredProxy proxy;
+  glm::dvec3 normal, tangent, bitangent, view;  // view in the frame of the three
+  LookUp lookUp;
+
+  glm::dvec3 local(const glm::dvec3& d) const {
+    return {glm::dot(tangent, d), glm::dot(bitangent, d), glm::dot(normal, d)};
+  }
+  glm::dvec3 value(const glm::dvec3& l) const {
+    const glm::dvec3 L = local(l);
+    return L.z > 0 ? measuredBrdf(brdf, view, L, lookUp) * L.z : glm::dvec3(0);
+  }
+  double scale(const glm::dvec3& l, double radius) const {
+    const glm::dvec3 S = view + local(l), H = S / std::max(glm::length(S), smallestCosine);
+    const double VoH = std::max(glm::dot(view, H) - radius / 2, 0.01);
+    const double narrow = std::min(proxy.alpha.t, proxy.alpha.b);
+    const double sine = std::max(std::sqrt(H.x * H.x + H.y * H.y) - radius / (2 * VoH), 0.0);
+    // One lobe's width across is as good as the other's along only where both are the same.
+    const double distance = narrow / std::max(proxy.alpha.t, proxy.alpha.b) * sine;
+    return std::min({1.0, VoH, 2 * VoH * std::sqrt(narrow * narrow + distance * distance),
+                     horizonScale(l, normal, radius, std::clamp(0.1 * narrow, 1e-3, 0.02))});
+  }
+};
+
 struct SheenLobe {
   glm::dvec3 normal, view;
   double alpha;
@@ -260,13 +298,13 @@ glm::dvec3 radianceAt(const scene::Environment& environment, const glm::dvec3& d
 }
 
 Reference irradiance(const scene::Environment& environment, const glm::dvec3& n) {
-  const Sum sum = overSphere(environment, CosineLobe{n});
+  const auto sum = overSphere(environment, CosineLobe{n});
   return {sum.radiance[0] * (pi / sum.weight.x), sum.weight.x / pi};
 }
 
 Reference prefiltered(const scene::Environment& environment, const glm::dvec3& n, double alpha, LobeWeight weight) {
   if (alpha < mirrorAlpha) return {radianceAt(environment, n), 1};
-  const Sum sum = overSphere(environment, PrefilterLobe{n, alpha, weight});
+  const auto sum = overSphere(environment, PrefilterLobe{n, alpha, weight});
   return {sum.radiance[0] / sum.weight.x, sum.weight.x / prefilterWeight(alpha, weight)};
 }
 
@@ -277,19 +315,27 @@ SpecularReference specular(const scene::Environment& environment, const glm::dve
     const glm::dvec3 mirrored = radianceAt(environment, glm::reflect(-V, N));
     return {mirrored * dfg.A, mirrored * dfg.B, dfg};
   }
-  const Sum sum = overSphere(environment, SpecularLobe(N, V, alpha));
+  const auto sum = overSphere(environment, SpecularLobe(N, V, alpha));
   return {sum.radiance[0], sum.radiance[1], {sum.weight.x, sum.weight.y}};
 }
 
 Reference anisotropic(const scene::Environment& environment, const glm::dvec3& N, const glm::dvec3& T,
                       const glm::dvec3& V, const AnisotropicAlpha& alpha) {
-  const Sum sum = overSphere(environment, AnisotropicLobe{N, T, glm::cross(N, T), V, alpha});
+  const auto sum = overSphere(environment, AnisotropicLobe{N, T, glm::cross(N, T), V, alpha});
   return {sum.radiance[0] / sum.weight.x, sum.weight.x};
 }
 
 Reference sheen(const scene::Environment& environment, const glm::dvec3& N, const glm::dvec3& V, double alpha) {
-  const Sum sum = overSphere(environment, SheenLobe{N, V, alpha});
+  const auto sum = overSphere(environment, SheenLobe{N, V, alpha});
   return {sum.radiance[0] / sum.weight.x, sum.weight.x};
+}
+
+MeasuredReference measured(const scene::Environment& environment, const glm::dvec3& N, const glm::dvec3& T,
+                           const glm::dvec3& V, const MeasuredBrdf& brdf, const MeasuredProxy& proxy, LookUp lookUp) {
+  MeasuredLobe lobe{brdf, proxy, N, T, glm::cross(N, T), V, lookUp};
+  lobe.view = lobe.local(V);
+  const auto sum = overSphere(environment, lobe);
+  return {sum.radiance[0], sum.weight};
 }
 
 }  // namespace facet::optics

@@ -12,6 +12,7 @@
 
 #include "optics/anisotropy.hpp"
 #include "optics/energy.hpp"
+#include "optics/measured_proxy.hpp"
 #include "scene/environment.hpp"
 
 namespace facet::optics {
@@ -54,5 +55,14 @@ Reference anisotropic(const scene::Environment& environment, const glm::dvec3& N
                       const glm::dvec3& V, const AnisotropicAlpha& alpha);
 // Sheen (optics/sheen.hpp), alpha >= 1e-3.
 Reference sheen(const scene::Environment& environment, const glm::dvec3& N, const glm::dvec3& V, double alpha);
+
+// A measured BRDF: int L f NoL dl, T where UTIA's azimuths begin, at right angles to N; NoV > 0. `albedo` is the same
+// integral for L = 1. The proxy says how finely to look: its alpha from 1e-3 on.
+struct MeasuredReference {
+  glm::dvec3 value{0}, albedo{0};
+};
+MeasuredReference measured(const scene::Environment& environment, const glm::dvec3& N, const glm::dvec3& T,
+                           const glm::dvec3& V, const MeasuredBrdf& brdf, const MeasuredProxy& proxy,
+                           LookUp lookUp = LookUp::interpolated);
 
 }  // namespace facet::optics

@@ -1,6 +1,8 @@
 #include "report/shader_probe.hpp"
 
+#include <algorithm>
 #include <cassert>
+#include <chrono>
 
 #include "gl/buffer.hpp"
 #include "gl/program.hpp"
@@ -37,6 +39,13 @@ std::string entryPoint(const Probe& probe) {
 
 Result<std::vector<glm::vec4>> runProbe(const Probe& probe, std::span<const glm::vec4> inputs,
                                         const shading::ShaderReader& reader) {
+  Result<TimedProbe> run = timeProbe(probe, inputs, reader, 1);
+  if (!run) return tl::unexpected(run.error());
+  return std::move(run->values);
+}
+
+Result<TimedProbe> timeProbe(const Probe& probe, std::span<const glm::vec4> inputs, const shading::ShaderReader& reader,
+                             int repeat) {
   assert(probe.inputs > 0 && inputs.size() % static_cast<size_t>(probe.inputs) == 0);
   const std::string entry = "probe.comp.glsl", text = entryPoint(probe);
   const auto withEntry = [&](const std::string& path) { return path == entry ? std::optional(text) : reader(path); };
@@ -56,9 +65,15 @@ Result<std::vector<glm::vec4>> runProbe(const Probe& probe, std::span<const glm:
   glUseProgram(program->id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeInputBinding, in.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeOutputBinding, out.id());
-  glDispatchCompute(static_cast<GLuint>((count + 63) / 64), 1, 1);
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  return out.read<glm::vec4>(outputs);
+  std::vector<double> times;
+  for (int i = 0; i < repeat; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    glDispatchCompute(static_cast<GLuint>((count + 63) / 64), 1, 1);
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    if (repeat > 1) glFinish();
+    times.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+  }
+  return TimedProbe{out.read<glm::vec4>(outputs), *std::ranges::min_element(times)};
 }
 
 }  // namespace facet::report

@@ -25,4 +25,12 @@ struct Probe {
 Result<std::vector<glm::vec4>> runProbe(const Probe& probe, std::span<const glm::vec4> inputs,
                                         const shading::ShaderReader& reader);
 
+// The same values, and the least that `repeat` runs of the shader take, each waited for [ms].
+struct TimedProbe {
+  std::vector<glm::vec4> values;
+  double milliseconds = 0;
+};
+Result<TimedProbe> timeProbe(const Probe& probe, std::span<const glm::vec4> inputs, const shading::ShaderReader& reader,
+                             int repeat);
+
 }  // namespace facet::report

@@ -2,6 +2,7 @@
 
 #include "report/energy.hpp"
 #include "report/light.hpp"
+#include "report/measured_cost.hpp"
 #include "report/models.hpp"
 
 namespace facet::report {
@@ -18,6 +19,8 @@ constexpr Topic topics[] = {
     {"diffuse", "energy of the diffuse models", false, computed<diffuseTables>},
     {"energy", "what rough lobes return: models of further bounces, for environment and lights", true, energyReport},
     {"light", "image-based light: error against run time under --env", true, lightReport},
+    {"measured", "measured BRDFs: error against run time of samples and formats, look-ups against formulas", true,
+     measuredReport},
     {"ndf", "shadowing terms and energy of GGX, Beckmann and Blinn", false, computed<ndfTables>},
 };
 

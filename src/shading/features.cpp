@@ -310,10 +310,10 @@ VariantKey variantKey(const FeatureInput& input) {
   key.channel = static_cast<uint8_t>(input.frame.channel);
   for (size_t i = 0; i < std::size(rows); ++i)
     if (rows[i].usedBy(input)) key.features |= bit(i);
-  if (usesFeature(key, "HAS_ENVIRONMENT")) key.imageLightSamples = static_cast<uint8_t>(input.frame.imageLightSamples);
+  if (usesFeature(key, "HAS_ENVIRONMENT")) key.imageLightSamples = static_cast<uint16_t>(input.frame.imageLightSamples);
   if (measured(input)) {
     if (usesFeature(key, "HAS_ENVIRONMENT") && key.imageLightSamples == 0)
-      key.imageLightSamples = static_cast<uint8_t>(measuredLightSamples);
+      key.imageLightSamples = static_cast<uint16_t>(input.frame.measuredLightSamples);
     return key;
   }
   setModels(input, key);

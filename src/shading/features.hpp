@@ -26,8 +26,6 @@ int channelIndex(const std::string& name);
 
 // A measured BRDF in the place of all lit materials.
 enum class Measured : uint8_t { none, merl, utia };
-// Environment samples a pixel of measured BRDFs where the frame leaves it to them.
-inline constexpr int measuredLightSamples = 64;
 
 // What the frame offers besides the primitive and its material.
 struct FrameFeatures {
@@ -38,7 +36,8 @@ struct FrameFeatures {
   int imageLightSamples = 0;  // 0: split sum from the tables; else environment samples per shaded sample
   optics::Models models = {};
   Measured measured = Measured::none;
-  bool measuredNearest = false;  // looks up the nearest cell instead of interpolating
+  bool measuredNearest = false;   // looks up the nearest cell instead of interpolating
+  int measuredLightSamples = 64;  // of the environment where imageLightSamples is 0
 };
 
 // What moves the vertices of a drawn instance besides its matrix.
@@ -69,7 +68,7 @@ bool samplesSlot(const FeatureInput& input, scene::TextureSlot slot);
 struct VariantKey {
   uint64_t features = 0;
   uint8_t channel = 0;
-  uint8_t imageLightSamples = 0;
+  uint16_t imageLightSamples = 0;
   // Models other than the default that the draw can show: indices of optics::Models' enumerations.
   uint8_t diffuse = 0, fresnel = 0, distribution = 0, masking = 0;
   uint8_t energy = 0;      // index in optics::EnergyModel, 0 where the draw's light is none that it changes

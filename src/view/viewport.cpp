@@ -347,7 +347,8 @@ bool bringUp(Viewport& viewport, ViewerState& state, Loader& loader) {
   frame::DrawOptions options = drawOptions(state, *variant, source != "none");
   options.sun = request.sun;
   options.features.imageLightSamples = request.imageLightSamples;
-  if (request.measured) frame::setMeasured(options.features, state.settings, request.measured->facts.kind);
+  if (request.measured)
+    frame::setMeasured(options.features, state.settings, request.measured->facts.kind, request.measured->facts.proxy);
   frame::DrawList list = frame::buildDrawList(model, *index, options, *pose);
   std::vector<bool> missing = frame::missingImages(model, list, scene->onGpu.gpu);
   for (size_t i = 0; i < scene->pixels.size(); ++i) missing[i] = missing[i] && scene->pixels[i].width == 0;

@@ -62,6 +62,7 @@ PictureSettings unusual() {
   s.distribution = optics::NormalDistribution::blinn, s.masking = optics::Masking::cavity;
   s.imageLight = optics::ImageLight::taps2, s.energy = optics::EnergyModel::kullaConty;
   s.brdf = "steel", s.brdfDir = "/brdf", s.brdfLookUp = optics::LookUp::nearest, s.utiaDecode = io::UtiaDecode::srgb;
+  s.brdfSamples = 128;
   s.animation = "run's", s.timeSeconds = 1.25;
   s.environment = "it's here/a b.hdr";
   s.environmentRotationDeg = -0.1f, s.environmentStrength = 1e-3f;
