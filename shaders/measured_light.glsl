@@ -57,7 +57,7 @@ vec3 measuredPunctualLight(MeasuredSurface s, vec3 position) {
 #endif
 
 #ifdef HAS_ENVIRONMENT
-// Where this draw has all the samples they lie on a spiral, each reads its own share of the lobe, and 64 are off by a third
+// Where this draw has all the samples they lie on a spiral, each reads its own share of the lobe: 64 are off by a third
 // to a half of what as many of the sequence with its wider filter are off by (facet report measured).
 vec3 measuredImageLight(MeasuredSurface s) {
   bool alone = frame.options.z < 1.5;
