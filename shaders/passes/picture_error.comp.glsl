@@ -10,7 +10,7 @@ layout(binding = 2, rgba8) readonly uniform image2D shown;
 layout(std430, binding = computeOutputBinding) writeonly buffer Sums { vec2 sums[]; };
 layout(location = 0) uniform vec4 parameters;  // of displayed(), for the sum of all draws
 layout(location = 1) uniform vec4 backdrop;
-layout(location = 2) uniform vec4 parts;  // x all draws / those before, y / those after
+layout(location = 2) uniform vec4 parts;  // x all draws / those before, y / those after; z rows that count
 
 shared vec2 partial[64];
 
@@ -26,7 +26,7 @@ vec2 pixelErrors(ivec2 at) {
 }
 
 void main() {
-  ivec2 size = imageSize(all), first = ivec2(gl_WorkGroupID.xy) * 64 + ivec2(gl_LocalInvocationID.xy);
+  ivec2 size = ivec2(imageSize(all).x, int(parts.z)), first = ivec2(gl_WorkGroupID.xy) * 64 + ivec2(gl_LocalInvocationID.xy);
   vec2 sum = vec2(0.0);
   for (int y = first.y; y < min(first.y + 64 - int(gl_LocalInvocationID.y), size.y); y += 8)
     for (int x = first.x; x < min(first.x + 64 - int(gl_LocalInvocationID.x), size.x); x += 8)

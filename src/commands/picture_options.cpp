@@ -317,6 +317,15 @@ std::string writeBackground(const PictureSettings& settings) {
   return settings.background == frame::Background::environment ? "env" : "transparent";
 }
 
+Result<void> parseMaxError(Text text, PictureSettings& settings) {
+  const bool percent = text.ends_with('%');
+  const Result<double> value = parseNumber(text.substr(0, text.size() - (percent ? 1 : 0)), 0, percent ? 100 : 1);
+  if (!value || *value == 0)
+    return fail({}, {}, inQuotes(text) + " is no error that a picture could keep to", "give a share such as 0.01 or 1%");
+  settings.maxError = percent ? *value / 100 : *value;
+  return {};
+}
+
 // ---- The table ------------------------------------------------------------------------------------------------------
 
 using S = PictureSettings;
@@ -398,6 +407,10 @@ constexpr PictureOption table[] = {
      parseName<toneMappers, &S::toneMapper>, writeName<toneMappers, &S::toneMapper>},
     {"samples", "N", "samples a pixel (4); above 4 the environment is sampled too, and the picture converges",
      parseNumberInto<&S::samples, 1, 4096>, writeNumber<&S::samples>},
+    {"max-error", "E",
+     "takes as many samples as the picture's estimated error needs, --samples at most (4096): root mean square of what "
+     "one sees, 0.01 or 1% of white; light tables keep to it, too (none: as many as --samples says, tables to 1%)",
+     parseMaxError, writeNumber<&S::maxError>},
     {"channel", "NAME",
      "final, normal, geometryNormal, tangent, uv, baseColor, metallic, roughness, occlusion, emissive, alpha (final)",
      parseName<channels, &S::channel>, writeName<channels, &S::channel>},

@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -61,6 +62,15 @@ nlohmann::ordered_json statsJson(const Job& job, const frame::Session& session, 
     times[stage.name] = {{"wallMs", stage.wallMs}, {"cpuMs", stage.cpuMs}, {"peakMB", stage.peakMB}};
   out["stages"] = times;
   out["frameMs"] = s.frameMs;
+  if (!s.attempts.empty()) {
+    json attempts = json::array();
+    for (const frame::Attempt& a : s.attempts)
+      attempts.push_back({{"samples", a.samples}, {"error", a.error / 255}, {"ms", a.milliseconds}});
+    out["error"] = {{"wanted", *job.settings.maxError},
+                    {"estimated", s.attempts.back().error / 255},
+                    {"samples", s.attempts.back().samples},
+                    {"attempts", attempts}};
+  }
   if (s.frameMs.size() > 1) out["steadyFrameMs"] = steadyFrameMs(s.frameMs);
   out["peakMemoryMB"] = Stages::peakMegabytes();
   out["gpuBytes"] = {{"textures", s.textureBytes},
@@ -107,7 +117,26 @@ bool tell(const std::string& model, const Notes& notes) {
 
 struct JobResult {
   bool warned = false;
+  std::string reached;  // samples and error, where --max-error decides
 };
+
+std::string percent(double share) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g %%", 100 * share);
+  return text;
+}
+
+// What --max-error came to; a warning where that is not what was asked for.
+std::string tellReached(const Job& job, const frame::Picture& picture, Notes& notes) {
+  if (picture.statistics.attempts.empty()) return {};
+  const frame::Attempt& last = picture.statistics.attempts.back();
+  const std::string samples = std::to_string(last.samples) + " samples";
+  if (last.error / 255 > *job.settings.maxError)
+    notes.push_back({Note::Severity::warning, "",
+                     "--max-error: after " + samples + " the error is about " + percent(last.error / 255) +
+                         "; give more --samples, or a larger error than " + percent(*job.settings.maxError)});
+  return ": " + samples + ", error about " + percent(last.error / 255);
+}
 
 Result<JobResult> runJob(const Job& job, int repeat, bool last, frame::Session& session, Stages stages) {
   Notes notes;
@@ -118,6 +147,7 @@ Result<JobResult> runJob(const Job& job, int repeat, bool last, frame::Session& 
   if (picture->statistics.nonFinitePixels > 0)
     notes.push_back(
         {Note::Severity::warning, "", std::to_string(picture->statistics.nonFinitePixels) + " pixels are not finite"});
+  const std::string reached = tellReached(job, *picture, notes);
   const bool warned = tell(job.model, notes);
   if (Result<void> written = writeOutput(job, *picture); !written) return tl::unexpected(written.error());
   stages.mark("write");
@@ -128,7 +158,7 @@ Result<JobResult> runJob(const Job& job, int repeat, bool last, frame::Session& 
          << "\n";
     if (!file) return fail(job.stats.string(), "", "cannot be written", "check the folder");
   }
-  return JobResult{warned};
+  return JobResult{warned, reached};
 }
 
 // Frame by frame from --time on.
@@ -196,7 +226,7 @@ int runRender(const RenderArguments& arguments) {
     }
     if (result->warned && arguments.strict) status = exitBadInput;
     log::info((jobs->size() > 1 ? std::to_string(i + 1) + "/" + std::to_string(jobs->size()) + " " : "") +
-              job.output.string());
+              job.output.string() + result->reached);
   }
   return status;
 }

@@ -54,6 +54,7 @@ struct FrameStatistics {
   int draws = 0;
   uint64_t instances = 0, triangles = 0;
   uint64_t culled = 0;  // instances of draws outside the picture
+  double error = -1;    // estimated (PictureErrors::parts), 1/255; below 0: the targets have no `before`
 };
 
 struct FrameInput {
@@ -80,7 +81,7 @@ Result<void> preparePrograms(const FrameInput& in, shading::ProgramStore& progra
 Result<bool> prepareNextProgram(const FrameInput& in, shading::ProgramStore& programs);
 
 // Draws settings.samples samples a pixel into targets.color (or targets.sum) and the display picture into
-// targets.display. All programs are ready (preparePrograms).
+// targets.display. All programs are ready (preparePrograms). Estimates the error where the targets have a `before`.
 Result<FrameStatistics> drawFrame(const FrameInput& in, const Targets& targets, shading::ProgramStore& programs);
 
 // Scene-linear, associated alpha; waits for the GPU.

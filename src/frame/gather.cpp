@@ -139,6 +139,8 @@ Result<void> drawDisplay(const FrameInput& in, const Targets& targets, const Gat
   return {};
 }
 
+int nextEstimate(int done, int draws) { return 3 * done > draws ? draws : 2 * done; }
+
 void markBefore(const Targets& targets, Gathering& gathering) {
   assert(gathering.rows == 0);
   glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
@@ -157,11 +159,12 @@ Result<ErrorSums> sumErrors(const FrameInput& in, const Targets& targets, const 
   (*program)->set(0, display.parameters);
   (*program)->set(1, display.backdrop);
   const double before = gathering.before, after = gathering.done - gathering.before, all = gathering.done;
-  (*program)->set(2, glm::vec4(all / before, all / after, 0, 0));
-  const int columns = (targets.width + tile - 1) / tile, rows = (targets.height + tile - 1) / tile;
+  const int height = std::min(targets.height, in.settings.height - in.firstRow);  // of the picture
+  (*program)->set(2, glm::vec4(all / before, all / after, height, 0));
+  const int columns = (targets.width + tile - 1) / tile, rows = (height + tile - 1) / tile;
   ErrorSums out;
   out.tiles = static_cast<size_t>(columns) * static_cast<size_t>(rows);
-  out.values = static_cast<size_t>(targets.width) * static_cast<size_t>(targets.height) * 3;
+  out.values = static_cast<size_t>(targets.width) * static_cast<size_t>(height) * 3;
   out.share = std::sqrt(before * after) / all;
   out.sums = gl::Buffer(out.tiles * sizeof(glm::vec2), "errors");
   glBindImageTexture(0, targets.sum.id(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA32F);
@@ -193,14 +196,24 @@ Result<void> prepareGatherPrograms(ProgramStore& programs) {
 
 Result<FrameStatistics> drawFrame(const FrameInput& in, const Targets& targets, ProgramStore& programs) {
   Gathering gathering = beginGathering(in, targets);
-  const int64_t rows = static_cast<int64_t>(gathering.draws()) * targets.height;
-  if (Result<void> drawn = gatherRows(in, targets, gathering, rows, programs); !drawn)
-    return tl::unexpected(drawn.error());
+  // Where the error is wanted, the last estimate is made as a resting window makes it.
+  for (int until = targets.before ? 1 : gathering.draws(); !gathering.complete();
+       until = nextEstimate(gathering.done, gathering.draws())) {
+    if (targets.before && gathering.done > 0) markBefore(targets, gathering);
+    const int64_t rows = static_cast<int64_t>(until - gathering.done) * targets.height;
+    if (Result<void> drawn = gatherRows(in, targets, gathering, rows, programs); !drawn)
+      return tl::unexpected(drawn.error());
+  }
   FrameStatistics& statistics = gathering.statistics;
   if (targets.sum) statistics.passes.push_back("gather x " + std::to_string(gathering.draws()));
   statistics.passes.emplace_back("display");
   if (Result<void> result = drawDisplay(in, targets, gathering, targets, programs); !result)
     return tl::unexpected(result.error());
+  if (targets.before) {
+    const Result<ErrorSums> sums = sumErrors(in, targets, gathering, targets, programs);
+    if (!sums) return tl::unexpected(sums.error());
+    statistics.error = readErrors(*sums).parts;
+  }
   return statistics;
 }
 

@@ -52,6 +52,10 @@ struct ErrorSums {
   double share = 0;
 };
 
+// After how many draws the error is estimated next: each time twice as many are done, the last time with all. A last
+// part of few draws would say little: the last two estimates are put together then.
+int nextEstimate(int done, int draws);
+
 // Remembers the draws that are done as the first part.
 void markBefore(const Targets& targets, Gathering& gathering);
 

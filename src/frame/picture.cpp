@@ -35,61 +35,6 @@ const scene::BuiltinScene* builtinOf(const std::string& source) {
   return source.starts_with("builtin:") ? scene::findBuiltinScene(source) : nullptr;
 }
 
-// Rows of a band. Bands save memory and cost the geometry once more each: a few for scenes of little geometry, for
-// others only where the targets of a large picture could not be had otherwise. A sample takes 12 bytes (RGBA16F and
-// depth). What shines through a surface may come from any row: a scene with such surfaces gets one band up to 4 GiB;
-// beyond, what shines through ends at the band.
-int bandRows(const PictureSettings& settings, const DrawList& list, const gl::ContextInfo& context) {
-  size_t corners = 0;
-  for (const std::vector<Draw>* draws : list.classes())
-    for (const Draw& draw : *draws)
-      corners += std::max(draw.primitive->indices.size(), draw.primitive->positions.size()) * draw.instanceCount;
-  size_t budget = corners < 300'000 ? size_t{4} << 20 : size_t{1} << 30;
-  if (!list.transmitting.empty()) budget = size_t{4} << 30;
-  const int samples = std::min(settings.samples, context.maxSamples);
-  const size_t rows = budget / (static_cast<size_t>(settings.width) * static_cast<size_t>(samples) * 12) / 16 * 16;
-  return static_cast<int>(std::clamp<size_t>(rows, 16, static_cast<size_t>(std::max(16, settings.height))));
-}
-
-// A band's pixels into the picture; firstRow counts from the bottom, data from the top.
-template <class T>
-void placeBand(std::vector<T>& picture, const std::vector<T>& band, size_t rowLength, int height, int firstRow) {
-  const auto rows = static_cast<int>(band.size() / rowLength);
-  const int kept = std::min(rows, height - firstRow);  // the last band may reach above the picture
-  std::copy(band.end() - static_cast<ptrdiff_t>(static_cast<size_t>(kept) * rowLength), band.end(),
-            picture.begin() + static_cast<ptrdiff_t>(static_cast<size_t>(height - firstRow - kept) * rowLength));
-}
-
-void readBand(Picture& picture, const PictureRequest& request, const Targets& targets, const PictureSettings& settings,
-              int firstRow) {
-  const auto width = static_cast<size_t>(settings.width), height = static_cast<size_t>(settings.height);
-  if (request.radiance) {
-    io::RadianceImage band = readRadiance(targets);
-    if (settings.background == Background::color)
-      for (glm::vec4& p : band.pixels) p = glm::vec4(glm::vec3(p) + (1 - p.a) * settings.backgroundColor, 1);
-    picture.radiance.width = settings.width, picture.radiance.height = settings.height;
-    picture.radiance.pixels.resize(width * height);
-    placeBand(picture.radiance.pixels, band.pixels, width, settings.height, firstRow);
-  }
-  if (request.display) {
-    io::Pixels band = readDisplay(targets, settings.background == Background::transparent);
-    picture.display.width = settings.width, picture.display.height = settings.height;
-    picture.display.channels = band.channels;
-    const size_t rowLength = width * static_cast<size_t>(band.channels);
-    picture.display.data.resize(rowLength * height);
-    placeBand(picture.display.data, band.data, rowLength, settings.height, firstRow);
-  }
-}
-
-void countExtremes(const io::RadianceImage& image, PictureStatistics& statistics) {
-  for (const glm::vec4& p : image.pixels) {
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z) || !std::isfinite(p.w))
-      ++statistics.nonFinitePixels;
-    else if (std::max({p.x, p.y, p.z}) >= 65504.0f)
-      ++statistics.clampedPixels;
-  }
-}
-
 void noteUnlit(const PictureSettings& settings, const DrawList& list, const ibl::Needs& needs, Notes& notes) {
   if (std::ranges::all_of(list.classes(), [](const auto* draws) { return draws->empty(); })) {
     notes.push_back({Note::Severity::warning, "", "the scene draws nothing"});
@@ -162,7 +107,7 @@ DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment) {
   options.features.environment = hasEnvironment && settings.environmentStrength > 0;
   options.features.occlusion = settings.occlusion > 0;
   options.features.channel = std::max(0, shading::channelIndex(settings.channel));
-  const bool converging = settings.samples > convergedAbove;
+  const bool converging = converges(settings);
   if (settings.imageLight == optics::ImageLight::sampled)
     options.features.imageLightSamples = converging ? convergedLightSamples : onceLightSamples;
   else if (settings.imageLight == optics::ImageLight::automatic && converging)
@@ -289,12 +234,6 @@ Result<void> prepareTables(EnvironmentOnGpu& environment, const ibl::Needs& need
                             environment.cache, environment.method);
 }
 
-Targets createTargets(const PictureSettings& settings, const gl::ContextInfo& context, int rows) {
-  const bool gather = settings.samples > convergedAbove;
-  return createTargets(settings.width, rows > 0 ? rows : settings.height,
-                       gather ? 1 : std::min(settings.samples, context.maxSamples), gather);
-}
-
 namespace {
 
 // A few images at a time, so that never more of them than the machine decodes at once are in memory twice.
@@ -325,15 +264,6 @@ scene::Bounds framingOf(SceneOnGpu& scene, const PictureSettings& settings, int 
   if (!known || known->scene != index || known->animation != settings.animation)
     known = Framing{index, settings.animation, framingBounds(settings, *scene.model, index, poseBounds)};
   return known->bounds;
-}
-
-std::map<std::string, int> variantsOf(const DrawList& list) {
-  std::map<shading::VariantKey, int> draws;
-  for (const std::vector<Draw>* drawn : list.classes())
-    for (const Draw& draw : *drawn) ++draws[draw.key];
-  std::map<std::string, int> variants;
-  for (const auto& [key, count] : draws) variants[shading::variantName(key)] += count;
-  return variants;
 }
 
 }  // namespace
@@ -386,43 +316,6 @@ Result<PreparedPicture> preparePicture(const PictureSettings& settings, SceneOnG
   statistics.programsFromDisk = programs.statistics().fromDisk - before.fromDisk;
   stages.mark("compile");
   return prepared;
-}
-
-Result<Picture> drawPicture(const PictureSettings& settings, const PictureRequest& request, PreparedPicture prepared,
-                            const SceneOnGpu& scene, const EnvironmentOnGpu& environment,
-                            shading::ProgramStore& programs, const gl::ContextInfo& context, Stages& stages) {
-  Picture picture;
-  picture.statistics = std::move(prepared.statistics);
-  PictureStatistics& statistics = picture.statistics;
-  const DrawList& list = prepared.list;
-  FrameInput input{*scene.model, list, scene.gpu, environment.tables, prepared.view, settings};
-  const int rows = bandRows(settings, list, context);
-  Targets targets = createTargets(settings, context, std::min(rows, settings.height));
-  prepareBehind(targets, list);
-  statistics.bands = (settings.height + targets.height - 1) / targets.height;
-  setTextureDetail(scene.gpu, gatheredDraws(settings, targets), context);
-  for (int i = 0; i <= request.repeat; ++i) {
-    double frameMs = 0;
-    for (input.firstRow = 0; input.firstRow < settings.height; input.firstRow += targets.height) {
-      const auto start = std::chrono::steady_clock::now();
-      Result<FrameStatistics> drawn = drawFrame(input, targets, programs);
-      if (!drawn) return tl::unexpected(drawn.error());
-      glFinish();
-      frameMs += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-      statistics.frame = std::move(*drawn);
-      stages.mark(i == 0 ? "first frame" : "repeated frames");
-      if (i == request.repeat) readBand(picture, request, targets, settings, input.firstRow);
-      stages.mark("read back");
-    }
-    statistics.frameMs.push_back(frameMs);
-  }
-  statistics.textureBytes = scene.gpu.textureBytes();
-  statistics.geometryBytes = scene.gpu.geometryBytes();
-  statistics.tableBytes = environment.tables.bytes();
-  statistics.targetBytes = targetBytes(targets);
-  statistics.variants = variantsOf(list);
-  if (request.radiance) countExtremes(picture.radiance, statistics);
-  return picture;
 }
 
 }  // namespace facet::frame

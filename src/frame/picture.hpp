@@ -10,6 +10,7 @@
 #include "base/stages.hpp"
 #include "frame/frame.hpp"
 #include "ibl/cache.hpp"
+#include "frame/max_error.hpp"
 
 namespace facet::frame {
 
@@ -47,6 +48,7 @@ Result<void> prepareTables(EnvironmentOnGpu& environment, const ibl::Needs& need
 // More samples a pixel than this: each is a draw of its own and samples the environment instead of reading the split
 // sum's tables, so that its specular part converges to the true integral, not to the approximation.
 inline constexpr int convergedAbove = 4;
+inline bool converges(const PictureSettings& s) { return s.maxError.has_value() || s.samples > convergedAbove; }
 inline constexpr int convergedLightSamples = 4;  // environment samples per draw
 inline constexpr int onceLightSamples = 32;      // the same where there is but one draw
 
@@ -98,6 +100,7 @@ struct PictureStatistics {
   uint64_t clampedPixels = 0;    // all samples of a channel at the largest half float; counted where radiance is read
   uint64_t nonFinitePixels = 0;  // likewise
   std::vector<double> frameMs;   // the first frame, then the repeated ones; each waited for
+  std::vector<Attempt> attempts;  // with more and more samples; only where an error is to be kept to
 };
 
 struct Picture {

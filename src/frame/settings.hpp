@@ -88,6 +88,9 @@ struct PictureSettings {
   float exposureStops = 0;  // factor 2^stops before tone mapping, [-32, 32]
   ToneMapper toneMapper = ToneMapper::neutral;
   int samples = 4;        // a pixel, [1, 4096]; 1: no antialiasing; above 4 the light converges too
+  // The picture takes as many samples as its estimated error needs (frame/max_error.hpp), and the tables the cheapest
+  // methods that keep to it (ibl/choice.hpp): relative, (0, 1]. Above 4, samples is the most that it may take.
+  std::optional<double> maxError;
   std::string channel;    // a debug view's name (commands/picture_options.cpp lists them); empty: the final picture
   std::string shaderDir;  // shaders are read from here and reloaded on change; empty: the embedded ones
 

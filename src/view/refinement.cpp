@@ -15,15 +15,18 @@ using Clock = std::chrono::steady_clock;
 constexpr double stepMs = 25;       // GPU time of a step
 constexpr int64_t fewestRows = 32;  // a draw's fixed costs count more in thinner bands
 
-bool wantsRefinement(const frame::PictureSettings& settings) { return settings.samples > frame::convergedAbove; }
-
-frame::FrameInput frameInput(const Viewport& viewport, const ViewerState& state, const scene::View& view) {
+frame::FrameInput frameInput(const Viewport& viewport, const scene::View& view) {
   return {viewport.scene->loaded->model,
           viewport.list,
           viewport.scene->onGpu.gpu,
           viewport.environments.shown->onGpu.tables,
           view,
-          state.settings};
+          viewport.refinement.settings};
+}
+
+// As many samples as are gathered at first.
+frame::PictureSettings firstAttempt(const frame::PictureSettings& settings) {
+  return settings.maxError ? frame::withSamples(settings, frame::firstSamples(settings)) : settings;
 }
 
 void giveUp(Refinement& refinement, ViewerState& state, const Error& error) {
@@ -41,6 +44,7 @@ Result<bool> prepare(Viewport& viewport, const ViewerState& state, const scene::
     shading::FrameFeatures resting = viewport.list.features;
     resting.imageLightSamples = frame::drawOptions(state.settings, resting.environment).features.imageLightSamples;
     frame::setFeatures(viewport.list, resting);
+    r.settings = firstAttempt(state.settings);
   }
   EnvironmentSlot& environment = *viewport.environments.shown;
   const ibl::Needs needs = viewport.list.needs(viewport.built.skyVisible);
@@ -48,7 +52,7 @@ Result<bool> prepare(Viewport& viewport, const ViewerState& state, const scene::
       !provided)
     return tl::unexpected(provided.error());
   if (environment.preview) return false;
-  const Result<bool> compiled = frame::prepareNextProgram(frameInput(viewport, state, view), viewport.programs);
+  const Result<bool> compiled = frame::prepareNextProgram(frameInput(viewport, view), viewport.programs);
   if (!compiled || !*compiled) return compiled;
   if (Result<void> gather = frame::prepareGatherPrograms(viewport.programs); !gather)
     return tl::unexpected(gather.error());
@@ -57,14 +61,15 @@ Result<bool> prepare(Viewport& viewport, const ViewerState& state, const scene::
 
 void begin(Viewport& viewport, ViewerState& state, const scene::View& view) {
   Refinement& r = viewport.refinement;
-  const frame::PictureSettings& s = state.settings;
+  const frame::PictureSettings& s = r.settings;
   if (r.targets.width != s.width || r.targets.height != s.height) {
     r.targets = {};  // the old ones go first
     r.targets = frame::createGatherTargets(s.width, s.height);
   }
   frame::prepareBehind(r.targets, viewport.list);
-  r.gathering = frame::beginGathering(frameInput(viewport, state, view), r.targets);
+  r.gathering = frame::beginGathering(frameInput(viewport, view), r.targets);
   r.estimateAt = 1;
+  state.refinement.wanted = s.samples;
   // A guess from the cheap frame: a sampled draw takes about as long per coverage sample. The steps adapt.
   const double guessMs = state.shown.statistics.gpuMs;
   r.rows = guessMs > 0 ? static_cast<int64_t>(s.height * stepMs / (2 * guessMs)) : s.height / 8;
@@ -102,6 +107,14 @@ bool takeErrors(Refinement& r, ViewerState& state) {
   return change;
 }
 
+// The picture is complete: true where its error asks for more samples, which then are gathered anew.
+bool again(Refinement& r, const ViewerState& state) {
+  if (!state.settings.maxError || state.refinement.error < 0) return false;
+  const int samples = frame::nextSamples(state.settings, r.settings.samples, state.refinement.error);
+  if (samples > 0) r.settings.samples = samples;
+  return samples > 0;
+}
+
 // The first half of the draws against the second; twice as many the next time.
 Result<void> estimate(Viewport& viewport, const frame::FrameInput& in) {
   Refinement& r = viewport.refinement;
@@ -112,9 +125,7 @@ Result<void> estimate(Viewport& viewport, const frame::FrameInput& in) {
     r.errors = std::move(*errors);
   }
   if (!gathering.complete()) frame::markBefore(r.targets, gathering);
-  // A last part of one draw would say little: the last two estimates are put together then.
-  const int next = 2 * gathering.done;
-  r.estimateAt = 3 * next / 2 > gathering.draws() ? gathering.draws() : next;
+  r.estimateAt = frame::nextEstimate(gathering.done, gathering.draws());
   return {};
 }
 
@@ -151,14 +162,14 @@ void stopRefinement(Viewport& viewport, ViewerState& state) {
   r.since = Clock::now();
   if (r.movingFeatures) frame::setFeatures(viewport.list, *r.movingFeatures);
   r.movingFeatures.reset();
-  if (!wantsRefinement(state.settings)) r.targets = {};
+  if (!frame::converges(state.settings)) r.targets = {};
   state.refinement = {};
-  if (wantsRefinement(state.settings)) state.refinement.wanted = state.settings.samples;
+  if (frame::converges(state.settings)) state.refinement.wanted = firstAttempt(state.settings).samples;
 }
 
 bool refining(const Viewport& viewport, const ViewerState& state) {
   const bool preview = viewport.environments.shown && viewport.environments.shown->preview;
-  return viewport.drawn && !preview && !viewport.refinement.ended && wantsRefinement(state.settings) &&
+  return viewport.drawn && !preview && !viewport.refinement.ended && frame::converges(state.settings) &&
          !viewport.shadersBroken;
 }
 
@@ -173,7 +184,7 @@ bool refine(Viewport& viewport, ViewerState& state, const scene::View& view) {
     begin(viewport, state, view);
   }
   bool drew = false;
-  const frame::FrameInput in = frameInput(viewport, state, view);
+  const frame::FrameInput in = frameInput(viewport, view);
   frame::setTextureDetail(viewport.scene->onGpu.gpu, r.gathering->draws(), viewport.context);
   if (r.pending) {
     r.pending = false;
@@ -186,7 +197,12 @@ bool refine(Viewport& viewport, ViewerState& state, const scene::View& view) {
         return giveUp(r, state, shown.error()), true;
       state.refinement.shown = r.gathering->done;
     }
-    if (last) {
+    if (last && again(r, state)) {
+      const int64_t rows = r.rows;  // the steps know how long they take by now
+      begin(viewport, state, view);
+      r.rows = rows, r.shown = false;
+      frame::setTextureDetail(viewport.scene->onGpu.gpu, r.gathering->draws(), viewport.context);
+    } else if (last) {
       r.ended = true;
       log::debug("picture converged: " + std::to_string(r.gathering->draws()) + " samples");
     }

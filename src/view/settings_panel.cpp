@@ -285,8 +285,23 @@ void modelsSection(ViewerState& state) {
 
 // ---- Accuracy -------------------------------------------------------------------------------------------------------
 
-void accuracySection(const ViewerState& state) {
+// An error to keep to, or as many samples as are chosen.
+void budgetChoice(frame::PictureSettings& settings) {
+  bool kept = settings.maxError.has_value();
+  if (ImGui::Checkbox("keep to an error", &kept)) settings.maxError = kept ? std::optional(0.01) : std::nullopt;
+  hint("the resting picture takes as many samples as its estimated error needs, the chosen number at most; the light "
+       "tables are made to that error, too");
+  if (!settings.maxError) return;
+  auto percent = static_cast<float>(100 * *settings.maxError);
+  ImGui::SetNextItemWidth(-FLT_MIN);
+  if (ImGui::SliderFloat("##error", &percent, 0.1f, 10, "%.2g %%", ImGuiSliderFlags_Logarithmic))
+    settings.maxError = std::clamp(std::round(static_cast<double>(percent) * 100) / 1e4, 1e-4, 1.0);
+  hint("root mean square of what one sees, in per cent of white");
+}
+
+void accuracySection(ViewerState& state) {
   if (!section("Accuracy")) return;
+  budgetChoice(state.settings);
   if (!beginDetails("accuracy")) return;
   const RefinementStatus& r = state.refinement;
   const bool shows = r.shown > 0;

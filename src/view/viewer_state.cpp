@@ -53,6 +53,7 @@ void noteProblem(ViewerState& state) {
 frame::PictureSettings movingSettings(const frame::PictureSettings& settings) {
   frame::PictureSettings moving = settings;
   moving.samples = std::min(settings.samples, frame::convergedAbove);
+  moving.maxError.reset();
   return moving;
 }
 

@@ -108,7 +108,7 @@ Result<bool> putOnGpu(Viewport& viewport, SceneSlot& scene, EnvironmentSlot& env
   scene.pixels.clear();
   ibl::Needs needs = list.needs(request.skyVisible);
   // Made on the way to the others; at rest it is sampled.
-  needs.cube |= needs.irradiance && state.settings.samples > frame::convergedAbove;
+  needs.cube |= needs.irradiance && frame::converges(state.settings);
   if (Result<void> r = provideTables(environment, needs, viewport.programs, viewport.environments.immediateMs); !r)
     return tl::unexpected(r.error());
   const ibl::Tables& tables = environment.onGpu.tables;

@@ -1,0 +1,166 @@
+// The prepared picture, drawn: in bands where it is large, once more with more samples where its error asks for that.
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "frame/gather.hpp"
+#include "frame/max_error.hpp"
+#include "frame/picture.hpp"
+
+namespace facet::frame {
+
+namespace {
+
+// Rows of a band. Bands save memory and cost the geometry once more each: a few for scenes of little geometry, for
+// others only where the targets of a large picture could not be had otherwise. A sample takes 12 bytes (RGBA16F and
+// depth). What shines through a surface may come from any row: a scene with such surfaces gets one band up to 4 GiB;
+// beyond, what shines through ends at the band.
+int bandRows(const PictureSettings& settings, const DrawList& list, const gl::ContextInfo& context) {
+  size_t corners = 0;
+  for (const std::vector<Draw>* draws : list.classes())
+    for (const Draw& draw : *draws)
+      corners += std::max(draw.primitive->indices.size(), draw.primitive->positions.size()) * draw.instanceCount;
+  size_t budget = corners < 300'000 ? size_t{4} << 20 : size_t{1} << 30;
+  if (!list.transmitting.empty()) budget = size_t{4} << 30;
+  const int samples = std::min(settings.samples, context.maxSamples);
+  const size_t rows = budget / (static_cast<size_t>(settings.width) * static_cast<size_t>(samples) * 12) / 16 * 16;
+  return static_cast<int>(std::clamp<size_t>(rows, 16, static_cast<size_t>(std::max(16, settings.height))));
+}
+
+// A band's pixels into the picture; firstRow counts from the bottom, data from the top.
+template <class T>
+void placeBand(std::vector<T>& picture, const std::vector<T>& band, size_t rowLength, int height, int firstRow) {
+  const auto rows = static_cast<int>(band.size() / rowLength);
+  const int kept = std::min(rows, height - firstRow);  // the last band may reach above the picture
+  std::copy(band.end() - static_cast<ptrdiff_t>(static_cast<size_t>(kept) * rowLength), band.end(),
+            picture.begin() + static_cast<ptrdiff_t>(static_cast<size_t>(height - firstRow - kept) * rowLength));
+}
+
+void readBand(Picture& picture, const PictureRequest& request, const Targets& targets, const PictureSettings& settings,
+              int firstRow) {
+  const auto width = static_cast<size_t>(settings.width), height = static_cast<size_t>(settings.height);
+  if (request.radiance) {
+    io::RadianceImage band = readRadiance(targets);
+    if (settings.background == Background::color)
+      for (glm::vec4& p : band.pixels) p = glm::vec4(glm::vec3(p) + (1 - p.a) * settings.backgroundColor, 1);
+    picture.radiance.width = settings.width, picture.radiance.height = settings.height;
+    picture.radiance.pixels.resize(width * height);
+    placeBand(picture.radiance.pixels, band.pixels, width, settings.height, firstRow);
+  }
+  if (request.display) {
+    io::Pixels band = readDisplay(targets, settings.background == Background::transparent);
+    picture.display.width = settings.width, picture.display.height = settings.height;
+    picture.display.channels = band.channels;
+    const size_t rowLength = width * static_cast<size_t>(band.channels);
+    picture.display.data.resize(rowLength * height);
+    placeBand(picture.display.data, band.data, rowLength, settings.height, firstRow);
+  }
+}
+
+void countExtremes(const io::RadianceImage& image, PictureStatistics& statistics) {
+  for (const glm::vec4& p : image.pixels) {
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z) || !std::isfinite(p.w))
+      ++statistics.nonFinitePixels;
+    else if (std::max({p.x, p.y, p.z}) >= 65504.0f)
+      ++statistics.clampedPixels;
+  }
+}
+
+std::map<std::string, int> variantsOf(const DrawList& list) {
+  std::map<shading::VariantKey, int> draws;
+  for (const std::vector<Draw>* drawn : list.classes())
+    for (const Draw& draw : *drawn) ++draws[draw.key];
+  std::map<std::string, int> variants;
+  for (const auto& [key, count] : draws) variants[shading::variantName(key)] += count;
+  return variants;
+}
+
+struct DrawnFrame {
+  FrameStatistics statistics;  // of the last band, but the error of all
+  double milliseconds = 0;     // waited for
+};
+
+// All bands; each goes to `read` when it is drawn.
+template <class Read>
+Result<DrawnFrame> drawBands(FrameInput in, const Targets& targets, shading::ProgramStore& programs, const Read& read) {
+  DrawnFrame frame;
+  double squares = 0;
+  for (in.firstRow = 0; in.firstRow < in.settings.height; in.firstRow += targets.height) {
+    const auto start = std::chrono::steady_clock::now();
+    Result<FrameStatistics> drawn = drawFrame(in, targets, programs);
+    if (!drawn) return tl::unexpected(drawn.error());
+    glFinish();
+    frame.milliseconds += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    frame.statistics = std::move(*drawn);
+    const double error = frame.statistics.error;
+    squares += error * error * std::min(targets.height, in.settings.height - in.firstRow);
+    read(in.firstRow);
+  }
+  if (targets.before) frame.statistics.error = std::sqrt(squares / in.settings.height);
+  return frame;
+}
+
+// For as many samples as the settings ask for, or for any number while the error decides.
+Targets pictureTargets(const PictureSettings& settings, const gl::ContextInfo& context, int rows, bool estimate) {
+  Targets targets = createTargets(settings, context, rows);
+  if (estimate) targets.before = gl::Texture({.format = GL_RGBA32F, .width = settings.width, .height = rows}, "first samples");
+  return targets;
+}
+
+}  // namespace
+
+Targets createTargets(const PictureSettings& settings, const gl::ContextInfo& context, int rows) {
+  const bool gather = settings.samples > convergedAbove;
+  return createTargets(settings.width, rows > 0 ? rows : settings.height,
+                       gather ? 1 : std::min(settings.samples, context.maxSamples), gather);
+}
+
+Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& request, PreparedPicture prepared,
+                            const SceneOnGpu& scene, const EnvironmentOnGpu& environment,
+                            shading::ProgramStore& programs, const gl::ContextInfo& context, Stages& stages) {
+  Picture picture;
+  picture.statistics = std::move(prepared.statistics);
+  PictureStatistics& statistics = picture.statistics;
+  const DrawList& list = prepared.list;
+  PictureSettings settings = asked.maxError ? withSamples(asked, firstSamples(asked)) : asked;
+  const FrameInput input{*scene.model, list, scene.gpu, environment.tables, prepared.view, settings};
+  const int rows = std::min(bandRows(settings, list, context), settings.height);
+  Targets targets = pictureTargets(settings, context, rows, asked.maxError.has_value());
+  prepareBehind(targets, list);
+  statistics.bands = (settings.height + rows - 1) / rows;
+  if (asked.maxError)
+    if (Result<void> r = prepareGatherPrograms(programs); !r) return tl::unexpected(r.error());
+
+  for (int samples = settings.samples; samples > 0;) {
+    settings.samples = samples;
+    setTextureDetail(scene.gpu, gatheredDraws(settings, targets), context);
+    Result<DrawnFrame> drawn = drawBands(input, targets, programs, [&](int firstRow) {
+      stages.mark("first frame");
+      readBand(picture, request, targets, settings, firstRow);
+      stages.mark("read back");
+    });
+    if (!drawn) return tl::unexpected(drawn.error());
+    statistics.frame = std::move(drawn->statistics);
+    statistics.frameMs = {drawn->milliseconds};
+    samples = 0;
+    if (!asked.maxError) continue;
+    statistics.attempts.push_back({settings.samples, statistics.frame.error, drawn->milliseconds});
+    samples = nextSamples(asked, settings.samples, statistics.frame.error);
+  }
+  for (int i = 0; i < request.repeat; ++i) {
+    const Result<DrawnFrame> drawn = drawBands(input, targets, programs, [](int) {});
+    if (!drawn) return tl::unexpected(drawn.error());
+    statistics.frameMs.push_back(drawn->milliseconds);
+    stages.mark("repeated frames");
+  }
+  statistics.textureBytes = scene.gpu.textureBytes();
+  statistics.geometryBytes = scene.gpu.geometryBytes();
+  statistics.tableBytes = environment.tables.bytes();
+  statistics.targetBytes = targetBytes(targets);
+  statistics.variants = variantsOf(list);
+  if (request.radiance) countExtremes(picture.radiance, statistics);
+  return picture;
+}
+
+}  // namespace facet::frame
