@@ -321,7 +321,8 @@ Result<void> parseMaxError(Text text, PictureSettings& settings) {
   const bool percent = text.ends_with('%');
   const Result<double> value = parseNumber(text.substr(0, text.size() - (percent ? 1 : 0)), 0, percent ? 100 : 1);
   if (!value || *value == 0)
-    return fail({}, {}, inQuotes(text) + " is no error that a picture could keep to", "give a share such as 0.01 or 1%");
+    return fail({}, {}, inQuotes(text) + " is no error that a picture could keep to",
+                "give a share such as 0.01 or 1%");
   settings.maxError = percent ? *value / 100 : *value;
   return {};
 }

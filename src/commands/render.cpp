@@ -15,6 +15,7 @@
 #include "commands/picture_options.hpp"
 #include "commands/shard.hpp"
 #include "frame/session.hpp"
+#include "ibl/choice.hpp"
 #include "report/left_out.hpp"
 
 namespace facet::commands {
@@ -87,6 +88,16 @@ nlohmann::ordered_json statsJson(const Job& job, const frame::Session& session, 
     tables.push_back(
         {{"name", table.name}, {"bytes", table.bytes}, {"fetches", table.fetches}, {"ms", table.milliseconds}});
   out["tables"] = tables;
+  if (job.settings.maxError) {
+    json methods = json::object();
+    constexpr std::pair<const char*, ibl::Part> parts[] = {
+        {"irradiance", ibl::Part::irradiance}, {"layers", ibl::Part::layers}, {"dfg", ibl::Part::dfg}};
+    for (const auto& [name, part] : parts) {
+      const ibl::Candidate& chosen = ibl::choose(part, *job.settings.maxError);
+      methods[name] = {{"method", chosen.name}, {"error", chosen.error}};
+    }
+    out["methods"] = methods;
+  }
   out["frame"] = {{"passes", s.frame.passes},
                   {"bands", s.bands},
                   {"draws", s.frame.draws},

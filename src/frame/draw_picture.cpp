@@ -104,7 +104,8 @@ Result<DrawnFrame> drawBands(FrameInput in, const Targets& targets, shading::Pro
 // For as many samples as the settings ask for, or for any number while the error decides.
 Targets pictureTargets(const PictureSettings& settings, const gl::ContextInfo& context, int rows, bool estimate) {
   Targets targets = createTargets(settings, context, rows);
-  if (estimate) targets.before = gl::Texture({.format = GL_RGBA32F, .width = settings.width, .height = rows}, "first samples");
+  if (estimate)
+    targets.before = gl::Texture({.format = GL_RGBA32F, .width = settings.width, .height = rows}, "first samples");
   return targets;
 }
 

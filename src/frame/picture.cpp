@@ -8,6 +8,7 @@
 
 #include "base/whole_number.hpp"
 #include "frame/material_choice.hpp"
+#include "ibl/choice.hpp"
 #include "scene/animation.hpp"
 #include "scene/builtin_scenes.hpp"
 
@@ -229,6 +230,15 @@ void findSun(EnvironmentOnGpu& environment) {
   environment.method.takeSunOut = environment.sun.has_value();
 }
 
+bool chooseMethod(EnvironmentOnGpu& environment, const PictureSettings& settings) {
+  ibl::Method method = settings.maxError ? ibl::methodFor(*settings.maxError) : ibl::Method();
+  method.takeSunOut = environment.method.takeSunOut;
+  if (method == environment.method) return false;
+  environment.method = method;
+  environment.tables = {};
+  return true;
+}
+
 Result<void> prepareTables(EnvironmentOnGpu& environment, const ibl::Needs& needs, shading::ProgramStore& programs) {
   return ibl::prepareTables(environment.tables, environment.environment, environment.content, needs, programs,
                             environment.cache, environment.method);
@@ -302,6 +312,7 @@ Result<PreparedPicture> preparePicture(const PictureSettings& settings, SceneOnG
 
   const shading::ProgramStatistics before = programs.statistics();
   PictureStatistics& statistics = prepared.statistics;
+  chooseMethod(environment, settings);
   if (Result<void> r = prepareTables(environment, needs, programs); !r) return tl::unexpected(r.error());
   statistics.tables = environment.tables.statistics;
   stages.mark("precompute");

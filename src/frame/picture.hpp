@@ -9,8 +9,8 @@
 
 #include "base/stages.hpp"
 #include "frame/frame.hpp"
-#include "ibl/cache.hpp"
 #include "frame/max_error.hpp"
+#include "ibl/cache.hpp"
 
 namespace facet::frame {
 
@@ -41,6 +41,9 @@ struct EnvironmentOnGpu {
 
 // Looks for a sun in the environment's texels.
 void findSun(EnvironmentOnGpu& environment);
+
+// The methods that settings.maxError asks for; the tables of others are dropped. True where they were.
+bool chooseMethod(EnvironmentOnGpu& environment, const PictureSettings& settings);
 
 // What of them is not there yet, from the cache or computed.
 Result<void> prepareTables(EnvironmentOnGpu& environment, const ibl::Needs& needs, shading::ProgramStore& programs);
@@ -97,9 +100,9 @@ struct PictureStatistics {
   std::vector<ibl::TableStatistics> tables;
   size_t textureBytes = 0, geometryBytes = 0, tableBytes = 0, targetBytes = 0;
   std::map<std::string, int> variants;  // programs by name (shading::variantName) -> draws, before culling
-  uint64_t clampedPixels = 0;    // all samples of a channel at the largest half float; counted where radiance is read
-  uint64_t nonFinitePixels = 0;  // likewise
-  std::vector<double> frameMs;   // the first frame, then the repeated ones; each waited for
+  uint64_t clampedPixels = 0;     // all samples of a channel at the largest half float; counted where radiance is read
+  uint64_t nonFinitePixels = 0;   // likewise
+  std::vector<double> frameMs;    // the first frame, then the repeated ones; each waited for
   std::vector<Attempt> attempts;  // with more and more samples; only where an error is to be kept to
 };
 

@@ -87,7 +87,7 @@ struct PictureSettings {
 
   float exposureStops = 0;  // factor 2^stops before tone mapping, [-32, 32]
   ToneMapper toneMapper = ToneMapper::neutral;
-  int samples = 4;        // a pixel, [1, 4096]; 1: no antialiasing; above 4 the light converges too
+  int samples = 4;  // a pixel, [1, 4096]; 1: no antialiasing; above 4 the light converges too
   // The picture takes as many samples as its estimated error needs (frame/max_error.hpp), and the tables the cheapest
   // methods that keep to it (ibl/choice.hpp): relative, (0, 1]. Above 4, samples is the most that it may take.
   std::optional<double> maxError;

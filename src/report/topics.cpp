@@ -3,6 +3,7 @@
 #include "report/energy.hpp"
 #include "report/light.hpp"
 #include "report/measured_cost.hpp"
+#include "report/methods.hpp"
 #include "report/models.hpp"
 
 namespace facet::report {
@@ -21,6 +22,7 @@ constexpr Topic topics[] = {
     {"light", "image-based light: error against run time under --env", true, lightReport},
     {"measured", "measured BRDFs: error against run time of samples and formats, look-ups against formulas", true,
      measuredReport},
+    {"methods", "what --max-error chooses from: error and cost of each table's methods", true, methodsReport},
     {"ndf", "shadowing terms and energy of GGX, Beckmann and Blinn", false, computed<ndfTables>},
 };
 

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <span>
 
+#include "ibl/choice.hpp"
 #include "optics/presets.hpp"
 #include "shading/features.hpp"
 #include "view/measured_panel.hpp"
@@ -289,8 +290,9 @@ void modelsSection(ViewerState& state) {
 void budgetChoice(frame::PictureSettings& settings) {
   bool kept = settings.maxError.has_value();
   if (ImGui::Checkbox("keep to an error", &kept)) settings.maxError = kept ? std::optional(0.01) : std::nullopt;
-  hint("the resting picture takes as many samples as its estimated error needs, the chosen number at most; the light "
-       "tables are made to that error, too");
+  hint(
+      "the resting picture takes as many samples as its estimated error needs, the chosen number at most; the light "
+      "tables are made to that error, too");
   if (!settings.maxError) return;
   auto percent = static_cast<float>(100 * *settings.maxError);
   ImGui::SetNextItemWidth(-FLT_MIN);
@@ -313,6 +315,16 @@ void accuracySection(ViewerState& state) {
   detail("its error", error);
   hint("root mean square of the colours on the screen: the first half of the samples against the second");
   detail("light tables", byteText(state.shown.statistics.tableBytes));
+  if (state.settings.maxError) {
+    constexpr std::pair<const char*, ibl::Part> parts[] = {
+        {"irradiance", ibl::Part::irradiance}, {"reflections", ibl::Part::layers}, {"DFG", ibl::Part::dfg}};
+    for (const auto& [name, part] : parts) {
+      const ibl::Candidate& chosen = ibl::choose(part, *state.settings.maxError);
+      char text[96];
+      std::snprintf(text, sizeof text, "%s: %.2g %%", chosen.name.data(), 100 * chosen.error);
+      detail(name, text);
+    }
+  }
   ImGui::EndTable();
 }
 

@@ -73,6 +73,7 @@ ListRequest listRequest(const ViewerState& state, int scene, int variant, bool h
   request.channel = options.features.channel;
   request.imageLightSamples = options.features.imageLightSamples;
   request.models = options.features.models;
+  request.maxError = state.settings.maxError;
   request.sceneLights = options.sceneLights;
   request.demoLights = options.demoLights;
   request.skyVisible =

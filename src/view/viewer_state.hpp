@@ -163,6 +163,7 @@ struct ListRequest {
   bool environment = false, occlusion = true;
   int channel = 0, imageLightSamples = 0;
   optics::Models models;
+  std::optional<double> maxError;  // of the tables
   bool sceneLights = true, demoLights = false;
   std::optional<scene::Sun> sun;  // the environment's
   bool skyVisible = false;

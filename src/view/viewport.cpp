@@ -109,6 +109,7 @@ Result<bool> putOnGpu(Viewport& viewport, SceneSlot& scene, EnvironmentSlot& env
   ibl::Needs needs = list.needs(request.skyVisible);
   // Made on the way to the others; at rest it is sampled.
   needs.cube |= needs.irradiance && frame::converges(state.settings);
+  if (frame::chooseMethod(environment.onGpu, state.settings)) cancelSharpening(environment);
   if (Result<void> r = provideTables(environment, needs, viewport.programs, viewport.environments.immediateMs); !r)
     return tl::unexpected(r.error());
   const ibl::Tables& tables = environment.onGpu.tables;

@@ -73,6 +73,7 @@ PictureSettings unusual() {
   s.exposureStops = -2.5f;
   s.toneMapper = frame::ToneMapper::uncharted2;
   s.samples = 16;
+  s.maxError = 0.02;
   s.channel = "geometryNormal";
   s.shaderDir = "my $HOME";
   return s;
@@ -134,6 +135,8 @@ TEST_CASE("each option sets its own field") {
   CHECK(set("exposure", "-1.5").exposureStops == -1.5f);
   CHECK(set("tonemap", "agx").toneMapper == frame::ToneMapper::agx);
   CHECK(set("samples", "1").samples == 1);
+  CHECK(set("max-error", "0.5%").maxError == 0.005);
+  CHECK(set("max-error", "0.02").maxError == 0.02);
   CHECK(set("channel", "baseColor").channel == "baseColor");
   CHECK(set("channel", "final").channel == "");
   CHECK(set("shader-dir", "shaders").shaderDir == "shaders");
@@ -189,6 +192,9 @@ TEST_CASE("every way to be wrong has its sentence") {
       {"tonemap", "filmic",
        "--tonemap: 'filmic' is not known; choose one of none, reinhard, uncharted2, aces, agx, neutral."},
       {"tonemap", "ACES", "--tonemap: 'ACES' is not known; perhaps aces is meant."},
+      {"max-error", "0", "--max-error: '0' is no error that a picture could keep to; give a share such as 0.01 or 1%."},
+      {"max-error", "120%",
+       "--max-error: '120%' is no error that a picture could keep to; give a share such as 0.01 or 1%."},
       {"samples", "0", "--samples: 0 is out of range; give a whole number from 1 to 4096."},
       {"channel", "normals", "--channel: 'normals' is not known; perhaps normal is meant."},
       {"shader-dir", "", "--shader-dir: the value is empty; give a name or leave the option out."},

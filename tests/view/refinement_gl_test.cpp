@@ -62,6 +62,36 @@ TEST_CASE("refinement: a resting picture becomes what facet render makes, byte b
   CHECK((viewer.display().data == headless("builtin:spheres", viewer.state.settings).data));
 }
 
+TEST_CASE("refinement: an error to keep to asks for more samples until it is kept, as facet render does", "[gl]") {
+  Viewer viewer;
+  viewer.state.settings.samples = 256;
+  viewer.state.settings.maxError = 0.01;
+  viewer.load("builtin:poster");
+  viewer.converge();
+  test::Studio studio;
+  const frame::Picture picture = studio.render(test::loadBuiltin("builtin:poster"), viewer.state.settings);
+  const std::vector<frame::Attempt>& attempts = picture.statistics.attempts;
+  REQUIRE(attempts.size() >= 2);
+  CHECK(viewer.state.refinement.shown == attempts.back().samples);
+  CHECK(viewer.state.refinement.error == Approx(attempts.back().error).epsilon(1e-4));
+  CHECK(viewer.state.refinement.error <= 255 * 0.01);
+  CHECK((viewer.display().data == picture.display.data));
+
+  // A looser one is kept at once, with coarser tables; none at all asks for the chosen number.
+  viewer.state.settings.maxError = 0.1;
+  viewer.settle();
+  viewer.converge();
+  CHECK(viewer.state.refinement.shown == 8);
+  CHECK(viewer.viewport.environments.shown->onGpu.method.irradianceSize == 8);
+  viewer.state.settings.maxError.reset();
+  viewer.state.settings.samples = 16;
+  viewer.settle();
+  viewer.converge();
+  CHECK(viewer.state.refinement.shown == 16);
+  CHECK(viewer.viewport.environments.shown->onGpu.method.irradianceSize == 32);
+  CHECK((viewer.display().data == headless("builtin:poster", viewer.state.settings).data));
+}
+
 TEST_CASE("refinement: glass, blending, an odd number of samples and a coloured background", "[gl]") {
   const test::TemporaryFolder folder;
   const std::string file = folder.write("glass.glb", glassScene().glb());

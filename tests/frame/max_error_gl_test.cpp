@@ -1,0 +1,86 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "frame/max_error.hpp"
+#include "frame/session.hpp"
+#include "support/picture.hpp"
+
+using namespace facet;
+
+namespace {
+
+frame::PictureSettings poster(int samples) {
+  frame::PictureSettings settings;
+  settings.width = settings.height = 96;
+  settings.environment = "builtin:studio";
+  settings.samples = samples;
+  return settings;
+}
+
+}  // namespace
+
+TEST_CASE("max error: powers of two, at least twice as many, up to what is allowed") {
+  frame::PictureSettings settings;
+  settings.maxError = 0.01;  // 2.55 / 255
+  CHECK(frame::firstSamples(settings) == 8);
+  CHECK(frame::nextSamples(settings, 8, 2.5) == 0);
+  CHECK(frame::nextSamples(settings, 8, 2.6) == 16);
+  CHECK(frame::nextSamples(settings, 8, 10.2) == 64);  // 8 * 4^(1 / 0.7) = 58
+  CHECK(frame::nextSamples(settings, 8, 1e9) == 4096);
+  CHECK(frame::nextSamples(settings, 4096, 3) == 0);
+  settings.samples = 100;
+  CHECK(frame::nextSamples(settings, 8, 1e9) == 100);
+  CHECK(frame::nextSamples(settings, 100, 3) == 0);
+  settings.samples = 6;
+  CHECK(frame::firstSamples(settings) == 6);
+}
+
+TEST_CASE("max error: the picture of that many samples, within the error, against the converged one", "[gl]") {
+  test::Studio studio;
+  const io::LoadedModel model = test::loadBuiltin("builtin:poster");
+  frame::PictureSettings settings = poster(4);
+  const auto truth = studio.render(model, poster(1024)).display;
+  for (const double wanted : {0.03, 0.008}) {
+    settings.maxError = wanted;
+    const frame::Picture picture = studio.render(model, settings);
+    const std::vector<frame::Attempt>& attempts = picture.statistics.attempts;
+    REQUIRE_FALSE(attempts.empty());
+    CHECK(attempts.size() <= 4);
+    CHECK(attempts.back().error <= 255 * wanted);
+    for (size_t i = 0; i + 1 < attempts.size(); ++i) CHECK(attempts[i].error > 255 * wanted);
+    double squares = 0;
+    for (size_t i = 0; i < truth.data.size(); ++i)
+      squares += std::pow(double(truth.data[i]) - double(picture.display.data[i]), 2);
+    const double error = std::sqrt(squares / double(truth.data.size()));
+    INFO(attempts.back().samples << " samples, estimated " << attempts.back().error << ", true " << error);
+    CHECK(error <= 255 * wanted * 1.1);  // the estimate itself is good to that
+    CHECK(attempts.back().error < 2 * error);
+  }
+}
+
+TEST_CASE("max error: the same bytes as --samples with the number that was chosen", "[gl]") {
+  test::Studio studio;
+  const io::LoadedModel model = test::loadBuiltin("builtin:poster");
+  frame::PictureSettings settings = poster(4);
+  settings.maxError = 0.01;
+  const frame::Picture kept = studio.render(model, settings);
+  // Sampled pictures read irradiance and DFG only; at 1 % the former is the default's, so that a scene of metals, whose
+  // DFG table is coarser, differs by less than the table's error.
+  const frame::Picture plain = studio.render(model, poster(kept.statistics.attempts.back().samples));
+  REQUIRE(kept.display.data.size() == plain.display.data.size());
+  int largest = 0;
+  for (size_t i = 0; i < plain.display.data.size(); ++i)
+    largest = std::max(largest, std::abs(int(kept.display.data[i]) - int(plain.display.data[i])));
+  CHECK(largest <= 2);
+}
+
+TEST_CASE("max error: what cannot be reached is drawn with as many samples as are allowed", "[gl]") {
+  test::Studio studio;
+  frame::PictureSettings settings = poster(12);
+  settings.maxError = 1e-4;
+  const frame::Picture picture = studio.render(test::loadBuiltin("builtin:poster"), settings);
+  REQUIRE(picture.statistics.attempts.size() == 2);
+  CHECK(picture.statistics.attempts[0].samples == 8);
+  CHECK(picture.statistics.attempts[1].samples == 12);
+  CHECK(picture.statistics.attempts[1].error > 255 * 1e-4);
+}
