@@ -67,15 +67,15 @@ TEST_CASE("methods: a photographed studio comes to what is stated of irradiance"
   }
 }
 
-// The bounds that the tables of the default method are to keep, under maps of others. Relative to the map's value, a
-// tenth of its mean added where half of it is black.
+// Relative RMSE with a tenth of the map's mean added to what is divided by. Got: irradiance 0.0008 to 0.0070, worst
+// layer 0.012 to 0.016, zone 0.005 to 0.027, bias 0.004 to 0.014.
 TEST_CASE("light: the default tables keep their bounds under photographed maps", "[shared]") {
   struct Map {
     const char* name;
     double irradiance, irradianceWorst, ld, zone;
   };
   constexpr Map maps[] = {{"vestibule_1k", 0.01, 0.05, 0.025, 0.06},
-                          {"chinese_garden_1k", 0.01, 0.05, 0.032, 0.06},  // 3.1 % at roughness 0.1, the bound is 2.5 %
+                          {"chinese_garden_1k", 0.01, 0.05, 0.025, 0.06},
                           {"kloppenheim_05_1k", 0.01, 0.05, 0.025, 0.06},
                           {"studio_small_05_1k", 0.01, 0.05, 0.025, 0.06}};
   for (const Map& map : maps) {
@@ -98,8 +98,5 @@ TEST_CASE("light: the default tables keep their bounds under photographed maps",
     for (const double e : ld->flooredByRoughness) CHECK(e <= map.ld);
     CHECK(ld->zone <= map.zone);
     CHECK(std::abs(ld->bias) <= 0.02);
-    WARN(map.name << ": irradiance " << irradiance->error.flooredRmse << ", LD " << ld->floored << ", worst "
-                  << *std::ranges::max_element(ld->flooredByRoughness) << ", zone " << ld->zone << ", bias "
-                  << ld->bias);
   }
 }
