@@ -72,6 +72,7 @@ LAYOUT_CONST sheenAlbedoUnit = 26;
 LAYOUT_CONST opaqueFrameUnit = 27;  // what is behind transmitting surfaces, with mips
 LAYOUT_CONST opaqueDepthUnit = 28;  // its depth, with mips
 LAYOUT_CONST tapsUnit = 29;         // image_light_taps.glsl
+LAYOUT_CONST comparedUnit = 30;     // the fitted model's picture
 
 // The LD chain: layer i holds perceptual roughness ldKnot(i) (environment_layers.glsl); how many cubes of which size.
 LAYOUT_CONST ldLayerCount = 13;
@@ -141,6 +142,12 @@ struct MeasuredUniforms {
   vec4 table;  // x share of the samples that the cosine gets; y scale of RGB9_E5 cells; z MERL: steps of phi_d; w unused
 };
 
+// In the place of the cells where the model that was fitted to them is drawn; MeasuredUniforms' lobe is its own then.
+struct FittedUniforms {
+  vec4 f0;      // rgb; w perceptual roughness, of the diffuse model
+  vec4 albedo;  // rgb; w unused
+};
+
 #ifdef __cplusplus
 #undef LAYOUT_CONST
 static_assert(sizeof(MaterialUniforms) == 56 * 16);
@@ -150,5 +157,6 @@ static_assert(sizeof(Joint) == 3 * 16);
 static_assert(sizeof(MorphWeight) == 8);
 static_assert(sizeof(LightUniforms) == 4 * 16);
 static_assert(sizeof(MeasuredUniforms) == 2 * 16);
+static_assert(sizeof(FittedUniforms) == 2 * 16);
 }  // namespace facet::layout
 #endif

@@ -1,6 +1,10 @@
 // Light on a surface whose BRDF was measured: of points, spots and suns, and of the environment by filtered importance
 // sampling (Krivanek and Colbert 2008) from a lobe that was fitted to the table (src/optics/measured_proxy.hpp).
+#ifdef FITTED_BRDF
+#include "measured_fitted.glsl"
+#else
 #include "measured_table.glsl"
+#endif
 #include "measured_sampling.glsl"
 #include "mapping.glsl"
 #ifdef HAS_PUNCTUAL_LIGHTS

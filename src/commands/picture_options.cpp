@@ -96,6 +96,11 @@ constexpr Named<optics::LookUp> lookUps[] = {{"interpolated", optics::LookUp::in
 constexpr Named<io::UtiaDecode> utiaDecodes[] = {
     {"raw", io::UtiaDecode::raw}, {"srgb", io::UtiaDecode::srgb}, {"srgb140", io::UtiaDecode::srgb140}};
 
+constexpr Named<frame::BrdfCompare> comparisons[] = {{"none", frame::BrdfCompare::none},
+                                                     {"fit", frame::BrdfCompare::fit},
+                                                     {"split", frame::BrdfCompare::split},
+                                                     {"difference", frame::BrdfCompare::difference}};
+
 constexpr Named<Text> channels[] = {{"final", ""},
                                     {"normal", "normal"},
                                     {"geometryNormal", "geometryNormal"},
@@ -211,6 +216,12 @@ std::string writeBumpScale(const PictureSettings& settings) {
 
 std::string writeBrdfSamples(const PictureSettings& settings) {
   return settings.brdfSamples == 0 ? std::string() : number(settings.brdfSamples);
+}
+
+// Nothing is compared where nothing is measured.
+std::string writeBrdfCompare(const PictureSettings& settings) {
+  if (settings.brdf.empty() || settings.brdfCompare == frame::BrdfCompare::none) return {};
+  return writeName<comparisons, &PictureSettings::brdfCompare>(settings);
 }
 
 std::string writeTime(const PictureSettings& settings) {
@@ -400,6 +411,14 @@ constexpr PictureOption table[] = {
      parseNumberInto<&S::brdfSamples, 1, 1024>, writeBrdfSamples},
     {"utia-decode", "NAME", "what UTIA's numbers are: raw, srgb, srgb140 (raw)", parseName<utiaDecodes, &S::utiaDecode>,
      writeName<utiaDecodes, &S::utiaDecode>},
+    {"brdf-compare", "NAME",
+     "the model fitted to it, GGX over --diffuse: fit, in its place; split, at its right; difference, of what the "
+     "screen shows of both (none)",
+     parseName<comparisons, &S::brdfCompare>, writeBrdfCompare},
+    {"brdf-split", "0..1", "where the fitted model begins, in widths of the picture (0.5)",
+     parseNumberInto<&S::brdfSplit, 0, 1>, writeNumber<&S::brdfSplit>},
+    {"brdf-difference-scale", "X", "factor on that difference (4)", parseNumberInto<&S::brdfDifferenceScale, 0, 1000>,
+     writeNumber<&S::brdfDifferenceScale>},
     {"occlusion", "0..1", "scales the occlusion textures' strength (1)", parseNumberInto<&S::occlusion, 0, 1>,
      writeNumber<&S::occlusion>},
     {"exposure", "STOPS", "factor 2^STOPS before tone mapping (0)", parseNumberInto<&S::exposureStops, -32, 32>,
@@ -516,6 +535,8 @@ Result<void> apply(const nlohmann::json& object, std::span<const Text> others, c
 Result<void> checkTogether(const PictureSettings& settings) {
   if (settings.timeSeconds != 0 && settings.animation.empty())
     return fail({}, "--time", "nothing moves without an animation", "give --animation NAME, or --animation all");
+  if (settings.brdfCompare != frame::BrdfCompare::none && settings.brdf.empty())
+    return fail({}, "--brdf-compare", "there is no measured BRDF to compare", "give --brdf, too");
   if (settings.camera.empty() || (!settings.orbit && !settings.target)) return {};
   return fail({}, settings.orbit ? "--orbit" : "--target", "the camera of the file has its own place",
               "give either this or --camera");

@@ -103,6 +103,9 @@ nlohmann::ordered_json statsJson(const Job& job, const frame::Session& session, 
                   {"draws", s.frame.draws},
                   {"instances", s.frame.instances},
                   {"triangles", s.frame.triangles}};
+  if (s.comparison)
+    out["brdfComparison"] = {
+        {"rms", s.comparison->rms}, {"share", s.comparison->share}, {"largest", s.comparison->largest}};
   if (isExr(job.output)) out["pixels"] = {{"fullyClamped", s.clampedPixels}, {"nonFinite", s.nonFinitePixels}};
   out["leftOut"] = report::leftOut(session.model()->model, s);
   out["notes"] = notesJson(notes);

@@ -271,6 +271,7 @@ DrawList buildDrawList(const scene::Model& model, int scene, const DrawOptions& 
   if (options.sun && options.features.environment) list.lights.push_back(sunUniforms(*options.sun));
   list.features = options.features;
   list.features.punctualLights = !list.lights.empty();
+  list.compared = options.compared;
   const std::vector<int> firstJoints = addJoints(list, flat);
   for (const auto& [key, placed] : groups)
     addInstances(list, model.meshes[static_cast<size_t>(std::get<0>(key))], placed, firstJoints, options);

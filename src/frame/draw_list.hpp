@@ -26,8 +26,9 @@ struct DrawOptions {
   bool demoLights = false;               // four point lights around the scene
   std::optional<scene::Sun> sun = {};    // the environment's, where its tables do without it
   MaterialOverride material = {};
-  int variant = -1;     // index in Model::variants; -1: the primitives' own materials
-  bool moving = false;  // other poses will follow: morph targets keep their program while all weights are 0
+  int variant = -1;       // index in Model::variants; -1: the primitives' own materials
+  bool compared = false;  // drawn a second time, of the model fitted to its measured BRDF
+  bool moving = false;    // other poses will follow: morph targets keep their program while all weights are 0
 };
 
 // One instanced draw call.
@@ -64,6 +65,7 @@ struct DrawList {
   std::vector<Draw> transmitting;  // show what is behind them, of any alpha mode; sorted likewise
   std::vector<Draw> blended;       // one instance each; sorted by distance when drawn
   shading::FrameFeatures features;
+  bool compared = false;  // DrawOptions'
   std::vector<FileCamera> cameras;
   int overflowed = 0;  // nodes left out because their transform is not finite
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 
 #include "frame/gather.hpp"
 #include "frame/max_error.hpp"
@@ -37,11 +38,25 @@ void placeBand(std::vector<T>& picture, const std::vector<T>& band, size_t rowLe
             picture.begin() + static_cast<ptrdiff_t>(static_cast<size_t>(height - firstRow - kept) * rowLength));
 }
 
+// As compare.frag.glsl does it with display values; the difference is not scaled.
+void compareRadiance(io::RadianceImage& picture, const io::RadianceImage& fitted, const PictureSettings& settings) {
+  const float split = settings.brdfSplit * static_cast<float>(picture.width);
+  for (size_t i = 0; i < picture.pixels.size(); ++i) {
+    glm::vec4& p = picture.pixels[i];
+    const glm::vec4& f = fitted.pixels[i];
+    if (settings.brdfCompare == BrdfCompare::difference)
+      p = glm::vec4(glm::abs(glm::vec3(p) - glm::vec3(f)), 1);
+    else if (static_cast<float>(i % static_cast<size_t>(picture.width)) + 0.5f >= split)
+      p = f;
+  }
+}
+
 void readBand(Picture& picture, const PictureRequest& request, const Targets& targets, const PictureSettings& settings,
               int firstRow) {
   const auto width = static_cast<size_t>(settings.width), height = static_cast<size_t>(settings.height);
   if (request.radiance) {
     io::RadianceImage band = readRadiance(targets);
+    if (targets.fitted) compareRadiance(band, readFitted(targets), settings);
     if (settings.background == Background::color)
       for (glm::vec4& p : band.pixels) p = glm::vec4(glm::vec3(p) + (1 - p.a) * settings.backgroundColor, 1);
     picture.radiance.width = settings.width, picture.radiance.height = settings.height;
@@ -82,8 +97,9 @@ struct DrawnFrame {
 };
 
 // All bands; each goes to `read` when it is drawn.
-template <class Read>
-Result<DrawnFrame> drawBands(FrameInput in, const Targets& targets, shading::ProgramStore& programs, const Read& read) {
+using ReadBand = std::function<Result<void>(const FrameInput& band)>;
+Result<DrawnFrame> drawBands(FrameInput in, const Targets& targets, shading::ProgramStore& programs,
+                             const ReadBand& read) {
   DrawnFrame frame;
   double squares = 0;
   for (in.firstRow = 0; in.firstRow < in.settings.height; in.firstRow += targets.height) {
@@ -95,7 +111,7 @@ Result<DrawnFrame> drawBands(FrameInput in, const Targets& targets, shading::Pro
     frame.statistics = std::move(*drawn);
     const double error = frame.statistics.error;
     squares += error * error * std::min(targets.height, in.settings.height - in.firstRow);
-    read(in.firstRow);
+    if (Result<void> r = read ? read(in) : Result<void>(); !r) return tl::unexpected(r.error());
   }
   if (targets.before) frame.statistics.error = std::sqrt(squares / in.settings.height);
   return frame;
@@ -129,6 +145,7 @@ Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& 
   const int rows = std::min(bandRows(settings, list, context), settings.height);
   Targets targets = pictureTargets(settings, context, rows, asked.maxError.has_value());
   prepareBehind(targets, list);
+  prepareComparison(targets, list);
   statistics.bands = (settings.height + rows - 1) / rows;
   if (asked.maxError)
     if (Result<void> r = prepareGatherPrograms(programs); !r) return tl::unexpected(r.error());
@@ -136,21 +153,29 @@ Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& 
   for (int samples = settings.samples; samples > 0;) {
     settings.samples = samples;
     setTextureDetail(scene.gpu, gatheredDraws(settings, targets), context);
-    Result<DrawnFrame> drawn = drawBands(input, targets, programs, [&](int firstRow) {
+    std::vector<ComparisonSums> comparison;
+    Result<DrawnFrame> drawn = drawBands(input, targets, programs, [&](const FrameInput& band) -> Result<void> {
       stages.mark("first frame");
-      readBand(picture, request, targets, settings, firstRow);
+      readBand(picture, request, targets, settings, band.firstRow);
+      if (comparing(band)) {
+        Result<ComparisonSums> sums = sumComparison(band, targets, 1, programs);
+        if (!sums) return tl::unexpected(sums.error());
+        comparison.push_back(std::move(*sums));
+      }
       stages.mark("read back");
+      return {};
     });
     if (!drawn) return tl::unexpected(drawn.error());
     statistics.frame = std::move(drawn->statistics);
     statistics.frameMs = {drawn->milliseconds};
+    if (!comparison.empty()) statistics.comparison = readComparison(comparison);
     samples = 0;
     if (!asked.maxError) continue;
     statistics.attempts.push_back({settings.samples, statistics.frame.error, drawn->milliseconds});
     samples = nextSamples(asked, settings.samples, statistics.frame.error);
   }
   for (int i = 0; i < request.repeat; ++i) {
-    const Result<DrawnFrame> drawn = drawBands(input, targets, programs, [](int) {});
+    const Result<DrawnFrame> drawn = drawBands(input, targets, programs, {});
     if (!drawn) return tl::unexpected(drawn.error());
     statistics.frameMs.push_back(drawn->milliseconds);
     stages.mark("repeated frames");

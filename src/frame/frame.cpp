@@ -8,6 +8,8 @@
 #include <span>
 
 #include "frame/behind.hpp"
+#include "frame/display_pass.hpp"
+#include "frame/fitted_gpu.hpp"
 #include "frame/scene_pass.hpp"
 #include "scene/geometry.hpp"
 
@@ -114,7 +116,8 @@ Result<void> drawSorted(const FrameInput& in, std::span<const Draw> draws, bool 
   for (const Draw& draw : draws) {
     const bool sameProgram = previous && previous->key == draw.key;
     if (!sameProgram) {
-      const auto program = meshProgram(draw.key, programs);
+      const auto program =
+          meshProgram(in.fitted ? shading::fittedKey(draw.key, in.list.features.models.diffuse) : draw.key, programs);
       if (!program) return tl::unexpected(program.error());
       glUseProgram((*program)->id());
     }
@@ -191,6 +194,14 @@ Result<void> drawTransmitting(const FrameInput& in, const VisibleDraws& visible,
   return drawSorted(in, visible.transmitting, false, programs, statistics);
 }
 
+// The table, or the model that was fitted to it.
+void bindMeasured(const FrameInput& in) {
+  if (in.list.features.measured == shading::Measured::none) return;
+  const gl::Buffer* buffer = in.gpu.measured ? &in.gpu.measured->buffer : nullptr;
+  if ((in.fitted || in.list.features.measuredFitted) && in.gpu.fitted) buffer = &in.gpu.fitted->buffer;
+  if (buffer) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::measuredBinding, buffer->id());
+}
+
 void clearTargets(const FrameInput& in, const Targets& targets) {
   glm::vec4 clear(0, 0, 0, 1);
   // A colour is put behind the finished picture, so that neither exposure nor tone mapping changes it.
@@ -202,10 +213,6 @@ void clearTargets(const FrameInput& in, const Targets& targets) {
 }
 
 }  // namespace
-
-Result<const gl::Program*> displayProgram(ProgramStore& programs) {
-  return programs.render("passes/fullscreen.vert.glsl", "passes/display.frag.glsl");
-}
 
 Result<FrameStatistics> drawScene(const FrameInput& in, const VisibleDraws& visible, const Targets& targets, int draw,
                                   int draws, const glm::dvec2& offsetPixels, ProgramStore& programs) {
@@ -221,8 +228,7 @@ Result<FrameStatistics> drawScene(const FrameInput& in, const VisibleDraws& visi
   if (in.gpu.joints) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::jointBinding, in.gpu.joints.id());
   if (in.gpu.morphWeights)
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::morphWeightBinding, in.gpu.morphWeights.id());
-  if (in.list.features.measured != shading::Measured::none && in.gpu.measured)
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::measuredBinding, in.gpu.measured->buffer.id());
+  bindMeasured(in);
   bindTables(in.tables);
   glCullFace(GL_BACK);
   glBindVertexArray(targets.noAttributes.id());
@@ -251,9 +257,14 @@ std::vector<ProgramGetter> neededPrograms(const FrameInput& in, ProgramStore& pr
     for (const Draw& draw : *draws) keys.insert(draw.key);
   std::vector<ProgramGetter> needed;
   for (const shading::VariantKey& key : keys) needed.push_back([&, key] { return meshProgram(key, programs); });
+  if (comparing(in))
+    for (const shading::VariantKey& key : keys) {
+      const shading::VariantKey fitted = shading::fittedKey(key, in.list.features.models.diffuse);
+      if (fitted != key) needed.push_back([&, fitted] { return meshProgram(fitted, programs); });
+    }
   if (!in.list.transmitting.empty()) needed.push_back([&] { return behindProgram(programs); });
   if (skyVisible(in)) needed.push_back([&] { return skyProgram(programs); });
-  needed.push_back([&] { return displayProgram(programs); });
+  needed.push_back([&] { return displayProgram(in, programs); });
   return needed;
 }
 

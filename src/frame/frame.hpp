@@ -34,9 +34,10 @@ struct Targets {
   gl::Texture color;        // RGBA16F, scene-linear, associated alpha
   gl::Texture sum;          // RGBA32F, only while several draws are gathered
   gl::Texture before;       // RGBA32F, the sum as it was; only where the error is wanted
+  gl::Texture fitted;       // as sum, else as color, of the fitted model; only where it is compared
   gl::Texture display;      // RGBA8, sRGB-encoded, straight alpha
   Behind behind;            // only for scenes with transmitting surfaces
-  gl::Framebuffer drawn, resolved, gathered, shown;
+  gl::Framebuffer drawn, resolved, gathered, fittedGathered, shown;
   gl::VertexArray noAttributes;  // core profile draws nothing without a vertex array, full-screen passes too
 };
 Targets createTargets(int width, int height, int samples, bool gather);
@@ -47,6 +48,8 @@ Targets createValueTargets(int width, int height, GLenum format);
 // Adds the copy of what is behind where the list has transmitting surfaces and the targets have none yet; frees it
 // where the list has none.
 void prepareBehind(Targets& targets, const DrawList& list);
+// Likewise for the fitted model's picture, where the list is compared.
+void prepareComparison(Targets& targets, const DrawList& list);
 size_t targetBytes(const Targets& targets);  // of the textures
 
 struct FrameStatistics {
@@ -64,7 +67,8 @@ struct FrameInput {
   const ibl::Tables& tables;
   const scene::View& view;
   const PictureSettings& settings;
-  int firstRow = 0;  // the targets hold the picture's rows from here on, counted from the bottom
+  int firstRow = 0;     // the targets hold the picture's rows from here on, counted from the bottom
+  bool fitted = false;  // draws the fitted model in the measured BRDF's place
 };
 
 // Binds the tables that are there to the units of their names.
@@ -86,6 +90,8 @@ Result<FrameStatistics> drawFrame(const FrameInput& in, const Targets& targets, 
 
 // Scene-linear, associated alpha; waits for the GPU.
 io::RadianceImage readRadiance(const Targets& targets);
+// The same of the fitted model, where it is compared.
+io::RadianceImage readFitted(const Targets& targets);
 // 8-bit sRGB; RGB where the background covers everything, RGBA else.
 io::Pixels readDisplay(const Targets& targets, bool withAlpha);
 

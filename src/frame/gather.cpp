@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "frame/display_pass.hpp"
 #include "frame/scene_pass.hpp"
 
 namespace facet::frame {
@@ -40,49 +41,48 @@ VisibleDraws visibleRows(const FrameInput& in, const Targets& targets) {
                       2 * marginPixels / std::min(in.settings.width, in.settings.height));
 }
 
-void drawFullscreen(const gl::Framebuffer& target, const Targets& targets, const gl::Texture& source,
-                    const gl::Program& program) {
-  glBindFramebuffer(GL_FRAMEBUFFER, target.id());
-  glBindVertexArray(targets.noAttributes.id());
-  glViewport(0, 0, targets.width, targets.height);
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_CULL_FACE);
-  source.bind(layout::sourceUnit);
-  glUseProgram(program.id());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
-}
-
-// What displayed() in shaders/display.glsl takes; scale: on what is read.
-struct DisplayParameters {
-  glm::vec4 parameters, backdrop;
-};
-DisplayParameters displayParameters(const FrameInput& in, float scale) {
-  const PictureSettings& s = in.settings;
-  const int channel = in.list.features.channel;
-  const bool shaded = channel == 0;
-  return {{shaded ? std::exp2(s.exposureStops) : 1.0f, shaded ? static_cast<float>(s.toneMapper) : 0.0f,
-           shading::channelIsColor(channel) ? 1.0f : 0.0f, scale},
-          {s.backgroundColor, s.background == Background::color ? 1.0f : 0.0f}};
-}
-
-// Adds targets.color / draws to the sum.
-Result<void> addToSum(const Targets& targets, const Gathering& gathering, ProgramStore& programs) {
+// Adds targets.color / draws to a sum.
+Result<void> addToSum(const Targets& targets, const gl::Framebuffer& sum, const Gathering& gathering,
+                      ProgramStore& programs) {
   const auto program = gatherProgram(programs);
   if (!program) return tl::unexpected(program.error());
   (*program)->set(0, 1.0f / static_cast<float>(gathering.draws()));
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
-  drawFullscreen(targets.gathered, targets, targets.color, **program);
+  drawFullscreen(sum, targets, targets.color, **program);
   glDisable(GL_BLEND);
   return {};
 }
 
-// What is gathered so far times this is the mean of the draws that are done; exactly 1 at the end.
-float meanScale(const Gathering& gathering) {
-  return static_cast<float>(gathering.draws()) / static_cast<float>(gathering.done);
+// One draw of the scene, or of its band of rows, into the sum where there is one.
+Result<FrameStatistics> drawOnce(const FrameInput& in, const Targets& targets, const Gathering& gathering,
+                                 const gl::Framebuffer& sum, ProgramStore& programs) {
+  const auto index = static_cast<size_t>(gathering.done);
+  Result<FrameStatistics> drawn =
+      drawScene(in, gathering.visible, targets, gathering.done, gathering.draws(), gathering.offsets[index], programs);
+  if (!drawn || !targets.sum) return drawn;
+  if (Result<void> added = addToSum(targets, sum, gathering, programs); !added) return tl::unexpected(added.error());
+  return drawn;
+}
+
+// The same of the fitted model, before the measured BRDF's, which stays in targets.color.
+Result<void> drawFitted(const FrameInput& in, const Targets& targets, const Gathering& gathering,
+                        ProgramStore& programs) {
+  FrameInput fitted = in;
+  fitted.fitted = true;
+  const auto drawn = drawOnce(fitted, targets, gathering, targets.fittedGathered, programs);
+  if (!drawn) return tl::unexpected(drawn.error());
+  if (!targets.sum)
+    glCopyImageSubData(targets.color.id(), GL_TEXTURE_2D, 0, 0, 0, 0, targets.fitted.id(), GL_TEXTURE_2D, 0, 0, 0, 0,
+                       targets.width, targets.height, 1);
+  return {};
 }
 
 }  // namespace
+
+float meanScale(const Gathering& gathering) {
+  return static_cast<float>(gathering.draws()) / static_cast<float>(gathering.done);
+}
 
 int gatheredDraws(const PictureSettings& settings, const Targets& targets) {
   return targets.sum ? settings.samples : 1;
@@ -95,13 +95,13 @@ Gathering beginGathering(const FrameInput& in, const Targets& targets) {
   gathering.visibleBuffer = gl::Buffer::of(gathering.visible.instances, "visible instances");
   const glm::vec4 zero(0);
   if (targets.sum) glClearNamedFramebufferfv(targets.gathered.id(), GL_COLOR, 0, &zero.x);
+  if (targets.sum && targets.fitted) glClearNamedFramebufferfv(targets.fittedGathered.id(), GL_COLOR, 0, &zero.x);
   return gathering;
 }
 
 Result<void> gatherRows(const FrameInput& in, const Targets& targets, Gathering& gathering, int64_t rows,
                         ProgramStore& programs) {
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::visibleBinding, gathering.visibleBuffer.id());
-  const int draws = gathering.draws();
   while (rows > 0 && !gathering.complete()) {
     const bool whole = !in.list.transmitting.empty() || !targets.sum;
     const int left = targets.height - gathering.rows;
@@ -110,16 +110,17 @@ Result<void> gatherRows(const FrameInput& in, const Targets& targets, Gathering&
       glEnable(GL_SCISSOR_TEST);
       glScissor(0, gathering.rows, targets.width, band);
     }
-    const auto index = static_cast<size_t>(gathering.done);
-    Result<FrameStatistics> drawn =
-        drawScene(in, gathering.visible, targets, gathering.done, draws, gathering.offsets[index], programs);
-    Result<void> added;
-    if (drawn && targets.sum) added = addToSum(targets, gathering, programs);
+    Result<void> fitted;
+    if (comparing(in)) fitted = drawFitted(in, targets, gathering, programs);
+    Result<FrameStatistics> drawn;
+    if (fitted) drawn = drawOnce(in, targets, gathering, targets.gathered, programs);
     glDisable(GL_SCISSOR_TEST);
+    if (!fitted) return fitted;
     if (!drawn) return tl::unexpected(drawn.error());
-    if (!added) return added;
-    if (index == 0 && gathering.rows == 0)
+    if (gathering.done == 0 && gathering.rows == 0) {
       gathering.statistics = std::move(*drawn), gathering.statistics.culled = gathering.visible.culled;
+      if (comparing(in)) gathering.statistics.passes.emplace_back("all again, of the fitted model");
+    }
     rows -= band;
     gathering.rows += band;
     if (gathering.rows == targets.height) gathering.rows = 0, ++gathering.done;
@@ -130,13 +131,7 @@ Result<void> gatherRows(const FrameInput& in, const Targets& targets, Gathering&
 Result<void> drawDisplay(const FrameInput& in, const Targets& targets, const Gathering& gathering, const Targets& shown,
                          ProgramStore& programs) {
   assert(gathering.done > 0 && gathering.rows == 0);
-  const auto program = displayProgram(programs);
-  if (!program) return tl::unexpected(program.error());
-  const DisplayParameters display = displayParameters(in, meanScale(gathering));
-  (*program)->set(0, display.parameters);
-  (*program)->set(1, display.backdrop);
-  drawFullscreen(shown.shown, targets, targets.sum ? targets.sum : targets.color, **program);
-  return {};
+  return showPicture(in, targets, meanScale(gathering), shown, programs);
 }
 
 int nextEstimate(int done, int draws) { return 3 * done > draws ? draws : 2 * done; }

@@ -31,6 +31,9 @@ Gathering beginGathering(const FrameInput& in, const Targets& targets);
 Result<void> gatherRows(const FrameInput& in, const Targets& targets, Gathering& gathering, int64_t rows,
                         shading::ProgramStore& programs);
 
+// What is gathered so far times this is the mean of the draws that are done; exactly 1 at the end.
+float meanScale(const Gathering& gathering);
+
 // What has been gathered by now into the display picture of `shown`, which may be that of the same targets. At least
 // one draw is done, none is under way.
 Result<void> drawDisplay(const FrameInput& in, const Targets& targets, const Gathering& gathering, const Targets& shown,

@@ -45,6 +45,7 @@ struct GpuScene {
   gl::Buffer materials, instances, lights, joints, morphWeights;
   size_t materialStride = 0;
   std::shared_ptr<const MeasuredOnGpu> measured;  // in the place of the materials
+  std::shared_ptr<const FittedOnGpu> fitted;      // to it; where it is drawn in its place or beside it
   int imagesDecoded = 0;
 
   size_t textureBytes() const;

@@ -9,6 +9,7 @@
 
 #include "base/log.hpp"
 #include "base/parallel.hpp"
+#include "frame/fitted_gpu.hpp"
 #include "frame/measured_samples.hpp"
 #include "io/measured.hpp"
 #include "layout.h"
@@ -143,6 +144,7 @@ std::shared_ptr<const MeasuredOnGpu> keptMeasured(MeasuredStore& store, const Me
 
 void keepMeasured(MeasuredStore& store, std::shared_ptr<const MeasuredOnGpu> made) {
   std::erase_if(store.kept, [&](const auto& kept) { return kept->facts.source == made->facts.source; });
+  std::erase_if(store.fits, [&](const auto& fit) { return fit->fitted.source == made->facts.source; });
   store.kept.push_front(std::move(made));
   size_t bytes = 0;
   for (auto kept = store.kept.begin(); kept != store.kept.end();) {

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "base/whole_number.hpp"
+#include "frame/fitted_gpu.hpp"
 #include "frame/material_choice.hpp"
 #include "ibl/choice.hpp"
 #include "scene/animation.hpp"
@@ -76,13 +77,18 @@ void noteModels(const DrawList& list, Notes& notes) {
 
 // The measured BRDF onto the GPU and into the options, or out of both.
 Result<void> chooseMeasured(const PictureSettings& settings, SceneOnGpu& scene, DrawOptions& options, Notes& notes) {
-  scene.gpu.measured.reset();
+  scene.gpu.measured.reset(), scene.gpu.fitted.reset();
   if (settings.brdf.empty() || options.features.channel != 0) return {};
   if (!scene.measured) scene.measured = std::make_shared<MeasuredStore>();
   auto found = findMeasured(*scene.measured, measuredSource(settings), notes);
   if (!found) return tl::unexpected(found.error());
   scene.gpu.measured = *found;
   setMeasured(options.features, settings, (*found)->facts.kind, (*found)->facts.proxy);
+  if (settings.brdfCompare == BrdfCompare::none) return {};
+  auto fitted = findFit(*scene.measured, measuredSource(settings), settings.diffuse);
+  if (!fitted) return tl::unexpected(fitted.error());
+  scene.gpu.fitted = *fitted;
+  setFitted(options, settings);
   return {};
 }
 

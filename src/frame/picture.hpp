@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/stages.hpp"
+#include "frame/display_pass.hpp"
 #include "frame/frame.hpp"
 #include "frame/max_error.hpp"
 #include "ibl/cache.hpp"
@@ -100,10 +101,11 @@ struct PictureStatistics {
   std::vector<ibl::TableStatistics> tables;
   size_t textureBytes = 0, geometryBytes = 0, tableBytes = 0, targetBytes = 0;
   std::map<std::string, int> variants;  // programs by name (shading::variantName) -> draws, before culling
-  uint64_t clampedPixels = 0;     // all samples of a channel at the largest half float; counted where radiance is read
-  uint64_t nonFinitePixels = 0;   // likewise
-  std::vector<double> frameMs;    // the first frame, then the repeated ones; each waited for
-  std::vector<Attempt> attempts;  // with more and more samples; only where an error is to be kept to
+  uint64_t clampedPixels = 0;    // all samples of a channel at the largest half float; counted where radiance is read
+  uint64_t nonFinitePixels = 0;  // likewise
+  std::vector<double> frameMs;   // the first frame, then the repeated ones; each waited for
+  std::optional<ComparisonFigures> comparison;  // of a measured BRDF with the model fitted to it, where both are drawn
+  std::vector<Attempt> attempts;                // with more and more samples; only where an error is to be kept to
 };
 
 struct Picture {

@@ -7,8 +7,6 @@
 
 namespace facet::frame {
 
-Result<const gl::Program*> displayProgram(shading::ProgramStore& programs);
-
 // Draw number `draw` of `draws` into targets.color, offset within the pixel; keeps to the scissor where that is on. The
 // visible instances are bound.
 Result<FrameStatistics> drawScene(const FrameInput& in, const VisibleDraws& visible, const Targets& targets, int draw,

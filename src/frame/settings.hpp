@@ -24,6 +24,8 @@ struct Orbit {
 
 enum class Background { environment, transparent, color };
 enum class ToneMapper { none, reinhard, uncharted2, aces, agx, neutral };
+// What is shown of a measured BRDF: itself, the model fitted to it, both with a divider between, how they differ.
+enum class BrdfCompare { none, fit, split, difference };
 enum class Lights { scene, none, demo };  // the file's, no lights at all, the file's and four of ours
 
 // One material for everything, in place of the file's. What has no normals, because its own material is unlit, stays
@@ -82,6 +84,9 @@ struct PictureSettings {
   // Environment samples a pixel of pictures of at most 4 samples, [1, 1024]; 0: as many as frame/measured_samples.hpp
   // says.
   int brdfSamples = 0;
+  BrdfCompare brdfCompare = BrdfCompare::none;  // with GGX over `diffuse`
+  float brdfSplit = 0.5f;                       // where the fitted model begins, in widths of the picture, [0, 1]
+  float brdfDifferenceScale = 4;                // factor on the difference of display values, [0, 1000]
 
   float occlusion = 1;  // scales every material's occlusion strength, [0, 1]
 

@@ -63,6 +63,16 @@ Targets createValueTargets(int width, int height, GLenum format) {
   return t;
 }
 
+void prepareComparison(Targets& targets, const DrawList& list) {
+  if (!list.compared) targets.fitted = {}, targets.fittedGathered = {};
+  if (!list.compared || targets.fitted) return;
+  const GLenum format = targets.sum ? GL_RGBA32F : GL_RGBA16F;
+  targets.fitted =
+      gl::Texture({.format = format, .width = targets.width, .height = targets.height}, "fitted model's picture");
+  targets.fittedGathered = gl::Framebuffer("fitted model's picture");
+  targets.fittedGathered.attach(GL_COLOR_ATTACHMENT0, targets.fitted);
+}
+
 namespace {
 
 template <class T>
@@ -78,23 +88,33 @@ void flipRows(std::vector<T>& data, size_t rowLength) {
 
 size_t targetBytes(const Targets& targets) {
   size_t sum = 0;
-  for (const gl::Texture* texture : {&targets.multisample, &targets.depth, &targets.color, &targets.sum,
-                                     &targets.before, &targets.display, &targets.behind.color, &targets.behind.depth})
+  for (const gl::Texture* texture :
+       {&targets.multisample, &targets.depth, &targets.color, &targets.sum, &targets.before, &targets.fitted,
+        &targets.display, &targets.behind.color, &targets.behind.depth})
     if (*texture) sum += texture->bytes();
   return sum;
 }
 
-io::RadianceImage readRadiance(const Targets& targets) {
+namespace {
+
+io::RadianceImage readPixels(const Targets& targets, const gl::Texture& source) {
   io::RadianceImage out;
   out.width = targets.width;
   out.height = targets.height;
   out.pixels.resize(static_cast<size_t>(targets.width) * static_cast<size_t>(targets.height));
-  const gl::Texture& source = targets.sum ? targets.sum : targets.color;
   glGetTextureImage(source.id(), 0, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(out.pixels.size() * sizeof(glm::vec4)),
                     out.pixels.data());
   flipRows(out.pixels, static_cast<size_t>(targets.width));
   return out;
 }
+
+}  // namespace
+
+io::RadianceImage readRadiance(const Targets& targets) {
+  return readPixels(targets, targets.sum ? targets.sum : targets.color);
+}
+
+io::RadianceImage readFitted(const Targets& targets) { return readPixels(targets, targets.fitted); }
 
 io::Pixels readDisplay(const Targets& targets, bool withAlpha) {
   io::Pixels out;

@@ -203,7 +203,9 @@ constexpr FeatureRow rows[] = {
      [](const FeatureInput& in) { return measured(in) && in.frame.measured == Measured::merl; }},
     {"UTIA BRDF", "UTIA_BRDF", measuredUtia},
     {"nearest measured value", "MEASURED_NEAREST",
-     [](const FeatureInput& in) { return measured(in) && in.frame.measuredNearest; }},
+     [](const FeatureInput& in) { return measured(in) && in.frame.measuredNearest && !in.frame.measuredFitted; }},
+    {"model fitted to it", "FITTED_BRDF",
+     [](const FeatureInput& in) { return measured(in) && in.frame.measuredFitted; }},
     {"environment", "HAS_ENVIRONMENT",
      [](const FeatureInput& in) { return in.frame.environment && !unlit(in) && in.frame.channel == 0; }},
 };
@@ -314,6 +316,7 @@ VariantKey variantKey(const FeatureInput& input) {
   if (measured(input)) {
     if (usesFeature(key, "HAS_ENVIRONMENT") && key.imageLightSamples == 0)
       key.imageLightSamples = static_cast<uint16_t>(input.frame.measuredLightSamples);
+    if (input.frame.measuredFitted) key.diffuse = static_cast<uint8_t>(input.frame.models.diffuse);
     return key;
   }
   setModels(input, key);
@@ -372,6 +375,17 @@ bool usesFeature(const VariantKey& key, const char* define) {
     if (std::strcmp(rows[i].define, define) == 0) return (key.features & bit(i)) != 0;
   assert(false && "no such feature");
   return false;
+}
+
+VariantKey fittedKey(const VariantKey& key, optics::DiffuseModel diffuse) {
+  if (!isMeasured(key)) return key;
+  VariantKey fitted = key;
+  for (size_t i = 0; i < std::size(rows); ++i) {
+    if (std::strcmp(rows[i].define, "FITTED_BRDF") == 0) fitted.features |= bit(i);
+    if (std::strcmp(rows[i].define, "MEASURED_NEAREST") == 0) fitted.features &= ~bit(i);
+  }
+  fitted.diffuse = static_cast<uint8_t>(diffuse);
+  return fitted;
 }
 
 bool isMeasured(const VariantKey& key) { return usesFeature(key, "MERL_BRDF") || usesFeature(key, "UTIA_BRDF"); }

@@ -38,6 +38,7 @@ struct FrameFeatures {
   Measured measured = Measured::none;
   bool measuredNearest = false;   // looks up the nearest cell instead of interpolating
   int measuredLightSamples = 64;  // of the environment where imageLightSamples is 0
+  bool measuredFitted = false;    // the model that was fitted to it, over models.diffuse, in its place
 };
 
 // What moves the vertices of a drawn instance besides its matrix.
@@ -91,5 +92,7 @@ bool usesFeature(const VariantKey& key, const char* define);
 
 // True where the key's draws show a measured BRDF.
 bool isMeasured(const VariantKey& key);
+// The same draw of the model that was fitted to its measured BRDF; other keys stay as they are.
+VariantKey fittedKey(const VariantKey& key, optics::DiffuseModel diffuse);
 
 }  // namespace facet::shading

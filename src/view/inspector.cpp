@@ -240,6 +240,8 @@ void clickAt(Viewport& viewport, ViewerState& state, const glm::dvec2& at, const
   if (inspection.measured) {
     inspection.materialName += ", replaced";
     inspection.materialDetails = measuredDetails(*state.shown.measured, state.settings.brdfLookUp);
+    if (state.shown.fit)
+      std::ranges::move(fitDetails(*state.shown.fit), std::back_inserter(inspection.materialDetails));
   }
   state.inspection = std::move(inspection);
   state.selection = {hit->node, own ? draw->material : -1, true};

@@ -64,6 +64,14 @@ MeasuredLoaded loadMeasured(const frame::MeasuredSource& source, bool again) {
   return out;
 }
 
+FitMade makeFit(const frame::MeasuredSource& source, optics::DiffuseModel diffuse) {
+  try {
+    return {source, diffuse, frame::fitMeasured(source, diffuse)};
+  } catch (const std::bad_alloc&) {
+    return {source, diffuse, tooLarge(source.name)};
+  }
+}
+
 ImagesDecoded decodeImages(const std::shared_ptr<const io::LoadedModel>& model, const std::vector<bool>& wanted) {
   ImagesDecoded out{model, {}, {}};
   try {
@@ -86,6 +94,10 @@ void startEnvironment(Loader& loader, const std::string& source, bool again) {
 
 void startMeasured(Loader& loader, const frame::MeasuredSource& source, bool again) {
   loader.measured.start([source, again] { return loadMeasured(source, again); });
+}
+
+void startFit(Loader& loader, const frame::MeasuredSource& source, optics::DiffuseModel diffuse) {
+  loader.fit.start([source, diffuse] { return makeFit(source, diffuse); });
 }
 
 void startImages(Loader& loader, std::shared_ptr<const io::LoadedModel> model, std::vector<bool> wanted) {

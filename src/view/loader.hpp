@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "frame/measured_gpu.hpp"
+#include "frame/fitted_gpu.hpp"
 #include "io/bump.hpp"
 #include "io/gltf.hpp"
 #include "io/image.hpp"
@@ -41,6 +41,12 @@ struct MeasuredLoaded {
   bool again = false;
   Result<frame::MeasuredBytes> read;
   FileWatch watch = {};  // of the file, as it was before it was read; none for built-in ones
+};
+
+struct FitMade {
+  frame::MeasuredSource source;
+  optics::DiffuseModel diffuse = optics::DiffuseModel::lambert;
+  Result<frame::FittedBrdf> fit;
 };
 
 struct ImagesDecoded {
@@ -81,14 +87,18 @@ struct Loader {
   Latest<ModelLoaded> model;
   Latest<EnvironmentLoaded> environment;
   Latest<MeasuredLoaded> measured;
+  Latest<FitMade> fit;
   Latest<ImagesDecoded> images;
 
-  bool running() const { return model.running() || environment.running() || measured.running() || images.running(); }
+  bool running() const {
+    return model.running() || environment.running() || measured.running() || fit.running() || images.running();
+  }
 };
 
 void startModel(Loader& loader, const std::string& source, const io::Bump& bump = {}, bool again = false);
 void startEnvironment(Loader& loader, const std::string& source, bool again = false);
 void startMeasured(Loader& loader, const frame::MeasuredSource& source, bool again = false);
+void startFit(Loader& loader, const frame::MeasuredSource& source, optics::DiffuseModel diffuse);
 void startImages(Loader& loader, std::shared_ptr<const io::LoadedModel> model, std::vector<bool> wanted);
 
 }  // namespace facet::view

@@ -3,10 +3,12 @@
 #include <imgui.h>
 #include <imgui/imgui_internal.h>
 
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 
 #include "optics/synthetic_brdf.hpp"
+#include "view/settings_panel.hpp"
 #include "view/statistics_panel.hpp"
 #include "view/style.hpp"
 #include "view/widgets.hpp"
@@ -89,6 +91,67 @@ std::vector<Detail> measuredDetails(const frame::MeasuredFacts& facts, optics::L
   return details;
 }
 
+std::vector<Detail> fitDetails(const frame::FittedBrdf& fitted) {
+  const optics::AnalyticBrdf& model = fitted.fit.model;
+  const auto rgb = [](const glm::dvec3& c) {
+    return number("%.3f  ", c.r) + number("%.3f  ", c.g) + number("%.3f", c.b);
+  };
+  std::vector<Detail> details;
+  details.push_back({"fitted", modelName(model.diffuse)});
+  details.push_back({"roughness", number("%.3f", optics::roughnessOf(model))});
+  if (fitted.kind == optics::MeasuredKind::merl) {
+    details.push_back({"alpha", number("%.4f", model.alpha.t)});
+  } else {
+    const double degrees = std::fmod(std::round(model.phi * 180 / 3.14159265358979), 180);
+    details.push_back({"alpha", number("%.4f", model.alpha.t) + number(" at %.0f\xc2\xb0", degrees) +
+                                    number(", %.4f across", model.alpha.b)});
+    details.push_back({"anisotropy", number("%.3f", optics::anisotropyStrength(model.alpha))});
+  }
+  details.push_back({"f0", rgb(model.f0)});
+  details.push_back({"albedo", rgb(model.albedo)});
+  details.push_back({"fit error", number("%.4f, RMS of ln(1 + f cos)", fitted.fit.error)});
+  details.push_back({"took", milliseconds(fitted.fitMs) + ", beside the window"});
+  return details;
+}
+
+namespace {
+
+void comparisonChoice(ViewerState& state) {
+  frame::PictureSettings& settings = state.settings;
+  using frame::BrdfCompare;
+  static constexpr Choice compares[] = {
+      {"measured", "the table itself"},
+      {"fitted model",
+       "GGX over a diffuse model, fitted to the table; as it was fitted, that is without "
+       "compensation for multiple scattering"},
+      {"split", "measured at the left, fitted at the right of a divider, which can be dragged"},
+      {"difference", "absolute, of what the screen shows of both"}};
+  chooseEnum("picture of", settings.brdfCompare, compares, BrdfCompare::none,
+             "the table, the analytic model that comes closest to it, or both");
+  if (settings.brdfCompare == BrdfCompare::none) return;
+  diffuseChoice(settings);
+  if (settings.brdfCompare == BrdfCompare::split)
+    slider("divider", settings.brdfSplit, 0, 1, "%.3f", 0.5f, "in widths of the picture; can be dragged there, too");
+  if (settings.brdfCompare == BrdfCompare::difference)
+    slider("factor", settings.brdfDifferenceScale, 0, 100, "%.1f", 4, "on the difference of display values",
+           ImGuiSliderFlags_Logarithmic);
+  if (state.fitting) ImGui::TextDisabled("fitting ...");
+}
+
+void fitTable(const ShownScene& shown) {
+  if (!shown.fit || !beginDetails("fit")) return;
+  for (const Detail& row : fitDetails(*shown.fit)) detail(row.name, row.value);
+  if (shown.comparison) {
+    detail("pictures", comparisonText(*shown.comparison));
+    hint(
+        "root mean square of the colours on the screen, measured against fitted, over the pixels that differ at all; "
+        "what both pictures are still off by for want of samples is in it");
+  }
+  ImGui::EndTable();
+}
+
+}  // namespace
+
 void measuredChoice(ViewerState& state) {
   databaseList(state);
   frame::PictureSettings& settings = state.settings;
@@ -103,6 +166,7 @@ void measuredChoice(ViewerState& state) {
     chooseEnum("UTIA's numbers", settings.utiaDecode, decodings, io::UtiaDecode::raw,
                "what they are is disputed: an albedo above 1 (facet brdf) is wrong");
   }
+  comparisonChoice(state);
   if (!shown || !beginDetails("measured")) return;
   for (const Detail& row : measuredDetails(*shown, settings.brdfLookUp)) {
     detail(row.name, row.value);
@@ -113,6 +177,7 @@ void measuredChoice(ViewerState& state) {
   hint("read and checked " + milliseconds(t.readMs) + ", lobe " + milliseconds(t.fitMs) + ", packed " +
        milliseconds(t.packMs) + ", all beside the window; uploaded " + milliseconds(t.uploadMs));
   ImGui::EndTable();
+  fitTable(state.shown);
 }
 
 }  // namespace facet::view

@@ -9,6 +9,8 @@ namespace facet::view {
 // What is to be told of the one that is shown.
 std::vector<Detail> measuredDetails(const frame::MeasuredFacts& facts, optics::LookUp lookUp);
 
+std::vector<Detail> fitDetails(const frame::FittedBrdf& fitted);
+
 // Within the settings' material section.
 void measuredChoice(ViewerState& state);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "commands/picture_options.hpp"
+#include "view/divider.hpp"
 #include "view/help.hpp"
 #include "view/layout.hpp"
 #include "view/panel_window.hpp"
@@ -139,6 +140,7 @@ void drawPanel(ViewerState& state, PanelResult& result) {
     }
     ImGui::End();
   }
+  drawDivider(state, result);
   drawTimeline(state, result);
   statusLine(state, result);
   drawHelp(state, result);

@@ -67,6 +67,7 @@ void begin(Viewport& viewport, ViewerState& state, const scene::View& view) {
     r.targets = frame::createGatherTargets(s.width, s.height);
   }
   frame::prepareBehind(r.targets, viewport.list);
+  frame::prepareComparison(r.targets, viewport.list);
   r.gathering = frame::beginGathering(frameInput(viewport, view), r.targets);
   r.estimateAt = 1;
   state.refinement.wanted = s.samples;
@@ -94,16 +95,18 @@ void adapt(Refinement& r) {
   r.rows = std::clamp(fitting, fewestRows, std::max(fewestRows, 2 * std::max(r.rows, r.issuedRows)));
 }
 
-// The step has passed the GPU: its estimate decides which picture is shown. True where that is to change.
-bool takeErrors(Refinement& r, ViewerState& state) {
+// The step has passed the GPU: its estimate decides which picture is shown. True where that is to change. What is shown
+// of two that are compared is not the cheap picture: the gathered one takes its place at as many samples of the light.
+bool takeErrors(Refinement& r, bool compared, ViewerState& state) {
   if (!r.errors) return false;
   const frame::PictureErrors errors = frame::readErrors(*r.errors);
   r.errors.reset();
   // Of the cheap picture and the gathered one, whose errors are independent.
   const double cheap = std::sqrt(std::max(0.0, errors.shown * errors.shown - errors.parts * errors.parts));
-  const bool change = !r.shown && (errors.parts < cheap || r.gathering->complete());
+  const bool better = compared ? r.gathering->done >= frame::convergedAbove : errors.parts < cheap;
+  const bool change = !r.shown && (better || r.gathering->complete());
   r.shown |= change;
-  state.refinement.error = r.shown ? errors.parts : cheap;
+  state.refinement.error = r.shown ? errors.parts : compared ? -1 : cheap;
   return change;
 }
 
@@ -140,7 +143,7 @@ Result<void> step(Viewport& viewport, ViewerState& state, const frame::FrameInpu
   const bool whole = gathering.rows == 0 && gathering.done > 0;
   if (done && whole && gathering.done == r.estimateAt) done = estimate(viewport, in);
   if (done && whole && r.shown) {
-    done = frame::drawDisplay(in, r.targets, gathering, viewport.targets, viewport.programs);
+    done = showPicture(viewport, in, r.targets, frame::meanScale(gathering), gathering.complete());
     state.refinement.shown = gathering.done;
     drew = true;
   }
@@ -176,6 +179,9 @@ bool refining(const Viewport& viewport, const ViewerState& state) {
 bool refine(Viewport& viewport, ViewerState& state, const scene::View& view) {
   Refinement& r = viewport.refinement;
   if (!refining(viewport, state) || (r.pending && !r.timer.ready())) return false;
+  r.settings.brdfCompare = state.settings.brdfCompare;
+  r.settings.brdfSplit = state.settings.brdfSplit;
+  r.settings.brdfDifferenceScale = state.settings.brdfDifferenceScale;
   if (!r.gathering) {
     if (Clock::now() - r.since < r.restDelay) return false;
     const Result<bool> ready = prepare(viewport, state, view);
@@ -190,10 +196,9 @@ bool refine(Viewport& viewport, ViewerState& state, const scene::View& view) {
     r.pending = false;
     adapt(r);
     const bool last = r.gathering->complete();
-    if (takeErrors(r, state) || (last && !r.shown)) {
+    if (takeErrors(r, frame::comparing(in), state) || (last && !r.shown)) {
       r.shown = drew = true;
-      if (Result<void> shown = frame::drawDisplay(in, r.targets, *r.gathering, viewport.targets, viewport.programs);
-          !shown)
+      if (Result<void> shown = showPicture(viewport, in, r.targets, frame::meanScale(*r.gathering), last); !shown)
         return giveUp(r, state, shown.error()), true;
       state.refinement.shown = r.gathering->done;
     }

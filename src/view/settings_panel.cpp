@@ -250,9 +250,6 @@ void pictureSection(ViewerState& state) {
 void modelsSection(ViewerState& state) {
   if (!section("Models", false)) return;
   frame::PictureSettings& settings = state.settings;
-  static constexpr Choice diffuse[] = {{"Lambert", "glTF's"},   {"Burley", nullptr},
-                                       {"Frostbite", nullptr},  {"Oren-Nayar", nullptr},
-                                       {"EON", "keeps energy"}, {"Call of Duty WWII", nullptr}};
   static constexpr Choice fresnel[] = {{"Schlick", "glTF's"},
                                        {"exact", "dielectrics, and metals whose complex index is known"},
                                        {"F82-tint", "metals whose complex index is known"}};
@@ -272,7 +269,7 @@ void modelsSection(ViewerState& state) {
       {"Fdez-Aguera", "what is missing leaves evenly to all sides"},
       {"Kulla and Conty", "reciprocal; what is missing leaves as it came, by the albedo's complement"},
       {"Turquin", "the lobe itself is made brighter"}};
-  chooseEnum("diffuse", settings.diffuse, diffuse, usual.diffuse, "of lights and environment");
+  diffuseChoice(settings);
   chooseEnum("environment", settings.imageLight, imageLights, usual.imageLight,
              "how a pixel looks the environment's reflection up");
   chooseEnum("energy", settings.energy, energies, usual.energy, "light that leaves a rough surface after many bounces");
@@ -379,6 +376,13 @@ void windowSection(ViewerState& state) {
 }
 
 }  // namespace
+
+void diffuseChoice(frame::PictureSettings& settings) {
+  static constexpr Choice diffuse[] = {{"Lambert", "glTF's"},   {"Burley", nullptr},
+                                       {"Frostbite", nullptr},  {"Oren-Nayar", nullptr},
+                                       {"EON", "keeps energy"}, {"Call of Duty WWII", nullptr}};
+  chooseEnum("diffuse", settings.diffuse, diffuse, usual.diffuse, "of lights and environment, and of fitted models");
+}
 
 void settingsPanel(ViewerState& state, PanelResult& result) {
   ImGui::PushItemWidth(-7.5f * ImGui::GetFontSize());

@@ -10,4 +10,7 @@ namespace facet::view {
 // Within the current ImGui window.
 void settingsPanel(ViewerState& state, PanelResult& result);
 
+// The diffuse model, of materials and of what is fitted to measured BRDFs.
+void diffuseChoice(frame::PictureSettings& settings);
+
 }  // namespace facet::view

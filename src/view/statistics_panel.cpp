@@ -68,6 +68,7 @@ void statisticsSection(const ViewerState& state) {
   row("textures", byteText(s.textureBytes));
   row("geometry", byteText(s.geometryBytes));
   row("light tables", byteText(s.tableBytes));
+  if (s.measuredBytes > 0) row("measured BRDFs", byteText(s.measuredBytes));
   row("targets", byteText(s.targetBytes));
   row("passes", passText(s.frame));
   row("OpenGL", state.openGL);

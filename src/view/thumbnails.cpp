@@ -122,7 +122,7 @@ std::vector<std::string> thumbnailArguments(const ThumbnailRequest& request, con
     add({"--orbit", "0,90,2.2", "--target", "-5,0.5,0", "--fov-y", "27"});  // the smooth metal sphere, no other
   } else if (request.kind == FileKind::brdf) {
     add({"builtin:furnace", "--brdf", request.source.c_str(), "--env", "builtin:studio", "--lights", "none"});
-    add({"--background", "transparent", "--orbit", "0,90,3", "--target", "-5,0.5,0", "--fov-y", "27"});  // one sphere
+    add({"--background", "transparent", "--orbit", "0,90,3", "--target", "-5,0.5,0", "--fov-y", "19"});  // one sphere
   } else {
     add({request.source.c_str(), "--background", "transparent"});
     if (!isBuiltin(request.source)) add({"--env", "builtin:studio"});

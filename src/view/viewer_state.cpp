@@ -109,6 +109,18 @@ void chooseMaterialSource(ViewerState& state, MaterialSource source) {
   chooseBrdf(state, state.databases.empty() ? "builtin:plastic-0.2" : state.databases.front().source);
 }
 
+std::string modelName(optics::DiffuseModel diffuse) {
+  constexpr const char* names[] = {"Lambert", "Burley", "Frostbite", "Oren-Nayar", "EON", "Call of Duty"};
+  return std::string("GGX + ") + names[static_cast<size_t>(diffuse)];
+}
+
+std::string comparisonText(const frame::ComparisonFigures& figures) {
+  char text[128];
+  std::snprintf(text, sizeof text, "RMS %.2f/255 where they differ (%.0f %% of the picture), %.0f/255 at most",
+                figures.rms, 100 * figures.share, figures.largest);
+  return text;
+}
+
 const char* kindName(optics::MeasuredKind kind) { return kind == optics::MeasuredKind::merl ? "MERL" : "UTIA"; }
 
 bool differsInTimeOnly(ListRequest a, const ListRequest& b) {

@@ -9,10 +9,11 @@
 #include <string_view>
 #include <vector>
 
+#include "frame/display_pass.hpp"
 #include "frame/draw_list.hpp"
+#include "frame/fitted_gpu.hpp"
 #include "frame/frame.hpp"
 #include "frame/material_choice.hpp"
-#include "frame/measured_gpu.hpp"
 #include "frame/settings.hpp"
 #include "scene/camera.hpp"
 #include "scene/pick.hpp"
@@ -40,7 +41,7 @@ struct ViewerStatistics {
   int programsCompiled = 0, programsFromDisk = 0;
   int imagesDecoded = 0, images = 0;
   double cpuMs = 0, gpuMs = 0;  // of the last frame that was measured
-  size_t textureBytes = 0, geometryBytes = 0, tableBytes = 0, targetBytes = 0;
+  size_t textureBytes = 0, geometryBytes = 0, tableBytes = 0, targetBytes = 0, measuredBytes = 0;
 };
 
 // A camera of the file's scene: what `--camera` calls it and what the panel does.
@@ -114,9 +115,12 @@ struct ShownScene {
   std::vector<std::string> scenes;
   int scene = 0;
   std::vector<std::string> variants;
-  int variant = -1;                              // -1: the file's own materials
-  int sceneLights = 0;                           // lights in the file's scene
-  std::optional<frame::MeasuredFacts> measured;  // of the BRDF in the materials' place
+  int variant = -1;                                    // -1: the file's own materials
+  int sceneLights = 0;                                 // lights in the file's scene
+  std::optional<frame::MeasuredFacts> measured;        // of the BRDF in the materials' place
+  std::optional<frame::FittedBrdf> fit;                // where it is drawn
+  bool compared = false;                               // both are drawn
+  std::optional<frame::ComparisonFigures> comparison;  // of them, of the picture on the screen
   std::vector<std::string> warnings, infos;
   ViewerStatistics statistics;
 };
@@ -135,6 +139,7 @@ struct ViewerState {
   Inspection inspection;
   std::vector<std::string> environments;  // that are offered: the built-in ones, those that were given, "none"
   std::vector<Entry> databases;           // of measured BRDFs, as the browser has found them
+  bool fitting = false;                   // a model is being fitted to the measured BRDF
   std::string lastBrdf;                   // that was chosen, for returning to it
   std::string brdfFilter;                 // of the databases
 
@@ -171,6 +176,8 @@ struct ListRequest {
   frame::MeasuredSource brdf;                            // without a name: none
   bool brdfNearest = false;                              // looks up the nearest cell
   std::shared_ptr<const frame::MeasuredOnGpu> measured;  // what it is on the GPU; null: not there yet
+  std::shared_ptr<const frame::FittedOnGpu> fitted;      // where it is to be drawn; likewise
+  bool compared = false;                                 // beside the measured BRDF, not in its place
   std::string animation;
   double timeSeconds = 0;  // where an animation is chosen
 
@@ -190,6 +197,10 @@ void chooseMaterialSource(ViewerState& state, MaterialSource source);
 void chooseBrdf(ViewerState& state, const std::string& source);
 // "MERL", "UTIA"
 const char* kindName(optics::MeasuredKind kind);
+// "GGX + Lambert"
+std::string modelName(optics::DiffuseModel diffuse);
+// "RMS 2.31/255 where they differ (31 % of the picture), 40/255 at most"
+std::string comparisonText(const frame::ComparisonFigures& figures);
 
 // The settings whose command shows what is on the screen.
 frame::PictureSettings commandSettings(const ViewerState& state);

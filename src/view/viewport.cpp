@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/log.hpp"
+#include "frame/gather.hpp"
 
 namespace facet::view {
 
@@ -68,6 +69,10 @@ void describeShown(const Viewport& viewport, ViewerState& state) {
   shown.sceneLights = static_cast<int>(scene::flatten(model, shown.scene).lights.size());
   shown.measured.reset();
   if (viewport.built.measured) shown.measured = viewport.built.measured->facts;
+  shown.fit.reset();
+  if (viewport.built.fitted) shown.fit = viewport.built.fitted->fitted;
+  shown.compared = viewport.list.compared;
+  shown.comparison.reset();
   shown.statistics.variants = variantCount(viewport.list);
   shown.statistics.images = static_cast<int>(model.images.size());
   describeNotes(viewport, shown);
@@ -90,6 +95,8 @@ void measureMemory(const Viewport& viewport, ViewerStatistics& statistics) {
   statistics.geometryBytes = gpu.geometryBytes();
   statistics.tableBytes = viewport.environments.shown->onGpu.tables.bytes();
   statistics.targetBytes = frame::targetBytes(viewport.targets) + frame::targetBytes(viewport.refinement.targets);
+  statistics.measuredBytes = 0;
+  for (const auto& kept : viewport.measured.kept) statistics.measuredBytes += kept->buffer.bytes();
   statistics.programsCompiled = viewport.programs.statistics().compiled;
   statistics.programsFromDisk = viewport.programs.statistics().fromDisk;
 }
@@ -133,6 +140,8 @@ void show(Viewport& viewport, ViewerState& state, EnvironmentSlot* environment, 
   ++viewport.listNumber;
   if (newScene) viewport.scene = std::move(viewport.next);
   viewport.scene->onGpu.gpu.measured = request.measured;
+  viewport.scene->onGpu.gpu.fitted = request.fitted;
+  viewport.comparison.clear();
   showEnvironment(viewport.environments, environment);
   describeShown(viewport, state);
   offerEnvironment(state, environment->source);
@@ -289,6 +298,12 @@ void takeMeasured(Viewport& viewport, ViewerState& state, MeasuredLoaded loaded)
   viewport.failed.reset();
 }
 
+void takeFit(Viewport& viewport, ViewerState& state, FitMade made) {
+  if (!made.fit) return complain(state, made.fit.error());
+  frame::keepFit(viewport.measured, frame::uploadFitted(std::move(*made.fit)));
+  viewport.fitAsked.reset();
+}
+
 void takeImages(Viewport& viewport, ViewerState& state, ImagesDecoded decoded) {
   SceneSlot* scene = wantedScene(viewport);
   if (!scene || decoded.model != scene->loaded) return;  // of a model that is no longer wanted
@@ -313,6 +328,17 @@ bool provideMeasured(Viewport& viewport, Loader& loader, ListRequest& request) {
   return false;
 }
 
+// Asks for the model that is fitted to it, where that is wanted and not there; until then the measured BRDF is shown.
+void provideFit(Viewport& viewport, const frame::PictureSettings& settings, Loader& loader, ListRequest& request) {
+  if (settings.brdfCompare == frame::BrdfCompare::none) return;
+  request.fitted = frame::keptFit(viewport.measured, request.brdf, settings.diffuse);
+  request.compared = request.fitted && settings.brdfCompare != frame::BrdfCompare::fit;
+  const FitAsked wanted{request.brdf, settings.diffuse};
+  if (request.fitted || viewport.fitAsked == wanted) return;
+  startFit(loader, wanted.source, wanted.diffuse);
+  viewport.fitAsked = wanted;
+}
+
 }  // namespace
 
 bool bringUp(Viewport& viewport, ViewerState& state, Loader& loader) {
@@ -332,7 +358,10 @@ bool bringUp(Viewport& viewport, ViewerState& state, Loader& loader) {
   }
   ListRequest request = listRequest(state, *index, *variant, source != "none");
   if (environment) request.sun = environment->onGpu.sun;
-  if (!request.brdf.name.empty() && !provideMeasured(viewport, loader, request)) return false;
+  if (!request.brdf.name.empty()) {
+    if (!provideMeasured(viewport, loader, request)) return false;
+    provideFit(viewport, state.settings, loader, request);
+  }
   const bool isShown = scene == viewport.scene.get() && environment == viewport.environments.shown;
   if ((isShown && request == viewport.built) || request == viewport.failed) return false;
   // While an animation plays, images that it has brought to light are waited for, not asked for anew each frame.
@@ -350,6 +379,7 @@ bool bringUp(Viewport& viewport, ViewerState& state, Loader& loader) {
   options.features.imageLightSamples = request.imageLightSamples;
   if (request.measured)
     frame::setMeasured(options.features, state.settings, request.measured->facts.kind, request.measured->facts.proxy);
+  if (request.fitted) frame::setFitted(options, state.settings);
   frame::DrawList list = frame::buildDrawList(model, *index, options, *pose);
   std::vector<bool> missing = frame::missingImages(model, list, scene->onGpu.gpu);
   for (size_t i = 0; i < scene->pixels.size(); ++i) missing[i] = missing[i] && scene->pixels[i].width == 0;
@@ -430,10 +460,62 @@ bool sharpenShown(Viewport& viewport, ViewerState& state) {
 bool atWork(const Viewport& viewport, const ViewerState& state) {
   const EnvironmentSlot* slot = viewport.environments.shown;
   const bool tables = slot && (slot->sharpening || !slot->toStore.empty() || !slot->packed.empty());
-  return tables || refining(viewport, state);
+  return tables || refining(viewport, state) || !viewport.comparison.empty();
+}
+
+namespace {
+
+ComparisonShown comparisonOf(const frame::PictureSettings& settings) {
+  return {settings.brdfCompare, settings.brdfSplit, settings.brdfDifferenceScale};
+}
+
+// Starts to find out how the pictures differ that are compared.
+Result<void> compare(Viewport& viewport, const frame::FrameInput& in, const frame::Targets& targets, float scale,
+                     bool last) {
+  const auto now = std::chrono::steady_clock::now();
+  if (!frame::comparing(in) || (!last && now - viewport.compared < std::chrono::milliseconds(500))) return {};
+  viewport.compared = now;
+  viewport.comparison.clear();
+  Result<frame::ComparisonSums> sums = frame::sumComparison(in, targets, scale, viewport.programs);
+  if (!sums) return tl::unexpected(sums.error());
+  viewport.comparison.push_back(std::move(*sums));
+  return {};
+}
+
+// Only how the two pictures are shown has changed.
+bool showAnew(Viewport& viewport, ViewerState& state, const scene::View& view) {
+  const Refinement& r = viewport.refinement;
+  const bool gathered = r.shown && r.gathering;
+  if (gathered && r.gathering->rows != 0) return false;  // in the middle of a draw: at its end
+  const frame::FrameInput in{viewport.scene->loaded->model,
+                             viewport.list,
+                             viewport.scene->onGpu.gpu,
+                             viewport.environments.shown->onGpu.tables,
+                             view,
+                             state.settings};
+  viewport.comparisonShown = comparisonOf(state.settings);
+  const Result<void> shown =
+      frame::showPicture(in, gathered ? r.targets : viewport.targets, gathered ? frame::meanScale(*r.gathering) : 1,
+                         viewport.targets, viewport.programs);
+  if (!shown) complain(state, shown.error());
+  return true;
+}
+
+}  // namespace
+
+Result<void> showPicture(Viewport& viewport, const frame::FrameInput& in, const frame::Targets& targets, float scale,
+                         bool last) {
+  viewport.comparisonShown = comparisonOf(in.settings);
+  if (Result<void> shown = frame::showPicture(in, targets, scale, viewport.targets, viewport.programs); !shown)
+    return shown;
+  return compare(viewport, in, targets, scale, last);
 }
 
 bool drawViewport(Viewport& viewport, ViewerState& state) {
+  if (!viewport.comparison.empty()) {
+    state.shown.comparison = frame::readComparison(viewport.comparison);
+    viewport.comparison.clear();
+  }
   if (sharpenShown(viewport, state)) ++viewport.listNumber;
   if (const std::optional<double> gpuMs = viewport.clock.poll()) state.shown.statistics.gpuMs = *gpuMs;
   const std::optional<scene::View> view = currentView(viewport, state);
@@ -442,7 +524,16 @@ bool drawViewport(Viewport& viewport, ViewerState& state) {
   wanted.settings.environment.clear();  // the list's number stands for what is loaded
   wanted.settings.scene = -1;
   wanted.settings.variant.clear();
-  if (viewport.drawn == wanted) return refine(viewport, state, *view);
+  const ComparisonShown comparison = comparisonOf(state.settings);
+  wanted.settings.material = {};
+  wanted.settings.brdf.clear(), wanted.settings.brdfDir.clear();
+  wanted.settings.utiaDecode = {}, wanted.settings.brdfLookUp = {}, wanted.settings.brdfCompare = {};
+  wanted.settings.brdfSplit = wanted.settings.brdfDifferenceScale = 0;
+  if (viewport.drawn == wanted) {
+    const bool refined = refine(viewport, state, *view);
+    if (refined || !viewport.list.compared || viewport.comparisonShown == comparison) return refined;
+    return showAnew(viewport, state, *view);
+  }
   stopRefinement(viewport, state);
   state.refinement.lightPreview = viewport.environments.shown->preview;
   const frame::PictureSettings s = movingSettings(state.settings);
@@ -452,6 +543,7 @@ bool drawViewport(Viewport& viewport, ViewerState& state) {
     targets = frame::createTargets(s, viewport.context);
   }
   frame::prepareBehind(targets, viewport.list);
+  frame::prepareComparison(targets, viewport.list);
   frame::setTextureDetail(viewport.scene->onGpu.gpu, 1, viewport.context);
   const scene::Model& model = viewport.scene->loaded->model;
   const frame::FrameInput input{
@@ -462,6 +554,10 @@ bool drawViewport(Viewport& viewport, ViewerState& state) {
   viewport.clock.end(slot);
   const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
   viewport.drawn = wanted;
+  viewport.comparisonShown = comparison;
+  if (drawn)
+    if (Result<void> compared = compare(viewport, input, targets, 1, true); !compared)
+      complain(state, compared.error());
   if (!drawn) return complain(state, drawn.error()), true;
   state.shown.statistics.frame = std::move(*drawn);
   state.shown.statistics.cpuMs = spent.count();

@@ -60,6 +60,21 @@ struct MeasuredAsked {
   std::chrono::steady_clock::time_point since;
 };
 
+struct FitAsked {
+  frame::MeasuredSource source;
+  optics::DiffuseModel diffuse = optics::DiffuseModel::lambert;
+
+  bool operator==(const FitAsked&) const = default;
+};
+
+// What a change of asks for no new picture, only for showing it anew.
+struct ComparisonShown {
+  frame::BrdfCompare compare = frame::BrdfCompare::none;
+  float split = 0, differenceScale = 0;
+
+  bool operator==(const ComparisonShown&) const = default;
+};
+
 struct Viewport {
   Viewport(gl::ContextInfo contextInfo, shading::ProgramStore store)
       : context(std::move(contextInfo)), programs(std::move(store)) {}
@@ -79,6 +94,10 @@ struct Viewport {
   std::map<std::string, FileWatch> measuredFiles;  // of those that were read, by path
   frame::MeasuredSource loadingMeasured;
   std::optional<MeasuredAsked> measuredAsked;
+  std::optional<FitAsked> fitAsked;                  // what is being fitted, or could not be
+  std::vector<frame::ComparisonSums> comparison;     // of the picture on the screen, on their way
+  std::optional<ComparisonShown> comparisonShown;    // that the display picture was made with
+  std::chrono::steady_clock::time_point compared{};  // when the pictures were
   int listNumber = 0;
   frame::Targets targets;
   std::optional<DrawnFrame> drawn;
@@ -95,6 +114,7 @@ struct Viewport {
 void takeModel(Viewport& viewport, ViewerState& state, ModelLoaded loaded);
 void takeEnvironment(Viewport& viewport, ViewerState& state, EnvironmentLoaded loaded);
 void takeMeasured(Viewport& viewport, ViewerState& state, MeasuredLoaded loaded);
+void takeFit(Viewport& viewport, ViewerState& state, FitMade made);
 void takeImages(Viewport& viewport, ViewerState& state, ImagesDecoded decoded);
 // Asks the loader for what the state wants and is not there yet, and shows it as soon as everything is there. True
 // where the draw list is new.
@@ -112,6 +132,11 @@ std::optional<scene::View> currentView(const Viewport& viewport, ViewerState& st
 // Draws into the targets where anything has changed since the last time, else refines what is there. True where the
 // display picture is new.
 bool drawViewport(Viewport& viewport, ViewerState& state);
+
+// The picture of the targets, times the scale, onto the screen; of two that are compared their figures, too, at most
+// twice a second unless it is the last one.
+Result<void> showPicture(Viewport& viewport, const frame::FrameInput& in, const frame::Targets& targets, float scale,
+                         bool last);
 
 // There is more to come without anybody's doing: drawViewport() is to be called again soon.
 bool atWork(const Viewport& viewport, const ViewerState& state);

@@ -218,10 +218,12 @@ void takeLoaded(Viewport& viewport, ViewerState& state, Loader& loader) {
   if (auto model = loader.model.take()) takeModel(viewport, state, std::move(*model));
   if (auto environment = loader.environment.take()) takeEnvironment(viewport, state, std::move(*environment));
   if (auto measured = loader.measured.take()) takeMeasured(viewport, state, std::move(*measured));
+  if (auto fit = loader.fit.take()) takeFit(viewport, state, std::move(*fit));
   if (auto images = loader.images.take()) takeImages(viewport, state, std::move(*images));
 }
 
 void nameWhatLoads(const Loader& loader, const Viewport& viewport, const std::string& model, ViewerState& state) {
+  state.fitting = loader.fit.running();
   state.loading.clear();
   if (loader.model.running())
     state.loading = model;
@@ -352,6 +354,7 @@ bool turn(Loop& loop, Viewport& viewport, ViewerState& state, Loader& loader) {
   if (bringUp(viewport, state, loader)) loop.framesToDraw = settlingFrames + 1;
   nameWhatLoads(loader, viewport, loop.model, state);
   followSelection(loop, input, actions, viewport, state);
+  if (!viewport.comparison.empty()) loop.framesToDraw = std::max(loop.framesToDraw, 2);  // its figures come now
   if (drawViewport(viewport, state)) {
     loop.framesToDraw = std::max(loop.framesToDraw, 1);
     readRadianceThere(viewport, state);

@@ -63,6 +63,7 @@ PictureSettings unusual() {
   s.imageLight = optics::ImageLight::taps2, s.energy = optics::EnergyModel::kullaConty;
   s.brdf = "steel", s.brdfDir = "/brdf", s.brdfLookUp = optics::LookUp::nearest, s.utiaDecode = io::UtiaDecode::srgb;
   s.brdfSamples = 128;
+  s.brdfCompare = frame::BrdfCompare::difference, s.brdfSplit = 0.1f, s.brdfDifferenceScale = 12.5f;
   s.animation = "run's", s.timeSeconds = 1.25;
   s.environment = "it's here/a b.hdr";
   s.environmentRotationDeg = -0.1f, s.environmentStrength = 1e-3f;
@@ -90,6 +91,21 @@ TEST_CASE("a time needs an animation") {
   REQUIRE(both);
   CHECK(both->timeSeconds == 1.5);
   CHECK(both->animation == "all");
+}
+
+TEST_CASE("a comparison needs a measured BRDF") {
+  CHECK(describe(fromArguments({{"brdf-compare", "split"}}).error()) ==
+        "--brdf-compare: there is no measured BRDF to compare; give --brdf, too.");
+  const auto both = fromArguments({{"brdf-compare", "fit"}, {"brdf", "gold"}});
+  REQUIRE(both);
+  CHECK(both->brdfCompare == frame::BrdfCompare::fit);
+  CHECK(commands::commandLine(*both, "a.glb") == "facet a.glb --brdf gold --brdf-compare fit");
+  PictureSettings measured = *both;
+  measured.brdfCompare = frame::BrdfCompare::none;
+  CHECK(commands::commandLine(measured, "a.glb") == "facet a.glb --brdf gold");
+  PictureSettings without = *both;
+  without.brdf.clear();  // as the panel leaves it
+  CHECK(commands::commandLine(without, "a.glb") == "facet a.glb");
 }
 
 TEST_CASE("each option sets its own field") {
@@ -131,6 +147,8 @@ TEST_CASE("each option sets its own field") {
   CHECK(set("material-ior", "2").material.ior == 2);
   CHECK(set("energy", "turquin").energy == optics::EnergyModel::turquin);
   CHECK(set("lights", "none").lights == frame::Lights::none);
+  CHECK(set("brdf-split", "0.25").brdfSplit == 0.25f);
+  CHECK(set("brdf-difference-scale", "10").brdfDifferenceScale == 10);
   CHECK(set("occlusion", "0.5").occlusion == 0.5f);
   CHECK(set("exposure", "-1.5").exposureStops == -1.5f);
   CHECK(set("tonemap", "agx").toneMapper == frame::ToneMapper::agx);
@@ -185,6 +203,9 @@ TEST_CASE("every way to be wrong has its sentence") {
       {"material-ior", "0.9", "--material-ior: 0.9 is out of range; give a number from 1 to 3."},
       {"lights", "secne", "--lights: 'secne' is not known; perhaps scene is meant."},
       {"lights", "all", "--lights: 'all' is not known; choose one of scene, none, demo."},
+      {"brdf-compare", "diff", "--brdf-compare: 'diff' is not known; choose one of none, fit, split, difference."},
+      {"brdf-split", "1.5", "--brdf-split: 1.5 is out of range; give a number from 0 to 1."},
+      {"brdf-difference-scale", "-1", "--brdf-difference-scale: -1 is out of range; give a number from 0 to 1000."},
       {"occlusion", "1.01", "--occlusion: 1.01 is out of range; give a number from 0 to 1."},
       {"exposure", "1e999", "--exposure: 1e999 is out of range; give a number from -32 to 32."},
       {"exposure", "", "--exposure: '' is not a number; give a number from -32 to 32."},

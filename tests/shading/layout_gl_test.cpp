@@ -30,8 +30,9 @@ const gl::Program& fullProgram(shading::ProgramStore& store) {
   shading::VariantKey key;
   const auto table = shading::featureTable();
   for (size_t i = 0; i < table.size(); ++i)
-    if (const std::string define = table[i].define;
-        define != "UNLIT" && define != "MERL_BRDF" && define != "UTIA_BRDF" && define != "MEASURED_NEAREST")
+    if (const std::string define = table[i].define; define != "UNLIT" && define != "MERL_BRDF" &&
+                                                    define != "UTIA_BRDF" && define != "MEASURED_NEAREST" &&
+                                                    define != "FITTED_BRDF")
       key.features |= uint64_t{1} << i;
   const auto program = store.render("passes/mesh.vert.glsl", "passes/mesh.frag.glsl", shading::variantDefines(key));
   REQUIRE(program);

@@ -85,6 +85,22 @@ TEST_CASE("copied command: gives the bytes of the picture on the screen", "[gl]"
          view::chooseBrdf(s, "builtin:utia-brushed");
          s.settings.brdfLookUp = optics::LookUp::nearest, s.settings.samples = 6, s.camera.theta = 21;
        }},
+      {"measured, split",
+       [](view::ViewerState& s) {
+         view::chooseBrdf(s, "builtin:utia-satin");
+         s.settings.brdfCompare = frame::BrdfCompare::split, s.settings.brdfSplit = 0.4375f;
+       }},
+      {"measured, difference, converged",
+       [](view::ViewerState& s) {
+         view::chooseBrdf(s, "builtin:utia-brushed");
+         s.settings.brdfCompare = frame::BrdfCompare::difference, s.settings.brdfDifferenceScale = 17;
+         s.settings.diffuse = optics::DiffuseModel::burley, s.settings.samples = 6;
+       }},
+      {"fitted",
+       [](view::ViewerState& s) {
+         view::chooseBrdf(s, "builtin:utia-brushed");
+         s.settings.brdfCompare = frame::BrdfCompare::fit, s.settings.diffuse = optics::DiffuseModel::eon;
+       }},
       {"measured, from a folder, decoded",
        [](view::ViewerState& s) {
          view::chooseBrdf(s, "satin");

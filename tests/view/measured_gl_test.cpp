@@ -95,6 +95,8 @@ TEST_CASE("measured BRDF in the window: the newest of several is shown, the last
   }
   viewer.settle();
   viewer.checkMiddle(green);
+  view::chooseBrdf(viewer.state, reds + "?");
+  CHECK_FALSE(view::drawViewport(viewer.viewport, viewer.state));  // the old picture is not drawn anew meanwhile
   viewer.choose(reds);
   viewer.checkMiddle(red);
   view::chooseBrdf(viewer.state, greens);
@@ -188,4 +190,50 @@ TEST_CASE("measured BRDF in the window: the inspector tells of it in the place o
   CHECK(told("kind") == "UTIA, anisotropic");
   CHECK(told("file") == viewer.folder.file("red.bin"));
   CHECK(told("cells") == "82 944");
+}
+
+TEST_CASE("measured BRDF in the window: the fit comes beside it, the divider moves without a new picture", "[gl]") {
+  Furnace viewer;
+  viewer.state.settings.samples = 8;
+  viewer.choose("builtin:utia-satin");
+  viewer.state.settings.brdfCompare = frame::BrdfCompare::split;
+  view::bringUp(viewer.viewport, viewer.state, viewer.loader);
+  CHECK(viewer.loader.fit.running());
+  CHECK_FALSE(viewer.state.shown.compared);  // until it has come
+  viewer.settle();
+  REQUIRE(viewer.state.shown.fit);
+  CHECK(viewer.state.shown.compared);
+  // What the table was made from.
+  const optics::AnalyticBrdf& model = viewer.state.shown.fit->fit.model;
+  CHECK(model.alpha.t == Approx(0.8).epsilon(1e-2));
+  CHECK(model.alpha.b == Approx(0.4).epsilon(1e-2));
+  CHECK(model.f0.x == Approx(0.06).epsilon(1e-2));
+  viewer.converge();
+  REQUIRE(viewer.state.shown.comparison);
+  CHECK(viewer.state.shown.comparison->share > 0.1);
+  CHECK(viewer.state.shown.comparison->rms > 0);
+  CHECK(viewer.state.shown.comparison->rms < 4);
+  const auto half = viewer.display().data;
+
+  viewer.state.settings.brdfSplit = 0;
+  CHECK_FALSE(view::bringUp(viewer.viewport, viewer.state, viewer.loader));
+  CHECK(view::drawViewport(viewer.viewport, viewer.state));
+  CHECK(viewer.state.refinement.gathered == 8);  // nothing was thrown away
+  CHECK((viewer.display().data != half));
+  CHECK_FALSE(view::drawViewport(viewer.viewport, viewer.state));
+  viewer.state.settings.brdfCompare = frame::BrdfCompare::difference;
+  CHECK(view::drawViewport(viewer.viewport, viewer.state));
+  CHECK(viewer.state.refinement.gathered == 8);
+  viewer.state.settings.brdfCompare = frame::BrdfCompare::split;
+  viewer.state.settings.brdfSplit = 0.5f;
+  CHECK(view::drawViewport(viewer.viewport, viewer.state));
+  CHECK((viewer.display().data == half));
+
+  viewer.state.settings.brdfCompare = frame::BrdfCompare::none;
+  viewer.settle();
+  CHECK_FALSE(viewer.state.shown.compared);
+  CHECK_FALSE(viewer.state.shown.fit);
+  viewer.state.settings.brdfCompare = frame::BrdfCompare::fit;  // it is still there
+  CHECK(view::bringUp(viewer.viewport, viewer.state, viewer.loader));
+  CHECK(viewer.state.shown.fit);
 }

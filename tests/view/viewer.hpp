@@ -30,6 +30,7 @@ struct Viewer {
       if (auto model = loader.model.take()) view::takeModel(viewport, state, std::move(*model));
       if (auto map = loader.environment.take()) view::takeEnvironment(viewport, state, std::move(*map));
       if (auto brdf = loader.measured.take()) view::takeMeasured(viewport, state, std::move(*brdf));
+      if (auto fit = loader.fit.take()) view::takeFit(viewport, state, std::move(*fit));
       if (auto images = loader.images.take()) view::takeImages(viewport, state, std::move(*images));
       view::bringUp(viewport, state, loader);
       if (!loader.running() && !viewport.comingUp) break;

@@ -1,0 +1,98 @@
+#include "frame/display_pass.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace facet::frame {
+
+using shading::ProgramStore;
+
+DisplayParameters displayParameters(const FrameInput& in, float scale) {
+  const PictureSettings& s = in.settings;
+  const int channel = in.list.features.channel;
+  const bool shaded = channel == 0;
+  return {{shaded ? std::exp2(s.exposureStops) : 1.0f, shaded ? static_cast<float>(s.toneMapper) : 0.0f,
+           shading::channelIsColor(channel) ? 1.0f : 0.0f, scale},
+          {s.backgroundColor, s.background == Background::color ? 1.0f : 0.0f}};
+}
+
+void drawFullscreen(const gl::Framebuffer& target, const Targets& targets, const gl::Texture& source,
+                    const gl::Program& program) {
+  glBindFramebuffer(GL_FRAMEBUFFER, target.id());
+  glBindVertexArray(targets.noAttributes.id());
+  glViewport(0, 0, targets.width, targets.height);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  source.bind(layout::sourceUnit);
+  glUseProgram(program.id());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+bool comparing(const FrameInput& in) {
+  const BrdfCompare compare = in.settings.brdfCompare;
+  return in.list.compared && (compare == BrdfCompare::split || compare == BrdfCompare::difference);
+}
+
+Result<const gl::Program*> displayProgram(const FrameInput& in, ProgramStore& programs) {
+  const char* pass = comparing(in) ? "passes/compare.frag.glsl" : "passes/display.frag.glsl";
+  return programs.render("passes/fullscreen.vert.glsl", pass);
+}
+
+Result<void> showPicture(const FrameInput& in, const Targets& targets, float scale, const Targets& shown,
+                         ProgramStore& programs) {
+  const auto program = displayProgram(in, programs);
+  if (!program) return tl::unexpected(program.error());
+  const DisplayParameters display = displayParameters(in, scale);
+  (*program)->set(0, display.parameters);
+  (*program)->set(1, display.backdrop);
+  if (comparing(in)) {
+    const float difference = in.settings.brdfCompare == BrdfCompare::difference ? 1 : 0;
+    (*program)->set(2, glm::vec4(in.settings.brdfSplit * static_cast<float>(in.settings.width),
+                                 in.settings.brdfDifferenceScale, difference, 0));
+    targets.fitted.bind(layout::comparedUnit);
+  }
+  drawFullscreen(shown.shown, targets, targets.sum ? targets.sum : targets.color, **program);
+  return {};
+}
+
+Result<ComparisonSums> sumComparison(const FrameInput& in, const Targets& targets, float scale,
+                                     ProgramStore& programs) {
+  assert(comparing(in) && targets.fitted);
+  constexpr int tile = 64;  // of picture_difference.comp.glsl
+  const auto program = programs.compute("passes/picture_difference.comp.glsl");
+  if (!program) return tl::unexpected(program.error());
+  const DisplayParameters display = displayParameters(in, scale);
+  (*program)->set(0, display.parameters);
+  (*program)->set(1, display.backdrop);
+  const int rows = std::min(targets.height, in.settings.height - in.firstRow);
+  (*program)->set(2, rows);
+  const int across = (targets.width + tile - 1) / tile, up = (rows + tile - 1) / tile;
+  ComparisonSums out;
+  out.tiles = static_cast<size_t>(across) * static_cast<size_t>(up);
+  out.pixels = static_cast<size_t>(targets.width) * static_cast<size_t>(rows);
+  out.sums = gl::Buffer(out.tiles * sizeof(glm::vec4), "differences");
+  (targets.sum ? targets.sum : targets.color).bind(layout::sourceUnit);
+  targets.fitted.bind(layout::comparedUnit);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeOutputBinding, out.sums.id());
+  glUseProgram((*program)->id());
+  glDispatchCompute(static_cast<GLuint>(across), static_cast<GLuint>(up), 1);
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  return out;
+}
+
+ComparisonFigures readComparison(const std::vector<ComparisonSums>& bands) {
+  double squares = 0, differing = 0, pixels = 0, largest = 0;
+  for (const ComparisonSums& band : bands) {
+    pixels += static_cast<double>(band.pixels);
+    for (const glm::vec4& tile : band.sums.read<glm::vec4>(band.tiles)) {
+      squares += static_cast<double>(tile.x);
+      differing += static_cast<double>(tile.y);
+      largest = std::max(largest, static_cast<double>(tile.z));
+    }
+  }
+  if (differing == 0) return {};
+  return {255 * std::sqrt(squares / (3 * differing)), differing / pixels, 255 * largest};
+}
+
+}  // namespace facet::frame

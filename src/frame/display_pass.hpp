@@ -1,0 +1,47 @@
+#pragma once
+
+// From scene-linear pictures to what is shown, and what can be said of it there.
+
+#include "frame/frame.hpp"
+#include "gl/buffer.hpp"
+
+namespace facet::frame {
+
+// What displayed() in shaders/display.glsl takes; scale: on what is read.
+struct DisplayParameters {
+  glm::vec4 parameters, backdrop;
+};
+DisplayParameters displayParameters(const FrameInput& in, float scale);
+
+// A triangle over the whole target.
+void drawFullscreen(const gl::Framebuffer& target, const Targets& targets, const gl::Texture& source,
+                    const gl::Program& program);
+
+// The picture is of a measured BRDF and of the model fitted to it.
+bool comparing(const FrameInput& in);
+// Of that, or the only one.
+Result<const gl::Program*> displayProgram(const FrameInput& in, shading::ProgramStore& programs);
+
+// The sum of the targets, or their color, times the scale into the display picture of `shown`.
+Result<void> showPicture(const FrameInput& in, const Targets& targets, float scale, const Targets& shown,
+                         shading::ProgramStore& programs);
+
+// How the display pictures of a measured BRDF and of the model fitted to it differ, in 1/255.
+struct ComparisonFigures {
+  double rms = 0;      // root mean square over the pixels that differ at all and the colour channels
+  double share = 0;    // of the picture's pixels: those
+  double largest = 0;  // of any channel
+};
+// Of one band, to be read when the GPU has come so far.
+struct ComparisonSums {
+  gl::Buffer sums;
+  size_t tiles = 0;
+  size_t pixels = 0;
+};
+// The targets' rows that belong to the picture; scale as showPicture has it. comparing(in).
+Result<ComparisonSums> sumComparison(const FrameInput& in, const Targets& targets, float scale,
+                                     shading::ProgramStore& programs);
+// Of all bands; waits for the GPU.
+ComparisonFigures readComparison(const std::vector<ComparisonSums>& bands);
+
+}  // namespace facet::frame

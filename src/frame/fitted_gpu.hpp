@@ -1,0 +1,38 @@
+#pragma once
+
+// The analytic model that was fitted to a measured BRDF, on the GPU in the table's place.
+
+#include "frame/draw_list.hpp"
+#include "frame/measured_gpu.hpp"
+#include "optics/measured_fit.hpp"
+
+namespace facet::frame {
+
+// GGX over one diffuse model, by the least mean square of ln(1 + f NoL).
+struct FittedBrdf {
+  MeasuredSource source;
+  std::string name;
+  optics::MeasuredKind kind = optics::MeasuredKind::merl;
+  optics::BrdfFit fit;
+  double readMs = 0, fitMs = 0;
+};
+// Reads the table again; no OpenGL here: on any thread. Errors: as readMeasuredBytes has them.
+Result<FittedBrdf> fitMeasured(const MeasuredSource& source, optics::DiffuseModel diffuse);
+
+struct FittedOnGpu {
+  FittedBrdf fitted;
+  gl::Buffer buffer;  // layout::MeasuredUniforms, layout::FittedUniforms
+};
+std::shared_ptr<const FittedOnGpu> uploadFitted(FittedBrdf fitted);
+
+// Of the store: null where it is not there; in front of the others, of which 64 stay; from it, else fitted and kept.
+std::shared_ptr<const FittedOnGpu> keptFit(MeasuredStore& store, const MeasuredSource& source,
+                                           optics::DiffuseModel diffuse);
+void keepFit(MeasuredStore& store, std::shared_ptr<const FittedOnGpu> made);
+Result<std::shared_ptr<const FittedOnGpu>> findFit(MeasuredStore& store, const MeasuredSource& source,
+                                                   optics::DiffuseModel diffuse);
+
+// The fitted model in the table's place, or beside it, as the settings have it.
+void setFitted(DrawOptions& options, const PictureSettings& settings);
+
+}  // namespace facet::frame
