@@ -20,8 +20,8 @@ FilesChanged follow(Followed& followed, const Viewport& viewport, Loader& loader
   if (followed.measured != viewport.built.measured.get()) {
     followed.measured = viewport.built.measured.get();
     const auto watch =
-        followed.measured ? viewport.measuredFiles.find(followed.measured->facts.path) : viewport.measuredFiles.end();
-    followed.measuredFiles = watch != viewport.measuredFiles.end() ? watch->second : FileWatch{};
+        followed.measured ? viewport.measured.files.find(followed.measured->facts.path) : viewport.measured.files.end();
+    followed.measuredFiles = watch != viewport.measured.files.end() ? watch->second : FileWatch{};
   }
   // While something else is being read, its files are told at the next look.
   if (!loader.model.running() && !viewport.next) changed.model = filesChanged(followed.modelFiles, now);

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/log.hpp"
-#include "frame/gather.hpp"
+#include "view/describe.hpp"
 
 namespace facet::view {
 
@@ -25,59 +25,6 @@ void complain(ViewerState& state, const Error& error) {
 
 SceneSlot* wantedScene(const Viewport& viewport) { return viewport.next ? viewport.next.get() : viewport.scene.get(); }
 
-void describeNotes(const Viewport& viewport, ShownScene& shown) {
-  shown.warnings.clear();
-  shown.infos.clear();
-  const auto add = [&](const std::string& source, const Notes& notes) {
-    for (const Note& note : notes) {
-      const std::string text = describe({source, note.place, note.text, {}});
-      (note.severity == Note::Severity::warning ? shown.warnings : shown.infos).push_back(text);
-    }
-  };
-  add(viewport.scene->loaded->model.name, viewport.scene->notes);
-  add(viewport.environments.shown->source, viewport.environments.shown->notes);
-  if (!viewport.built.measured) return;
-  add(viewport.built.measured->facts.path, viewport.built.measured->facts.notes);
-  Notes drawn;
-  frame::noteMeasured(viewport.list, drawn);
-  add("", drawn);
-}
-
-void describeShown(const Viewport& viewport, ViewerState& state) {
-  const scene::Model& model = viewport.scene->loaded->model;
-  ShownScene& shown = state.shown;
-  shown.content = {viewport.scene->loaded, &model};
-  shown.model = viewport.scene->source;
-  shown.environment = viewport.environments.shown->source;
-  shown.scene = viewport.built.scene;
-  shown.bounds = viewport.list.bounds;
-  shown.cameras.clear();
-  for (const frame::FileCamera& camera : viewport.list.cameras) {
-    const std::string& node = model.nodes[static_cast<size_t>(camera.placed.node)].name;
-    const std::string& name = camera.lens.name.empty() ? node : camera.lens.name;
-    const std::string index = std::to_string(camera.placed.camera);
-    shown.cameras.push_back({name.empty() ? index : name, name.empty() ? "camera " + index : name});
-  }
-  shown.animations = animationNames(model);
-  shown.scenes.clear();
-  for (size_t i = 0; i < model.scenes.size(); ++i)
-    shown.scenes.push_back(model.scenes[i].name.empty() ? "scene " + std::to_string(i) : model.scenes[i].name);
-  shown.variants.clear();
-  for (size_t i = 0; i < model.variants.size(); ++i)
-    shown.variants.push_back(model.variants[i].empty() ? "variant " + std::to_string(i) : model.variants[i]);
-  shown.variant = viewport.built.variant;
-  shown.sceneLights = static_cast<int>(scene::flatten(model, shown.scene).lights.size());
-  shown.measured.reset();
-  if (viewport.built.measured) shown.measured = viewport.built.measured->facts;
-  shown.fit.reset();
-  if (viewport.built.fitted) shown.fit = viewport.built.fitted->fitted;
-  shown.compared = viewport.list.compared;
-  shown.comparison.reset();
-  shown.statistics.variants = variantCount(viewport.list);
-  shown.statistics.images = static_cast<int>(model.images.size());
-  describeNotes(viewport, shown);
-}
-
 // Of one pose to the next of what is shown: same programs and tables, nothing to be told.
 void move(Viewport& viewport, ViewerState& state, frame::DrawList list, const ListRequest& request) {
   stopRefinement(viewport, state);
@@ -86,19 +33,6 @@ void move(Viewport& viewport, ViewerState& state, frame::DrawList list, const Li
   viewport.asked.reset();
   ++viewport.listNumber;
   state.shown.bounds = viewport.list.bounds;
-}
-
-void measureMemory(const Viewport& viewport, ViewerStatistics& statistics) {
-  const frame::GpuScene& gpu = viewport.scene->onGpu.gpu;
-  statistics.imagesDecoded = gpu.imagesDecoded;
-  statistics.textureBytes = gpu.textureBytes();
-  statistics.geometryBytes = gpu.geometryBytes();
-  statistics.tableBytes = viewport.environments.shown->onGpu.tables.bytes();
-  statistics.targetBytes = frame::targetBytes(viewport.targets) + frame::targetBytes(viewport.refinement.targets);
-  statistics.measuredBytes = 0;
-  for (const auto& kept : viewport.measured.kept) statistics.measuredBytes += kept->buffer.bytes();
-  statistics.programsCompiled = viewport.programs.statistics().compiled;
-  statistics.programsFromDisk = viewport.programs.statistics().fromDisk;
 }
 
 // Everything on the GPU that the list reads, a slice of it a turn. True where all of it is there.
@@ -141,7 +75,7 @@ void show(Viewport& viewport, ViewerState& state, EnvironmentSlot* environment, 
   if (newScene) viewport.scene = std::move(viewport.next);
   viewport.scene->onGpu.gpu.measured = request.measured;
   viewport.scene->onGpu.gpu.fitted = request.fitted;
-  viewport.comparison.clear();
+  viewport.comparison.sums.clear();
   showEnvironment(viewport.environments, environment);
   describeShown(viewport, state);
   offerEnvironment(state, environment->source);
@@ -289,19 +223,19 @@ void takeEnvironment(Viewport& viewport, ViewerState& state, EnvironmentLoaded l
 void takeMeasured(Viewport& viewport, ViewerState& state, MeasuredLoaded loaded) {
   if (!loaded.read) {
     complain(state, loaded.read.error());
-    viewport.measuredAsked.reset();
+    viewport.measured.asked.reset();
     if (!loaded.again && frame::measuredSource(state.settings) == loaded.source) returnToShownBrdf(viewport, state);
     return;
   }
-  viewport.measuredFiles[loaded.read->facts.path] = std::move(loaded.watch);
-  frame::keepMeasured(viewport.measured, frame::uploadMeasured(std::move(*loaded.read)));
+  viewport.measured.files[loaded.read->facts.path] = std::move(loaded.watch);
+  frame::keepMeasured(viewport.measured.store, frame::uploadMeasured(std::move(*loaded.read)));
   viewport.failed.reset();
 }
 
 void takeFit(Viewport& viewport, ViewerState& state, FitMade made) {
   if (!made.fit) return complain(state, made.fit.error());
-  frame::keepFit(viewport.measured, frame::uploadFitted(std::move(*made.fit)));
-  viewport.fitAsked.reset();
+  frame::keepFit(viewport.measured.store, frame::uploadFitted(std::move(*made.fit)));
+  viewport.measured.fitAsked.reset();
 }
 
 void takeImages(Viewport& viewport, ViewerState& state, ImagesDecoded decoded) {
@@ -313,33 +247,6 @@ void takeImages(Viewport& viewport, ViewerState& state, ImagesDecoded decoded) {
   for (size_t i = 0; i < decoded.pixels->size(); ++i)
     if ((*decoded.pixels)[i].width > 0) scene->pixels[i] = std::move((*decoded.pixels)[i]);
 }
-
-namespace {
-
-// Asks for the measured BRDF of the request where it is not there. True where it is.
-bool provideMeasured(Viewport& viewport, Loader& loader, ListRequest& request) {
-  const bool asked = viewport.measuredAsked && viewport.measuredAsked->source == request.brdf;
-  if (viewport.built.brdf != request.brdf && !asked)
-    viewport.measuredAsked = MeasuredAsked{request.brdf, std::chrono::steady_clock::now()};
-  request.measured = frame::keptMeasured(viewport.measured, request.brdf);
-  if (request.measured) return true;
-  if (!loader.measured.running() || viewport.loadingMeasured != request.brdf) startMeasured(loader, request.brdf);
-  viewport.loadingMeasured = request.brdf;
-  return false;
-}
-
-// Asks for the model that is fitted to it, where that is wanted and not there; until then the measured BRDF is shown.
-void provideFit(Viewport& viewport, const frame::PictureSettings& settings, Loader& loader, ListRequest& request) {
-  if (settings.brdfCompare == frame::BrdfCompare::none) return;
-  request.fitted = frame::keptFit(viewport.measured, request.brdf, settings.diffuse);
-  request.compared = request.fitted && settings.brdfCompare != frame::BrdfCompare::fit;
-  const FitAsked wanted{request.brdf, settings.diffuse};
-  if (request.fitted || viewport.fitAsked == wanted) return;
-  startFit(loader, wanted.source, wanted.diffuse);
-  viewport.fitAsked = wanted;
-}
-
-}  // namespace
 
 bool bringUp(Viewport& viewport, ViewerState& state, Loader& loader) {
   viewport.comingUp = false;
@@ -359,8 +266,8 @@ bool bringUp(Viewport& viewport, ViewerState& state, Loader& loader) {
   ListRequest request = listRequest(state, *index, *variant, source != "none");
   if (environment) request.sun = environment->onGpu.sun;
   if (!request.brdf.name.empty()) {
-    if (!provideMeasured(viewport, loader, request)) return false;
-    provideFit(viewport, state.settings, loader, request);
+    if (!provideMeasured(viewport.measured, viewport.built, loader, request)) return false;
+    provideFit(viewport.measured, state.settings, loader, request);
   }
   const bool isShown = scene == viewport.scene.get() && environment == viewport.environments.shown;
   if ((isShown && request == viewport.built) || request == viewport.failed) return false;
@@ -405,8 +312,8 @@ void cancelLoading(Viewport& viewport, ViewerState& state, Loader& loader) {
   loader.measured.forget();
   loader.images.forget();
   viewport.loadingEnvironment.clear();
-  viewport.loadingMeasured = {};
-  viewport.measuredAsked.reset();
+  viewport.measured.loading = {};
+  viewport.measured.asked.reset();
   returnToShown(viewport, state, viewport.asked);
   viewport.asked.reset();
   say(state, "loading cancelled");
@@ -460,82 +367,26 @@ bool sharpenShown(Viewport& viewport, ViewerState& state) {
 bool atWork(const Viewport& viewport, const ViewerState& state) {
   const EnvironmentSlot* slot = viewport.environments.shown;
   const bool tables = slot && (slot->sharpening || !slot->toStore.empty() || !slot->packed.empty());
-  return tables || refining(viewport, state) || !viewport.comparison.empty();
+  return tables || refining(viewport, state) || !viewport.comparison.sums.empty();
 }
 
 namespace {
 
-ComparisonShown comparisonOf(const frame::PictureSettings& settings) {
-  return {settings.brdfCompare, settings.brdfSplit, settings.brdfDifferenceScale};
-}
-
-// Starts to find out how the pictures differ that are compared.
-Result<void> compare(Viewport& viewport, const frame::FrameInput& in, const frame::Targets& targets, float scale,
-                     bool last) {
-  const auto now = std::chrono::steady_clock::now();
-  if (!frame::comparing(in) || (!last && now - viewport.compared < std::chrono::milliseconds(500))) return {};
-  viewport.compared = now;
-  viewport.comparison.clear();
-  Result<frame::ComparisonSums> sums = frame::sumComparison(in, targets, scale, viewport.programs);
-  if (!sums) return tl::unexpected(sums.error());
-  viewport.comparison.push_back(std::move(*sums));
-  return {};
-}
-
-// Only how the two pictures are shown has changed.
-bool showAnew(Viewport& viewport, ViewerState& state, const scene::View& view) {
-  const Refinement& r = viewport.refinement;
-  const bool gathered = r.shown && r.gathering;
-  if (gathered && r.gathering->rows != 0) return false;  // in the middle of a draw: at its end
-  const frame::FrameInput in{viewport.scene->loaded->model,
-                             viewport.list,
-                             viewport.scene->onGpu.gpu,
-                             viewport.environments.shown->onGpu.tables,
-                             view,
-                             state.settings};
-  viewport.comparisonShown = comparisonOf(state.settings);
-  const Result<void> shown =
-      frame::showPicture(in, gathered ? r.targets : viewport.targets, gathered ? frame::meanScale(*r.gathering) : 1,
-                         viewport.targets, viewport.programs);
-  if (!shown) complain(state, shown.error());
-  return true;
-}
-
-}  // namespace
-
-Result<void> showPicture(Viewport& viewport, const frame::FrameInput& in, const frame::Targets& targets, float scale,
-                         bool last) {
-  viewport.comparisonShown = comparisonOf(in.settings);
-  if (Result<void> shown = frame::showPicture(in, targets, scale, viewport.targets, viewport.programs); !shown)
-    return shown;
-  return compare(viewport, in, targets, scale, last);
-}
-
-bool drawViewport(Viewport& viewport, ViewerState& state) {
-  if (!viewport.comparison.empty()) {
-    state.shown.comparison = frame::readComparison(viewport.comparison);
-    viewport.comparison.clear();
-  }
-  if (sharpenShown(viewport, state)) ++viewport.listNumber;
-  if (const std::optional<double> gpuMs = viewport.clock.poll()) state.shown.statistics.gpuMs = *gpuMs;
-  const std::optional<scene::View> view = currentView(viewport, state);
-  if (!view || viewport.shadersBroken) return false;
+// What the frame on the screen should be drawn from. The list's number stands for what is loaded and what lists are
+// made of; the comparison is shown anew without being drawn anew.
+DrawnFrame wantedFrame(const Viewport& viewport, const ViewerState& state) {
   DrawnFrame wanted{state.settings, state.camera, viewport.listNumber};
-  wanted.settings.environment.clear();  // the list's number stands for what is loaded
-  wanted.settings.scene = -1;
-  wanted.settings.variant.clear();
-  const ComparisonShown comparison = comparisonOf(state.settings);
-  wanted.settings.material = {};
-  wanted.settings.brdf.clear(), wanted.settings.brdfDir.clear();
-  wanted.settings.utiaDecode = {}, wanted.settings.brdfLookUp = {}, wanted.settings.brdfCompare = {};
-  wanted.settings.brdfSplit = wanted.settings.brdfDifferenceScale = 0;
-  if (viewport.drawn == wanted) {
-    const bool refined = refine(viewport, state, *view);
-    if (refined || !viewport.list.compared || viewport.comparisonShown == comparison) return refined;
-    return showAnew(viewport, state, *view);
-  }
-  stopRefinement(viewport, state);
-  state.refinement.lightPreview = viewport.environments.shown->preview;
+  frame::PictureSettings& s = wanted.settings;
+  s.environment.clear(), s.variant.clear(), s.brdf.clear(), s.brdfDir.clear();
+  s.scene = -1;
+  s.material = {};
+  s.utiaDecode = {}, s.brdfLookUp = {}, s.brdfCompare = {};
+  s.brdfSplit = s.brdfDifferenceScale = 0;
+  return wanted;
+}
+
+// The picture of few samples that is shown while anything changes.
+Result<void> drawMoving(Viewport& viewport, ViewerState& state, const scene::View& view) {
   const frame::PictureSettings s = movingSettings(state.settings);
   frame::Targets& targets = viewport.targets;
   if (targets.width != s.width || targets.height != s.height || targets.samples != s.samples) {
@@ -547,20 +398,43 @@ bool drawViewport(Viewport& viewport, ViewerState& state) {
   frame::setTextureDetail(viewport.scene->onGpu.gpu, 1, viewport.context);
   const scene::Model& model = viewport.scene->loaded->model;
   const frame::FrameInput input{
-      model, viewport.list, viewport.scene->onGpu.gpu, viewport.environments.shown->onGpu.tables, *view, s};
+      model, viewport.list, viewport.scene->onGpu.gpu, viewport.environments.shown->onGpu.tables, view, s};
   const auto start = std::chrono::steady_clock::now();
   FrameClock::Slot* slot = viewport.clock.begin();
   Result<frame::FrameStatistics> drawn = frame::drawFrame(input, targets, viewport.programs);
   viewport.clock.end(slot);
   const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
-  viewport.drawn = wanted;
-  viewport.comparisonShown = comparison;
-  if (drawn)
-    if (Result<void> compared = compare(viewport, input, targets, 1, true); !compared)
-      complain(state, compared.error());
-  if (!drawn) return complain(state, drawn.error()), true;
+  viewport.comparison.shown = comparisonOf(s);
+  if (!drawn) return tl::unexpected(drawn.error());
   state.shown.statistics.frame = std::move(*drawn);
   state.shown.statistics.cpuMs = spent.count();
+  return compare(viewport, input, targets, 1, true);
+}
+
+}  // namespace
+
+bool drawViewport(Viewport& viewport, ViewerState& state) {
+  if (!viewport.comparison.sums.empty()) {
+    state.shown.comparison = frame::readComparison(viewport.comparison.sums);
+    viewport.comparison.sums.clear();
+  }
+  if (sharpenShown(viewport, state)) ++viewport.listNumber;
+  if (const std::optional<double> gpuMs = viewport.clock.poll()) state.shown.statistics.gpuMs = *gpuMs;
+  const std::optional<scene::View> view = currentView(viewport, state);
+  if (!view || viewport.shadersBroken) return false;
+  const DrawnFrame wanted = wantedFrame(viewport, state);
+  if (viewport.drawn == wanted) {
+    const bool refined = refine(viewport, state, *view);
+    if (refined || !viewport.list.compared || viewport.comparison.shown == comparisonOf(state.settings)) return refined;
+    const Result<bool> shown = showAnew(viewport, state.settings, *view);
+    if (!shown) complain(state, shown.error());
+    return !shown || *shown;
+  }
+  stopRefinement(viewport, state);
+  state.refinement.lightPreview = viewport.environments.shown->preview;
+  const Result<void> drawn = drawMoving(viewport, state, *view);
+  viewport.drawn = wanted;
+  if (!drawn) return complain(state, drawn.error()), true;
   measureMemory(viewport, state.shown.statistics);
   log::debug("frame drawn: " + state.shown.model + ", " + state.shown.environment +
              (state.refinement.lightPreview ? " (preview)" : ""));

@@ -4,7 +4,6 @@
 // comes up beside what is shown and takes its place when it is complete.
 
 #include <array>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,8 +12,10 @@
 #include "frame/picture.hpp"
 #include "gl/context.hpp"
 #include "gl/timer.hpp"
+#include "view/comparison.hpp"
 #include "view/environments.hpp"
 #include "view/loader.hpp"
+#include "view/measured.hpp"
 #include "view/outline.hpp"
 #include "view/refinement.hpp"
 #include "view/viewer_state.hpp"
@@ -54,27 +55,6 @@ struct DrawnFrame {
   bool operator==(const DrawnFrame&) const = default;
 };
 
-// A measured BRDF that waits for its first frame.
-struct MeasuredAsked {
-  frame::MeasuredSource source;
-  std::chrono::steady_clock::time_point since;
-};
-
-struct FitAsked {
-  frame::MeasuredSource source;
-  optics::DiffuseModel diffuse = optics::DiffuseModel::lambert;
-
-  bool operator==(const FitAsked&) const = default;
-};
-
-// What a change of asks for no new picture, only for showing it anew.
-struct ComparisonShown {
-  frame::BrdfCompare compare = frame::BrdfCompare::none;
-  float split = 0, differenceScale = 0;
-
-  bool operator==(const ComparisonShown&) const = default;
-};
-
 struct Viewport {
   Viewport(gl::ContextInfo contextInfo, shading::ProgramStore store)
       : context(std::move(contextInfo)), programs(std::move(store)) {}
@@ -90,14 +70,8 @@ struct Viewport {
   std::optional<ListRequest> failed;  // could not be drawn; not tried again
   std::optional<ListRequest> asked;   // its images have been asked for
   std::string loadingEnvironment;
-  frame::MeasuredStore measured;
-  std::map<std::string, FileWatch> measuredFiles;  // of those that were read, by path
-  frame::MeasuredSource loadingMeasured;
-  std::optional<MeasuredAsked> measuredAsked;
-  std::optional<FitAsked> fitAsked;                  // what is being fitted, or could not be
-  std::vector<frame::ComparisonSums> comparison;     // of the picture on the screen, on their way
-  std::optional<ComparisonShown> comparisonShown;    // that the display picture was made with
-  std::chrono::steady_clock::time_point compared{};  // when the pictures were
+  MeasuredView measured;
+  Comparison comparison;
   int listNumber = 0;
   frame::Targets targets;
   std::optional<DrawnFrame> drawn;
@@ -132,11 +106,6 @@ std::optional<scene::View> currentView(const Viewport& viewport, ViewerState& st
 // Draws into the targets where anything has changed since the last time, else refines what is there. True where the
 // display picture is new.
 bool drawViewport(Viewport& viewport, ViewerState& state);
-
-// The picture of the targets, times the scale, onto the screen; of two that are compared their figures, too, at most
-// twice a second unless it is the last one.
-Result<void> showPicture(Viewport& viewport, const frame::FrameInput& in, const frame::Targets& targets, float scale,
-                         bool last);
 
 // There is more to come without anybody's doing: drawViewport() is to be called again soon.
 bool atWork(const Viewport& viewport, const ViewerState& state);

@@ -232,7 +232,7 @@ void nameWhatLoads(const Loader& loader, const Viewport& viewport, const std::st
   else if (loader.environment.running())
     state.loading = viewport.loadingEnvironment;
   else if (loader.measured.running())
-    state.loading = viewport.loadingMeasured.name;
+    state.loading = viewport.measured.loading.name;
   else if (viewport.comingUp)
     state.loading = (viewport.next ? viewport.next : viewport.scene)->source;
 }
@@ -294,10 +294,10 @@ void followFiles(Loop& loop, const Viewport& viewport, Loader& loader) {
 
 // From the choice of a measured BRDF to its first frame on the screen.
 void noteMeasuredShown(Viewport& viewport) {
-  if (!viewport.measuredAsked || viewport.built.brdf != viewport.measuredAsked->source) return;
+  if (!viewport.measured.asked || viewport.built.brdf != viewport.measured.asked->source) return;
   const std::chrono::duration<double, std::milli> spent =
-      std::chrono::steady_clock::now() - viewport.measuredAsked->since;
-  viewport.measuredAsked.reset();
+      std::chrono::steady_clock::now() - viewport.measured.asked->since;
+  viewport.measured.asked.reset();
   log::debug("measured BRDF on the screen after " + std::to_string(std::lround(spent.count())) +
              " ms: " + viewport.built.measured->facts.name);
 }
@@ -354,7 +354,7 @@ bool turn(Loop& loop, Viewport& viewport, ViewerState& state, Loader& loader) {
   if (bringUp(viewport, state, loader)) loop.framesToDraw = settlingFrames + 1;
   nameWhatLoads(loader, viewport, loop.model, state);
   followSelection(loop, input, actions, viewport, state);
-  if (!viewport.comparison.empty()) loop.framesToDraw = std::max(loop.framesToDraw, 2);  // its figures come now
+  if (!viewport.comparison.sums.empty()) loop.framesToDraw = std::max(loop.framesToDraw, 2);  // its figures come now
   if (drawViewport(viewport, state)) {
     loop.framesToDraw = std::max(loop.framesToDraw, 1);
     readRadianceThere(viewport, state);

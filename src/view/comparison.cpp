@@ -1,0 +1,49 @@
+#include "view/comparison.hpp"
+
+#include "frame/gather.hpp"
+#include "view/viewport.hpp"
+
+namespace facet::view {
+
+ComparisonShown comparisonOf(const frame::PictureSettings& settings) {
+  return {settings.brdfCompare, settings.brdfSplit, settings.brdfDifferenceScale};
+}
+
+Result<void> compare(Viewport& viewport, const frame::FrameInput& in, const frame::Targets& targets, float scale,
+                     bool last) {
+  Comparison& comparison = viewport.comparison;
+  const auto now = std::chrono::steady_clock::now();
+  if (!frame::comparing(in) || (!last && now - comparison.since < std::chrono::milliseconds(500))) return {};
+  comparison.since = now;
+  comparison.sums.clear();
+  Result<frame::ComparisonSums> sums = frame::sumComparison(in, targets, scale, viewport.programs);
+  if (!sums) return tl::unexpected(sums.error());
+  comparison.sums.push_back(std::move(*sums));
+  return {};
+}
+
+Result<void> showPicture(Viewport& viewport, const frame::FrameInput& in, const frame::Targets& targets, float scale,
+                         bool last) {
+  viewport.comparison.shown = comparisonOf(in.settings);
+  if (Result<void> shown = frame::showPicture(in, targets, scale, viewport.targets, viewport.programs); !shown)
+    return shown;
+  return compare(viewport, in, targets, scale, last);
+}
+
+Result<bool> showAnew(Viewport& viewport, const frame::PictureSettings& settings, const scene::View& view) {
+  const Refinement& r = viewport.refinement;
+  const bool gathered = r.shown && r.gathering;
+  if (gathered && r.gathering->rows != 0) return false;
+  const frame::FrameInput in{viewport.scene->loaded->model,
+                             viewport.list,
+                             viewport.scene->onGpu.gpu,
+                             viewport.environments.shown->onGpu.tables,
+                             view,
+                             settings};
+  viewport.comparison.shown = comparisonOf(settings);
+  return frame::showPicture(in, gathered ? r.targets : viewport.targets, gathered ? frame::meanScale(*r.gathering) : 1,
+                            viewport.targets, viewport.programs)
+      .map([] { return true; });
+}
+
+}  // namespace facet::view

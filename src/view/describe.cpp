@@ -1,0 +1,75 @@
+#include "view/describe.hpp"
+
+namespace facet::view {
+
+namespace {
+
+void describeNotes(const Viewport& viewport, ShownScene& shown) {
+  shown.warnings.clear();
+  shown.infos.clear();
+  const auto add = [&](const std::string& source, const Notes& notes) {
+    for (const Note& note : notes) {
+      const std::string text = describe({source, note.place, note.text, {}});
+      (note.severity == Note::Severity::warning ? shown.warnings : shown.infos).push_back(text);
+    }
+  };
+  add(viewport.scene->loaded->model.name, viewport.scene->notes);
+  add(viewport.environments.shown->source, viewport.environments.shown->notes);
+  if (!viewport.built.measured) return;
+  add(viewport.built.measured->facts.path, viewport.built.measured->facts.notes);
+  Notes drawn;
+  frame::noteMeasured(viewport.list, drawn);
+  add("", drawn);
+}
+
+}  // namespace
+
+void describeShown(const Viewport& viewport, ViewerState& state) {
+  const scene::Model& model = viewport.scene->loaded->model;
+  ShownScene& shown = state.shown;
+  shown.content = {viewport.scene->loaded, &model};
+  shown.model = viewport.scene->source;
+  shown.environment = viewport.environments.shown->source;
+  shown.scene = viewport.built.scene;
+  shown.bounds = viewport.list.bounds;
+  shown.cameras.clear();
+  for (const frame::FileCamera& camera : viewport.list.cameras) {
+    const std::string& node = model.nodes[static_cast<size_t>(camera.placed.node)].name;
+    const std::string& name = camera.lens.name.empty() ? node : camera.lens.name;
+    const std::string index = std::to_string(camera.placed.camera);
+    shown.cameras.push_back({name.empty() ? index : name, name.empty() ? "camera " + index : name});
+  }
+  shown.animations = animationNames(model);
+  shown.scenes.clear();
+  for (size_t i = 0; i < model.scenes.size(); ++i)
+    shown.scenes.push_back(model.scenes[i].name.empty() ? "scene " + std::to_string(i) : model.scenes[i].name);
+  shown.variants.clear();
+  for (size_t i = 0; i < model.variants.size(); ++i)
+    shown.variants.push_back(model.variants[i].empty() ? "variant " + std::to_string(i) : model.variants[i]);
+  shown.variant = viewport.built.variant;
+  shown.sceneLights = static_cast<int>(scene::flatten(model, shown.scene).lights.size());
+  shown.measured.reset();
+  if (viewport.built.measured) shown.measured = viewport.built.measured->facts;
+  shown.fit.reset();
+  if (viewport.built.fitted) shown.fit = viewport.built.fitted->fitted;
+  shown.compared = viewport.list.compared;
+  shown.comparison.reset();
+  shown.statistics.variants = variantCount(viewport.list);
+  shown.statistics.images = static_cast<int>(model.images.size());
+  describeNotes(viewport, shown);
+}
+
+void measureMemory(const Viewport& viewport, ViewerStatistics& statistics) {
+  const frame::GpuScene& gpu = viewport.scene->onGpu.gpu;
+  statistics.imagesDecoded = gpu.imagesDecoded;
+  statistics.textureBytes = gpu.textureBytes();
+  statistics.geometryBytes = gpu.geometryBytes();
+  statistics.tableBytes = viewport.environments.shown->onGpu.tables.bytes();
+  statistics.targetBytes = frame::targetBytes(viewport.targets) + frame::targetBytes(viewport.refinement.targets);
+  statistics.measuredBytes = 0;
+  for (const auto& kept : viewport.measured.store.kept) statistics.measuredBytes += kept->buffer.bytes();
+  statistics.programsCompiled = viewport.programs.statistics().compiled;
+  statistics.programsFromDisk = viewport.programs.statistics().fromDisk;
+}
+
+}  // namespace facet::view
