@@ -83,7 +83,7 @@ ListRequest listRequest(const ViewerState& state, int scene, int variant, bool h
     request.brdf = frame::measuredSource(state.settings);
     request.brdfNearest = state.settings.brdfLookUp == optics::LookUp::nearest;
     // What will be refined begins with few samples, by the program that refines it.
-    if (state.settings.samples > frame::convergedAbove) request.imageLightSamples = frame::convergedLightSamples;
+    if (frame::converges(state.settings)) request.imageLightSamples = frame::convergedLightSamples;
   }
   request.animation = state.settings.animation;
   if (!request.animation.empty()) request.timeSeconds = state.settings.timeSeconds;
