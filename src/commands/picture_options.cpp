@@ -398,7 +398,7 @@ constexpr PictureOption table[] = {
      parseName<imageLights, &S::imageLight>, writeName<imageLights, &S::imageLight>},
     {"energy", "NAME",
      "light of further bounces in a rough lobe: none, fdez-aguera, kulla-conty, turquin; auto: fdez-aguera for the "
-     "environment, turquin for lights (auto)",
+     "environment, turquin for lights; above 4 samples kulla-conty (auto)",
      parseName<energyModels, &S::energy>, writeName<energyModels, &S::energy>},
     {"brdf", "FILE|NAME|builtin:NAME", "a measured BRDF (MERL, UTIA) in the place of all materials (their own)",
      parseText<&S::brdf>, writeText<&S::brdf>, ',', true, true},

@@ -264,7 +264,7 @@ void modelsSection(ViewerState& state) {
                                            {"3 fitted taps", nullptr},
                                            {"sampled", "the integral itself, at each pixel"}};
   static constexpr Choice energies[] = {
-      {"automatic", "Fdez-Aguera for the environment, Turquin for lights"},
+      {"automatic", "Fdez-Aguera for the environment, Turquin for lights; of more than 4 samples Kulla and Conty"},
       {"none", "one bounce: a rough white metal returns as little as 31 % of what it gets"},
       {"Fdez-Aguera", "what is missing leaves evenly to all sides"},
       {"Kulla and Conty", "reciprocal; what is missing leaves as it came, by the albedo's complement"},
