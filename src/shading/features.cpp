@@ -234,8 +234,8 @@ bool hasDielectric(const scene::Material& m) {
 uint8_t energyIndex(const FeatureInput& in, const VariantKey& key) {
   const optics::EnergyModel usual = optics::EnergyModel::automatic;
   optics::EnergyModel chosen = in.frame.models.energy;
-  // Where light is sampled: against path-traced rough metals under a sun, Kulla and Conty's lobe is nearer than a scaled
-  // one, 3.3 / 255 in the place of 4.6, for 1.2 times the time. It has no table for a grain.
+  // Where light is sampled: against path-traced rough metals under a sun, Kulla and Conty's lobe is nearer than a
+  // scaled one, 3.3 / 255 in the place of 4.6, for 1.2 times the time. It has no table for a grain.
   if (chosen == usual && in.frame.imageLightSamples != 0 && !usesFeature(key, "HAS_ANISOTROPY"))
     chosen = optics::EnergyModel::kullaConty;
   // Lobes other than GGX with Smith's term have no compensation; what they leave for the base has.
