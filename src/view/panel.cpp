@@ -93,6 +93,10 @@ void rightOfStatus(ViewerState& state) {
   const std::string both = problems + refined;
   if (both.empty()) return;
   ImGui::SameLine(std::max(0.0f, ImGui::GetWindowWidth() - ImGui::CalcTextSize(both.c_str()).x - 12));
+  // A long status ends here.
+  const ImVec2 at = ImGui::GetCursorScreenPos(), end(at.x + ImGui::GetWindowWidth(), at.y + ImGui::GetFrameHeight());
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x - 8, at.y), end,
+                                            ImGui::GetColorU32(ImGuiCol_WindowBg) | 0xff000000u);
   if (!problems.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, warningColor);
     ImGui::TextUnformatted(problems.c_str());
