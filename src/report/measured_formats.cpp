@@ -139,7 +139,6 @@ Result<LookUpErrors> lookUpErrors(const MeasuredBrdf& brdf, const optics::Analyt
   const std::vector<glm::vec4> inputs = inputsOf(pairs);
   const auto got = runProbe(lookUpProbe(brdf, lookUp, 0), inputs, reader);
   if (!got) return tl::unexpected(got.error());
-  LookUpErrors e;
   double arithmetic = 0, grid = 0, total = 0;
   size_t elsewhere = 0;
   for (size_t i = 0; i < pairs.size(); ++i) {
