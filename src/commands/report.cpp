@@ -82,13 +82,11 @@ int runReport(const ReportArguments& arguments) {
     session = std::move(*made);
     input.session = session.get();
   }
-  report::Report whole;
-  for (const report::Topic* topic : *topics) {
-    Result<report::Report> made = topic->make(input);
-    if (!made) return badInput(made.error());
-    std::ranges::move(made->tables, std::back_inserter(whole.tables));
-    std::ranges::move(made->plots, std::back_inserter(whole.plots));
-  }
+  std::vector<report::ReportPart> parts;
+  for (const report::Topic* topic : *topics) parts.push_back(topic->make);
+  const Result<report::Report> made = report::joined(parts, input);
+  if (!made) return badInput(made.error());
+  const report::Report& whole = *made;
   if (*format && arguments.output.empty()) {
     std::cout << (*format)->write(whole.tables) << std::flush;
     return exitGood;

@@ -104,14 +104,8 @@ Result<Report> lightPictures(const ReportInput& input) {
 }
 
 Result<Report> lightReport(const ReportInput& input) {
-  Report report;
-  for (const auto part : {lightTables, lightLobes, lightPictures}) {
-    Result<Report> made = part(input);
-    if (!made) return made;
-    std::ranges::move(made->tables, std::back_inserter(report.tables));
-    std::ranges::move(made->plots, std::back_inserter(report.plots));
-  }
-  return report;
+  constexpr ReportPart parts[] = {lightTables, lightLobes, lightPictures};
+  return joined(parts, input);
 }
 
 }  // namespace facet::report

@@ -14,9 +14,11 @@ namespace facet::report {
 
 namespace {
 
-void markFront(Table& table, const std::vector<CostAndError>& figures) {
+// Into the report, the rows on the Pareto front marked in a last column.
+void add(Report& report, Table&& table, const std::vector<CostAndError>& figures) {
   const std::vector<bool> front = paretoFront(figures);
   for (size_t i = 0; i < front.size(); ++i) table.rows[i].emplace_back(std::string(front[i] ? "*" : ""));
+  report.tables.push_back(std::move(table));
 }
 
 NamedPlot errorAgainstTime(const std::string& name, const std::string& title, const Table& table,
@@ -53,8 +55,7 @@ Result<void> addCube(const Measured& m, Report& report) {
     table.rows.push_back({std::string(name), error, static_cast<double>(cost.fetches), cost.milliseconds});
     figures.push_back({cost.milliseconds, std::abs(error)});
   }
-  markFront(table, figures);
-  report.tables.push_back(std::move(table));
+  add(report, std::move(table), figures);
   return {};
 }
 
@@ -102,8 +103,7 @@ Result<void> addIrradiance(const Measured& m, Report& report) {
     figures.push_back({cost.milliseconds, e.relativeRmse});
   }
   report.plots.push_back(errorAgainstTime("light-irradiance", "Irradiance: error against time", table, figures));
-  markFront(table, figures);
-  report.tables.push_back(std::move(table));
+  add(report, std::move(table), figures);
   return {};
 }
 
@@ -157,8 +157,7 @@ Result<void> addLd(const Measured& m, Report& report) {
     figures.push_back({cost.milliseconds, measure->all});
   }
   report.plots.push_back(errorAgainstTime("light-ld", "Prefiltered radiance: error against time", table, figures));
-  markFront(table, figures);
-  report.tables.push_back(std::move(table));
+  add(report, std::move(table), figures);
   return {};
 }
 
@@ -218,7 +217,7 @@ Result<void> addDfg(const Measured& m, Report& report) {
       {}};
   std::vector<CostAndError> figures;
   const DfgTruth truth = dfgTruth();
-  const auto add = [&](const char* name, const DfgError& error, double bytes, double evaluations, double ms) {
+  const auto addRow = [&](const char* name, const DfgError& error, double bytes, double evaluations, double ms) {
     table.rows.push_back({std::string(name), error.most, error.everywhere, error.rms, bytes, evaluations, ms});
     figures.push_back({ms, error.everywhere});
   };
@@ -236,15 +235,14 @@ Result<void> addDfg(const Measured& m, Report& report) {
     const auto measure = measureDfg(m, row.method, truth, row.method.dfg == ibl::DfgMethod::importance);
     if (!measure) return tl::unexpected(measure.error());
     const ibl::TableStatistics& cost = measure->cost;
-    add(row.name, measure->error, static_cast<double>(cost.bytes), static_cast<double>(cost.fetches),
-        cost.milliseconds);
+    addRow(row.name, measure->error, static_cast<double>(cost.bytes), static_cast<double>(cost.fetches),
+           cost.milliseconds);
   }
   const auto fit = [&](size_t i) {
     return karisFit(static_cast<double>(truth.inputs[i].x), static_cast<double>(truth.inputs[i].y));
   };
-  add("analytic fit", dfgError(truth, fit), 0, 0, 0);
-  markFront(table, figures);
-  report.tables.push_back(std::move(table));
+  addRow("analytic fit", dfgError(truth, fit), 0, 0, 0);
+  add(report, std::move(table), figures);
   return {};
 }
 

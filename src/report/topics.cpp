@@ -1,5 +1,8 @@
 #include "report/topics.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include "report/energy.hpp"
 #include "report/light.hpp"
 #include "report/measured_cost.hpp"
@@ -27,6 +30,17 @@ constexpr Topic topics[] = {
 };
 
 }  // namespace
+
+Result<Report> joined(std::span<const ReportPart> parts, const ReportInput& input) {
+  Report report;
+  for (const ReportPart part : parts) {
+    Result<Report> made = part(input);
+    if (!made) return made;
+    std::ranges::move(made->tables, std::back_inserter(report.tables));
+    std::ranges::move(made->plots, std::back_inserter(report.plots));
+  }
+  return report;
+}
 
 std::span<const Topic> reportTopics() { return topics; }
 

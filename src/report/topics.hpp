@@ -37,11 +37,15 @@ struct ReportInput {
   std::function<void(const std::string&)> progress = [](const std::string&) {};  // what is measured now
 };
 
+// What several parts measure, in their order, in one.
+using ReportPart = Result<Report> (*)(const ReportInput& input);
+Result<Report> joined(std::span<const ReportPart> parts, const ReportInput& input);
+
 struct Topic {
   std::string_view name;  // as `facet report` takes it
   std::string_view summary;
   bool needsOpenGL = false;
-  Result<Report> (*make)(const ReportInput& input);
+  ReportPart make;
 };
 std::span<const Topic> reportTopics();
 

@@ -25,8 +25,8 @@ frame::FrameInput frameInput(const Viewport& viewport, const scene::View& view) 
 }
 
 // As many samples as are gathered at first.
-frame::PictureSettings firstAttempt(const frame::PictureSettings& settings) {
-  return settings.maxError ? frame::withSamples(settings, frame::firstSamples(settings)) : settings;
+int firstAttempt(const frame::PictureSettings& settings) {
+  return settings.maxError ? frame::firstSamples(settings) : settings.samples;
 }
 
 void giveUp(Refinement& refinement, ViewerState& state, const Error& error) {
@@ -44,7 +44,6 @@ Result<bool> prepare(Viewport& viewport, const ViewerState& state, const scene::
     shading::FrameFeatures resting = viewport.list.features;
     resting.imageLightSamples = frame::drawOptions(state.settings, resting.environment).features.imageLightSamples;
     frame::setFeatures(viewport.list, resting);
-    r.settings = firstAttempt(state.settings);
   }
   EnvironmentSlot& environment = *viewport.environments.shown;
   const ibl::Needs needs = viewport.list.needs(viewport.built.skyVisible);
@@ -113,8 +112,8 @@ bool takeErrors(Refinement& r, bool compared, ViewerState& state) {
 // The picture is complete: true where its error asks for more samples, which then are gathered anew.
 bool again(Refinement& r, const ViewerState& state) {
   if (!state.settings.maxError || state.refinement.error < 0) return false;
-  const int samples = frame::nextSamples(state.settings, r.settings.samples, state.refinement.error);
-  if (samples > 0) r.settings.samples = samples;
+  const int samples = frame::nextSamples(state.settings, r.samples, state.refinement.error);
+  if (samples > 0) r.samples = r.settings.samples = samples;
   return samples > 0;
 }
 
@@ -166,8 +165,9 @@ void stopRefinement(Viewport& viewport, ViewerState& state) {
   if (r.movingFeatures) frame::setFeatures(viewport.list, *r.movingFeatures);
   r.movingFeatures.reset();
   if (!frame::converges(state.settings)) r.targets = {};
+  r.samples = firstAttempt(state.settings);
   state.refinement = {};
-  if (frame::converges(state.settings)) state.refinement.wanted = firstAttempt(state.settings).samples;
+  if (frame::converges(state.settings)) state.refinement.wanted = r.samples;
 }
 
 bool refining(const Viewport& viewport, const ViewerState& state) {
@@ -179,9 +179,8 @@ bool refining(const Viewport& viewport, const ViewerState& state) {
 bool refine(Viewport& viewport, ViewerState& state, const scene::View& view) {
   Refinement& r = viewport.refinement;
   if (!refining(viewport, state) || (r.pending && !r.timer.ready())) return false;
-  r.settings.brdfCompare = state.settings.brdfCompare;
-  r.settings.brdfSplit = state.settings.brdfSplit;
-  r.settings.brdfDifferenceScale = state.settings.brdfDifferenceScale;
+  // What only the display reads may have changed since the draws began.
+  r.settings = frame::withSamples(state.settings, r.samples);
   if (!r.gathering) {
     if (Clock::now() - r.since < r.restDelay) return false;
     const Result<bool> ready = prepare(viewport, state, view);

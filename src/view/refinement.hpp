@@ -18,7 +18,8 @@ struct Viewport;
 
 struct Refinement {
   std::chrono::milliseconds restDelay{150};  // so long nothing has changed before it begins
-  frame::PictureSettings settings;           // of the gathered picture: with as many samples as it takes
+  int samples = 0;                           // of the gathered picture
+  frame::PictureSettings settings;           // the state's, with that many
   frame::Targets targets;
   std::optional<frame::Gathering> gathering;  // nothing: not begun
   // The list's own features, while it has those of the converged picture.

@@ -1,15 +1,12 @@
 #include <catch2/catch.hpp>
-#include <fstream>
-#include <iterator>
 
-#include "commands/picture_options.hpp"
 #include "io/image.hpp"
 #include "io/utia.hpp"
 #include "optics/synthetic_brdf.hpp"
-#include "support/command.hpp"
 #include "support/gltf_builder.hpp"
 #include "support/temporary_folder.hpp"
 #include "view/camera_control.hpp"
+#include "view/copied_command.hpp"
 #include "view/inspector.hpp"
 #include "view/viewer.hpp"
 
@@ -120,19 +117,5 @@ TEST_CASE("copied command: gives the bytes of the picture on the screen", "[gl]"
   viewer.converge();
   view::updateOutline(viewer.viewport, viewer.state, 2);
   REQUIRE_FALSE(viewer.state.status.isError);
-  REQUIRE(io::writePng(folder.file("window.png"), viewer.display()));
-
-  const std::string line =
-      commands::commandLine(view::commandSettings(viewer.state), viewer.state.shown.model, folder.file("command.png"));
-  INFO(line);
-  REQUIRE(line.starts_with("facet render "));
-  const test::Outcome outcome = test::runShell("'" + test::facetPath() + "' " + line.substr(6));
-  INFO(outcome.text);
-  REQUIRE(outcome.status == 0);
-  const auto bytes = [&](const char* name) {
-    std::ifstream stream(folder.file(name), std::ios::binary);
-    return std::vector<char>(std::istreambuf_iterator<char>(stream), {});
-  };
-  CHECK(bytes("window.png").size() > 200);
-  CHECK(bytes("command.png") == bytes("window.png"));
+  test::checkCopiedCommand(viewer, folder);
 }

@@ -1,14 +1,10 @@
 #include <catch2/catch.hpp>
-#include <fstream>
-#include <iterator>
 
-#include "commands/option_text.hpp"
-#include "commands/picture_options.hpp"
 #include "io/image.hpp"
 #include "io/radiance.hpp"
-#include "support/command.hpp"
 #include "support/gltf_builder.hpp"
 #include "support/temporary_folder.hpp"
+#include "view/copied_command.hpp"
 #include "view/follow.hpp"
 #include "view/viewer.hpp"
 
@@ -161,21 +157,7 @@ TEST_CASE("viewport: the copied command renders the picture on the screen, byte 
   row.set(viewer.state);
   viewer.settle();
   viewer.converge();
-  REQUIRE(io::writePng(folder.file("window.png"), viewer.display()));
-
-  const std::string line =
-      commands::commandLine(view::commandSettings(viewer.state), viewer.state.shown.model, folder.file("command.png"));
-  INFO(line);
-  REQUIRE(line.starts_with("facet render "));
-  const test::Outcome outcome = test::runShell(commands::shellWord(test::facetPath()) + line.substr(5));
-  INFO(outcome.text);
-  REQUIRE(outcome.status == 0);
-  const auto bytes = [&](const char* name) {
-    std::ifstream stream(folder.file(name), std::ios::binary);
-    return std::vector<char>(std::istreambuf_iterator<char>(stream), {});
-  };
-  CHECK(bytes("window.png").size() > 200);
-  CHECK(bytes("command.png") == bytes("window.png"));
+  test::checkCopiedCommand(viewer, folder);
 }
 
 TEST_CASE("viewport: what goes on the GPU in slices is shown when all of it is there", "[gl]") {
