@@ -45,13 +45,13 @@ int runViewer(const WindowArguments& arguments) {
   if (Result<void> r = sortSources(arguments.sources, options); !r) return badInput(r.error());
   options.diskCache = !arguments.noCache;
   options.glDebug = arguments.glDebug;
-  Result<view::Start> start = view::prepareStart(options);
-  if (!start) return badInput(start.error());
-  if (Result<void> shown = view::runWindow(options, std::move(*start)); !shown) {
+  if (Result<void> r = view::checkStart(options); !r) return badInput(r.error());
+  const Result<bool> shown = view::runWindow(options);
+  if (!shown) {
     log::error(describe(shown.error()));
     return exitNoOpenGL;
   }
-  return exitGood;
+  return *shown ? exitGood : exitBadInput;
 }
 
 }  // namespace

@@ -57,11 +57,16 @@ bool isBelow(const fs::path& folder, const fs::path& file) {
 
 }  // namespace
 
+Result<void> checkRegularFile(const fs::path& path, uint64_t maxBytes) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) return unreadable(path, errno);
+  return checkKind(path, status, maxBytes);
+}
+
 Result<FileBytes> readRegularFile(const fs::path& path, uint64_t maxBytes) {
   struct stat status {};
   // Before opening, because opening a device may already do something; after it again, because names can change.
-  if (::stat(path.c_str(), &status) != 0) return tl::unexpected(unreadable(path, errno).error());
-  if (auto kind = checkKind(path, status, maxBytes); !kind) return tl::unexpected(kind.error());
+  if (auto kind = checkRegularFile(path, maxBytes); !kind) return tl::unexpected(kind.error());
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   if (file.fd < 0 || ::fstat(file.fd, &status) != 0) return tl::unexpected(unreadable(path, errno).error());
   if (auto kind = checkKind(path, status, maxBytes); !kind) return tl::unexpected(kind.error());

@@ -21,6 +21,9 @@ struct FileBytes {
   std::span<const uint8_t> span() const { return {data.get(), size}; }
 };
 
+// What readRegularFile would say of the file before it reads it: missing, not a regular file, larger than maxBytes.
+Result<void> checkRegularFile(const std::filesystem::path& path, uint64_t maxBytes);
+
 // Errors: missing, not a regular file (a pipe is never opened), larger than maxBytes, unreadable.
 Result<FileBytes> readRegularFile(const std::filesystem::path& path, uint64_t maxBytes);
 

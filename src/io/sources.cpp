@@ -1,8 +1,10 @@
 #include "io/sources.hpp"
 
+#include <algorithm>
 #include <string_view>
 
 #include "io/radiance.hpp"
+#include "io/safe_files.hpp"
 #include "scene/builtin_environments.hpp"
 #include "scene/builtin_scenes.hpp"
 #include "scene/geometry.hpp"
@@ -17,26 +19,47 @@ bool isBuiltin(const std::string& source) { return source.starts_with(builtinPre
 
 Result<LoadedModel> readModel(const std::string& source, const Limits& limits) {
   if (!isBuiltin(source)) return loadGltf(source, limits);
-  const Result<std::vector<uint8_t>> bytes = scene::builtinScene(source.substr(builtinPrefix.size()));
+  const Result<std::vector<uint8_t>> bytes = scene::builtinScene(source);
   if (!bytes) return tl::unexpected(bytes.error());
   return loadGltfBytes(*bytes, source, {}, limits);
 }
 
+Result<void> checkBump(const std::string& source, const Bump& bump) {
+  if (bump.file.empty() || isBuiltin(source)) return {};
+  return fail(source, "", "--bump is for the built-in scenes", "leave it out, or show builtin:poster");
+}
+
 }  // namespace
 
+Result<void> checkModelSource(const std::string& source, const Limits& limits, const Bump& bump) {
+  if (Result<void> r = checkBump(source, bump); !r) return r;
+  if (!bump.file.empty())
+    if (Result<void> r = checkRegularFile(bump.file, limits.fileBytes); !r) return r;
+  if (!isBuiltin(source)) return checkRegularFile(source, limits.fileBytes);
+  if (scene::findBuiltinScene(source)) return {};
+  const Result<std::vector<uint8_t>> unknown = scene::builtinScene(source);
+  return unknown ? Result<void>() : tl::unexpected(unknown.error());
+}
+
+Result<void> checkEnvironmentSource(const std::string& source, const Limits& limits) {
+  if (!isBuiltin(source)) return checkRegularFile(source, limits.fileBytes);
+  const auto named = [&](const auto& environment) { return source.substr(builtinPrefix.size()) == environment.name; };
+  if (std::ranges::any_of(scene::builtinEnvironments(), named)) return {};
+  const Result<scene::Environment> unknown = scene::builtinEnvironment(source);
+  return unknown ? Result<void>() : tl::unexpected(unknown.error());
+}
+
 Result<LoadedModel> loadModel(const std::string& source, const Limits& limits, const Bump& bump) {
-  const bool bumped = !bump.file.empty();
-  if (bumped && !isBuiltin(source))
-    return fail(source, "", "--bump is for the built-in scenes", "leave it out, or show builtin:poster");
+  if (Result<void> r = checkBump(source, bump); !r) return tl::unexpected(r.error());
   Result<LoadedModel> loaded = readModel(source, limits);
-  if (loaded && bumped)
+  if (loaded && !bump.file.empty())
     if (auto ok = applyBump(loaded->model, bump, limits); !ok) return tl::unexpected(ok.error());
   if (loaded) scene::completeGeometry(loaded->model, loaded->notes);
   return loaded;
 }
 
 Result<scene::Environment> loadEnvironmentSource(const std::string& source, Notes& notes, const Limits& limits) {
-  if (isBuiltin(source)) return scene::builtinEnvironment(source.substr(builtinPrefix.size()));
+  if (isBuiltin(source)) return scene::builtinEnvironment(source);
   return loadEnvironment(source, notes, limits);
 }
 

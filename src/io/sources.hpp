@@ -15,6 +15,10 @@ namespace facet::io {
 // bring normal textures of their own, and texture coordinates that only their authors know.
 Result<LoadedModel> loadModel(const std::string& source, const Limits& limits = {}, const Bump& bump = {});
 
+// What can be told of them without reading: there is no such file or built-in one, or it is no file.
+Result<void> checkModelSource(const std::string& source, const Limits& limits = {}, const Bump& bump = {});
+Result<void> checkEnvironmentSource(const std::string& source, const Limits& limits = {});
+
 // The file or built-in environment.
 Result<scene::Environment> loadEnvironmentSource(const std::string& source, Notes& notes, const Limits& limits = {});
 

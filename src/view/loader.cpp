@@ -23,14 +23,14 @@ std::vector<std::filesystem::path> filesOf(const std::string& source) {
   return files;
 }
 
-ModelLoaded loadModel(const std::string& source, const io::Bump& bump, bool again) {
+ModelLoaded loadModel(const std::string& source, Opening opening, const io::Bump& bump) {
   try {
     FileWatch watch = watchFiles(filesOf(source), std::chrono::steady_clock::now());
     Result<io::LoadedModel> loaded = io::loadModel(source, {}, bump);
-    if (!loaded) return {source, again, tl::unexpected(loaded.error())};
-    return {source, again, std::make_shared<const io::LoadedModel>(std::move(*loaded)), std::move(watch)};
+    if (!loaded) return {source, opening, tl::unexpected(loaded.error())};
+    return {source, opening, std::make_shared<const io::LoadedModel>(std::move(*loaded)), std::move(watch)};
   } catch (const std::bad_alloc&) {
-    return {source, again, tooLarge(source)};
+    return {source, opening, tooLarge(source)};
   }
 }
 
@@ -84,8 +84,8 @@ ImagesDecoded decodeImages(const std::shared_ptr<const io::LoadedModel>& model, 
 
 }  // namespace
 
-void startModel(Loader& loader, const std::string& source, const io::Bump& bump, bool again) {
-  loader.model.start([source, bump, again] { return loadModel(source, bump, again); });
+void startModel(Loader& loader, const std::string& source, Opening opening, const io::Bump& bump) {
+  loader.model.start([source, opening, bump] { return loadModel(source, opening, bump); });
 }
 
 void startEnvironment(Loader& loader, const std::string& source, bool again) {

@@ -21,9 +21,16 @@
 
 namespace facet::view {
 
+// What a model is opened as.
+enum class Opening {
+  other,  // scene, camera, animation and variant that are chosen mean nothing in it
+  first,  // what facet was started with: they are those of the command line, meant for it
+  again   // it is shown already and its file has changed: they stay where the file still has them
+};
+
 struct ModelLoaded {
   std::string source;
-  bool again = false;  // it is shown already and its file has changed
+  Opening opening = Opening::other;
   Result<std::shared_ptr<const io::LoadedModel>> model;
   FileWatch watch = {};  // of all that it consists of, as it was before it was read; none for built-in scenes
 };
@@ -95,7 +102,7 @@ struct Loader {
   }
 };
 
-void startModel(Loader& loader, const std::string& source, const io::Bump& bump = {}, bool again = false);
+void startModel(Loader& loader, const std::string& source, Opening opening = Opening::other, const io::Bump& bump = {});
 void startEnvironment(Loader& loader, const std::string& source, bool again = false);
 void startMeasured(Loader& loader, const frame::MeasuredSource& source, bool again = false);
 void startFit(Loader& loader, const frame::MeasuredSource& source, optics::DiffuseModel diffuse);

@@ -29,6 +29,7 @@ void header(ViewerState& state, PanelResult& result) {
     ImGui::TextDisabled("%s", time.c_str());
     hint("GPU time of the last frame that was measured");
   }
+  ImGui::BeginDisabled(state.shown.model.empty());
   if (ImGui::Button("copy command")) {
     const std::string command = commands::commandLine(commandSettings(state), state.shown.model, "picture.png");
     ImGui::SetClipboardText(command.c_str());
@@ -38,6 +39,7 @@ void header(ViewerState& state, PanelResult& result) {
   ImGui::SameLine();
   if (ImGui::Button("screenshot")) result.screenshot = true;
   hint("the picture without panels, as PNG into the folder in which facet was started (P)");
+  ImGui::EndDisabled();
   ImGui::SameLine();
   if (ImGui::Button("help")) state.helpVisible = !state.helpVisible;
   hint("keys and mouse (F1)");

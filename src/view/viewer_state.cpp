@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <set>
 
+#include "base/log.hpp"
 #include "frame/picture.hpp"
 #include "optics/presets.hpp"
 #include "scene/animation.hpp"
@@ -40,6 +41,16 @@ std::string refinementText(const RefinementStatus& status) {
   char error[48];
   std::snprintf(error, sizeof error, ", error about %.*f/255", status.error < 1 ? 2 : 1, status.error);
   return text + error;
+}
+
+void say(ViewerState& state, const std::string& text) {
+  state.status = {text, false};
+  log::debug(text);
+}
+
+void complain(ViewerState& state, const Error& error) {
+  state.status = {describe(error), true};
+  log::error(state.status.text);
 }
 
 void noteProblem(ViewerState& state) {

@@ -147,13 +147,18 @@ struct ViewerState {
   Status status;
   std::vector<std::string> problems;  // that the status line told, oldest first
   RefinementStatus refinement;
-  std::string loading;  // what is being loaded; empty: nothing
-  std::string openGL;   // version and renderer
+  std::string loading;       // what is being loaded; empty: nothing
+  bool modelFailed = false;  // one at least could not be shown
+  std::string openGL;        // version and renderer
   bool helpVisible = false;
   bool searchAsked = false;  // the browser's search is to take the keyboard
   bool panelVisible = true;  // the panels that are chosen to be shown; one key hides all
   bool browserVisible = true, settingsVisible = true, timelineVisible = true;
 };
+
+// What the status line says; the log has it, too.
+void say(ViewerState& state, const std::string& text);
+void complain(ViewerState& state, const Error& error);
 
 // Keeps what the status line says in state.problems where it is a new error; at most a hundred.
 void noteProblem(ViewerState& state);

@@ -1,9 +1,7 @@
 #pragma once
 
-// The OpenGL side of the viewer: the scene on the GPU, environments with their tables, targets, timers. What is new
-// comes up beside what is shown and takes its place when it is complete.
+// The OpenGL side of the viewer: the scene on the GPU, environments with their tables, targets, timers.
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,9 +9,9 @@
 
 #include "frame/picture.hpp"
 #include "gl/context.hpp"
-#include "gl/timer.hpp"
 #include "view/comparison.hpp"
 #include "view/environments.hpp"
+#include "view/frame_clock.hpp"
 #include "view/loader.hpp"
 #include "view/measured.hpp"
 #include "view/outline.hpp"
@@ -30,20 +28,6 @@ struct SceneSlot {
   frame::SceneOnGpu onGpu;
   Notes notes;                     // the model's and those of its images
   std::vector<io::Pixels> pixels;  // decoded, not yet on the GPU
-};
-
-// GPU time of frames, read when it is there; a frame that finds no free timer is not measured.
-struct FrameClock {
-  struct Slot {
-    gl::Timer timer;
-    bool pending = false;
-  };
-  std::array<Slot, 3> slots;
-
-  Slot* begin();
-  void end(Slot* slot) const;
-  bool waiting() const;
-  std::optional<double> poll();  // milliseconds of a frame that has ended
 };
 
 // What the last frame was drawn from; while it is unchanged, the frame is still good.
@@ -83,19 +67,6 @@ struct Viewport {
   bool comingUp = false;       // there is more of it
   bool shadersBroken = false;  // as they are in the file now; the last good frame stays
 };
-
-// These tell state.status what failed; what is shown then stays.
-void takeModel(Viewport& viewport, ViewerState& state, ModelLoaded loaded);
-void takeEnvironment(Viewport& viewport, ViewerState& state, EnvironmentLoaded loaded);
-void takeMeasured(Viewport& viewport, ViewerState& state, MeasuredLoaded loaded);
-void takeFit(Viewport& viewport, ViewerState& state, FitMade made);
-void takeImages(Viewport& viewport, ViewerState& state, ImagesDecoded decoded);
-// Asks the loader for what the state wants and is not there yet, and shows it as soon as everything is there. True
-// where the draw list is new.
-bool bringUp(Viewport& viewport, ViewerState& state, Loader& loader);
-
-// Nothing of what is being read will be shown.
-void cancelLoading(Viewport& viewport, ViewerState& state, Loader& loader);
 
 // After a change of the shaders' files: compiles anew what is drawn. Where that fails, the last good frame stays.
 void reloadShaders(Viewport& viewport, ViewerState& state);

@@ -1,6 +1,5 @@
 #include "view/window.hpp"
 
-#include <epoxy/gl.h>
 #include <imgui.h>
 #include <imgui/backends/imgui_impl_glfw.h>
 #include <imgui/backends/imgui_impl_opengl3.h>
@@ -9,66 +8,35 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
 #include "base/log.hpp"
 #include "gl/context.hpp"
 #include "io/measured.hpp"
+#include "io/sources.hpp"
+#include "view/bring_up.hpp"
 #include "view/browser.hpp"
 #include "view/camera_control.hpp"
 #include "view/controls.hpp"
 #include "view/follow.hpp"
+#include "view/imgui_session.hpp"
 #include "view/input.hpp"
 #include "view/inspector.hpp"
 #include "view/layout.hpp"
+#include "view/load_time.hpp"
 #include "view/panel.hpp"
 #include "view/playback.hpp"
+#include "view/present.hpp"
 #include "view/screenshot.hpp"
 #include "view/shader_watch.hpp"
-#include "view/style.hpp"
 #include "view/viewport.hpp"
 
 namespace facet::view {
 
 namespace {
 
-// Dear ImGui's context and backends, which end in the reverse order.
-struct ImGuiSession {
-  std::string layoutFile;  // read by the first frame, written now and then and at the end
-
-  ImGuiSession(GLFWwindow* window, float scale, ViewerState& state) {
-    IMGUI_CHECKVERSION();
-    ImGui::CreateContext();
-    if (const std::filesystem::path folder = userConfigFolder(); !folder.empty()) {
-      std::error_code ignored;
-      std::filesystem::create_directories(folder, ignored);
-      layoutFile = (folder / "imgui.ini").string();
-    }
-    ImGui::GetIO().IniFilename = layoutFile.empty() ? nullptr : layoutFile.c_str();
-    rememberLayout(state);
-    applyStyle(state.preferences.theme, scale);
-    ImGui_ImplGlfw_InitForOpenGL(window, true);
-    ImGui_ImplOpenGL3_Init("#version 450 core");
-  }
-  ~ImGuiSession() {
-    ImGui_ImplOpenGL3_Shutdown();
-    ImGui_ImplGlfw_Shutdown();
-    ImGui::DestroyContext();
-  }
-  ImGuiSession(const ImGuiSession&) = delete;
-  ImGuiSession& operator=(const ImGuiSession&) = delete;
-};
-
 // After something has happened ImGui needs a few frames until hovering, clicks and sizes have settled.
 constexpr int settlingFrames = 3;
 constexpr double busyWait = 0.05, timerWait = 0.02, stepWait = 0.004, idleWait = 10;  // seconds
-
-// How well the window answers while something loads.
-struct LoadTime {
-  bool running = false;
-  std::chrono::steady_clock::time_point frame;  // the last one on the screen
-  double longestGap = 0;                        // milliseconds between two
-};
 
 // The loop's own data; what it shows is in ViewerState and Viewport.
 struct Loop {
@@ -82,32 +50,11 @@ struct Loop {
   std::string model;  // what the loader reads
   std::string noted;  // model and environment that the browser was told last
   LoadTime load;
-  float scale = 1;  // that the style has
-  Theme theme = Theme::dark;
 };
-
-// The user's, else the monitor's.
-float contentScale(GLFWwindow* window, const Preferences& preferences) {
-  if (preferences.scale > 0) return preferences.scale;
-  float x = 1, y = 1;
-  glfwGetWindowContentScale(window, &x, &y);
-  return std::clamp(std::max(x, y), 1.0f, 4.0f);
-}
 
 std::filesystem::path preferencesFile() {
   const std::filesystem::path folder = userConfigFolder();
   return folder.empty() ? folder : folder / "settings.json";
-}
-
-// Theme and scale may have changed, the latter because the window has been moved to another monitor, too.
-void followStyle(Loop& loop, ViewerState& state) {
-  const float scale = contentScale(loop.window, state.preferences);
-  if (scale == loop.scale && state.preferences.theme == loop.theme) return;
-  applyStyle(state.preferences.theme, scale);
-  ImGui_ImplOpenGL3_DestroyFontsTexture();  // made anew by the next frame
-  loop.scale = scale;
-  loop.theme = state.preferences.theme;
-  loop.framesToDraw = settlingFrames;
 }
 
 void keepPreferences(const ViewerState& state, const Preferences& before) {
@@ -149,51 +96,6 @@ void followFramebuffer(GLFWwindow* window, frame::PictureSettings& settings) {
   if (width < 1 || height < 1) return;  // minimised
   settings.width = std::min(width, 16384);
   settings.height = std::min(height, 16384);
-}
-
-// The display picture has been through the sRGB curve already: it is copied as it is.
-void copyToWindow(const frame::Targets& targets) {
-  glDisable(GL_FRAMEBUFFER_SRGB);
-  glBlitNamedFramebuffer(targets.shown.id(), 0, 0, 0, targets.width, targets.height, 0, 0, targets.width,
-                         targets.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-}
-
-// A picture of the window's size, blended by its straight alpha.
-void layOver(const gl::Texture& picture) {
-  const auto name = static_cast<uintptr_t>(picture.id());
-  ImGui::GetBackgroundDrawList()->AddImage(reinterpret_cast<ImTextureID>(name), {0, 0}, ImGui::GetIO().DisplaySize,
-                                           {0, 1}, {1, 0});
-}
-
-// Behind a transparent picture: checks, over which ImGui blends the display picture's straight alpha.
-void drawOverChecks(const frame::Targets& targets) {
-  const ImVec2 size = ImGui::GetIO().DisplaySize;
-  ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-  constexpr float step = 16;
-  draw.AddRectFilled({0, 0}, size, IM_COL32(92, 92, 92, 255));
-  for (int y = 0; static_cast<float>(y) * step < size.y; ++y)
-    for (int x = y % 2; static_cast<float>(x) * step < size.x; x += 2) {
-      const ImVec2 at(static_cast<float>(x) * step, static_cast<float>(y) * step);
-      draw.AddRectFilled(at, {at.x + step, at.y + step}, IM_COL32(112, 112, 112, 255));
-    }
-  layOver(targets.display);
-}
-
-void drawWindow(Loop& loop, const Viewport& viewport, const ViewerState& state) {
-  const bool transparent = state.settings.background == frame::Background::transparent;
-  if (viewport.targets.shown && transparent) drawOverChecks(viewport.targets);
-  if (viewport.outline.shown) layOver(viewport.outline.line);
-  ImGui::Render();
-  int width = 0, height = 0;
-  glfwGetFramebufferSize(loop.window, &width, &height);
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  glViewport(0, 0, width, height);
-  constexpr float grey[] = {0.1f, 0.1f, 0.1f, 1};
-  glClearNamedFramebufferfv(0, GL_COLOR, 0, grey);
-  if (viewport.targets.shown && !transparent) copyToWindow(viewport.targets);
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-  glfwSwapBuffers(loop.window);
 }
 
 void applyPanel(const PanelResult& panel, Viewport& viewport, ViewerState& state, Input& input, Actions& actions) {
@@ -262,24 +164,12 @@ void followSelection(Loop& loop, const Input& input, const Actions& actions, Vie
   if (state.inspection.nextChannel != before) loop.framesToDraw = std::max(loop.framesToDraw, 2);
 }
 
-// Told once everything is there: the longest time between two frames until then, and that to the first new frame.
-void noteGap(Loop& loop, bool loading) {
-  const auto now = std::chrono::steady_clock::now();
-  const std::chrono::duration<double, std::milli> gap = now - loop.load.frame;
-  if (loop.load.running && loading) loop.load.longestGap = std::max(loop.load.longestGap, gap.count());
-  if (loop.load.running && !loading)
-    log::debug("loaded; the longest gap between frames was " + std::to_string(std::lround(loop.load.longestGap)) +
-               " ms, the first new one took " + std::to_string(std::lround(gap.count())) + " ms");
-  if (!loading) loop.load.longestGap = 0;
-  loop.load.running = loading;
-  loop.load.frame = now;
-}
-
 void tellBrowser(Loop& loop, const ViewerState& state) {
   const std::string measured = state.shown.measured ? state.shown.measured->path : std::string();
   const std::string shown = state.shown.model + "\n" + state.shown.environment + "\n" + measured;
   if (loop.noted == shown) return;
   loop.noted = shown;
+  if (state.shown.model.empty()) return;
   noteOpened(loop.browser, FileKind::model, state.shown.model);
   noteOpened(loop.browser, FileKind::environment, state.shown.environment);
   if (!measured.empty()) noteOpened(loop.browser, FileKind::brdf, measured);
@@ -292,24 +182,8 @@ void followFiles(Loop& loop, const Viewport& viewport, Loader& loader) {
   if (changed.measured) forgetThumbnail(loop.browser, viewport.built.measured->facts.path);
 }
 
-// From the choice of a measured BRDF to its first frame on the screen.
-void noteMeasuredShown(Viewport& viewport) {
-  if (!viewport.measured.asked || viewport.built.brdf != viewport.measured.asked->source) return;
-  const std::chrono::duration<double, std::milli> spent =
-      std::chrono::steady_clock::now() - viewport.measured.asked->since;
-  viewport.measured.asked.reset();
-  log::debug("measured BRDF on the screen after " + std::to_string(std::lround(spent.count())) +
-             " ms: " + viewport.built.measured->facts.name);
-}
-
-// How long the window did not answer, where that could be felt.
-void noteSlowTurn(std::chrono::steady_clock::time_point start) {
-  const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
-  if (spent.count() > 50) log::debug("turn of " + std::to_string(std::lround(spent.count())) + " ms");
-}
-
 // One turn of the loop. True while the window stays.
-bool turn(Loop& loop, Viewport& viewport, ViewerState& state, Loader& loader) {
+bool turn(Loop& loop, ImGuiSession& imgui, Viewport& viewport, ViewerState& state, Loader& loader) {
   const double seconds = waitForEvents(loop, loader, viewport, state);
   const Input input = takeInput(loop.input);
   followFramebuffer(loop.window, state.settings);
@@ -334,7 +208,7 @@ bool turn(Loop& loop, Viewport& viewport, ViewerState& state, Loader& loader) {
   const bool moves = state.turntable.on || (state.playback.playing && chosenDuration(state) > 0);
   if (wasLoading || moves) loop.framesToDraw = std::max(loop.framesToDraw, 1);
 
-  followStyle(loop, state);
+  if (followStyle(imgui, state.preferences)) loop.framesToDraw = settlingFrames;
   if (loop.framesToDraw > 0) {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
@@ -359,11 +233,11 @@ bool turn(Loop& loop, Viewport& viewport, ViewerState& state, Loader& loader) {
     loop.framesToDraw = std::max(loop.framesToDraw, 1);
     readRadianceThere(viewport, state);
   }
-  if (updateOutline(viewport, state, loop.scale)) loop.framesToDraw = std::max(loop.framesToDraw, 1);
+  if (updateOutline(viewport, state, imgui.scale)) loop.framesToDraw = std::max(loop.framesToDraw, 1);
   if (actions.screenshot) takeScreenshot(viewport, state);
   if (loop.framesToDraw > 0) {
-    drawWindow(loop, viewport, state);
-    noteGap(loop, !state.loading.empty());
+    present(loop.window, viewport, state);
+    noteGap(loop.load, !state.loading.empty());
     noteMeasuredShown(viewport);
     --loop.framesToDraw;
   }
@@ -386,38 +260,30 @@ Viewport createViewport(const gl::ContextInfo& info, const WindowOptions& option
   return viewport;
 }
 
-}  // namespace
-
-Result<Start> prepareStart(const WindowOptions& options) {
-  Loader loader;
-  startModel(loader, options.model, {options.settings.bump, options.settings.bumpScale});
+// What the options name, read beside the window.
+void loadFirst(const WindowOptions& options, Loop& loop, Viewport& viewport, ViewerState& state, Loader& loader) {
   const frame::PictureSettings& settings = options.settings;
-  if (!settings.environment.empty()) startEnvironment(loader, settings.environment);
-  if (!settings.brdf.empty()) startMeasured(loader, frame::measuredSource(settings));
-  ModelLoaded loaded = *loader.model.take(true);
-  if (!loaded.model) return tl::unexpected(loaded.model.error());
-  const scene::Model& model = (*loaded.model)->model;
-  const Result<int> index = frame::chooseScene(settings, model);
-  if (!index) return tl::unexpected(index.error());
-  if (const Result<scene::Pose> pose = frame::choosePose(settings, model); !pose) return tl::unexpected(pose.error());
-  if (const Result<int> variant = frame::chooseVariant(settings, model); !variant)
-    return tl::unexpected(variant.error());
-  if (settings.environment.empty())
-    startEnvironment(loader, frame::chooseEnvironment(settings, options.model, model, *index));
-  if (!settings.camera.empty()) {
-    const frame::DrawList list = frame::buildDrawList(model, *index, frame::drawOptions(settings, false));
-    if (Result<scene::View> view = frame::chooseView(settings, options.model, model, list, list.bounds); !view)
-      return tl::unexpected(view.error());
-  }
-  EnvironmentLoaded environment = *loader.environment.take(true);
-  if (!environment.environment) return tl::unexpected(environment.environment.error());
-  std::optional<MeasuredLoaded> measured;
-  if (loader.measured.running()) measured = loader.measured.take(true);
-  if (measured && !measured->read) return tl::unexpected(measured->read.error());
-  return Start{std::move(loaded), std::move(environment), std::move(measured)};
+  startModel(loader, loop.model = options.model, Opening::first, {settings.bump, settings.bumpScale});
+  if (!settings.environment.empty()) startEnvironment(loader, viewport.loadingEnvironment = settings.environment);
+  if (!settings.brdf.empty()) startMeasured(loader, viewport.measured.loading = frame::measuredSource(settings));
+  nameWhatLoads(loader, viewport, loop.model, state);
 }
 
-Result<void> runWindow(const WindowOptions& options, Start start) {
+}  // namespace
+
+Result<void> checkStart(const WindowOptions& options) {
+  const frame::PictureSettings& settings = options.settings;
+  if (Result<void> r = io::checkModelSource(options.model, {}, {settings.bump, settings.bumpScale}); !r) return r;
+  const std::string& environment = settings.environment;
+  if (!environment.empty() && environment != "none")
+    if (Result<void> r = io::checkEnvironmentSource(environment); !r) return r;
+  if (!settings.brdf.empty())
+    if (Result<std::string> path = io::resolveMeasured(settings.brdf, settings.brdfDir); !path)
+      return tl::unexpected(path.error());
+  return {};
+}
+
+Result<bool> runWindow(const WindowOptions& options) {
   Loader loader;  // first: what it still reads at the end is waited for after the window has gone
   ViewerState state;
   if (Result<Preferences> preferences = readPreferences(preferencesFile()))
@@ -435,23 +301,18 @@ Result<void> runWindow(const WindowOptions& options, Start start) {
   loop.window = context->window();
   loop.shaders = watchShaders(options.settings.shaderDir);
   listen(loop.window, loop.input);
-  loop.scale = contentScale(loop.window, state.preferences);
-  loop.theme = state.preferences.theme;
-  const ImGuiSession imgui(loop.window, loop.scale, state);
+  ImGuiSession imgui(loop.window, state);
   state.settings = options.settings;
   state.playback.playing = !state.settings.animation.empty();
   state.environments = builtinEnvironmentSources();
   state.openGL = openGLText(context->info());
   Viewport viewport = createViewport(context->info(), options);
-  loop.model = options.model;
   std::vector<std::string> folders = options.folders;
   for (const std::filesystem::path& folder : io::brdfFolders(state.settings.brdfDir)) folders.push_back(folder);
   openBrowser(loop.browser, folders, options.diskCache ? thumbnailCache() : DiskCache{}, glfwPostEmptyEvent);
-  takeModel(viewport, state, std::move(start.model));
-  takeEnvironment(viewport, state, std::move(start.environment));
-  if (start.measured) takeMeasured(viewport, state, std::move(*start.measured));
+  loadFirst(options, loop, viewport, state, loader);
   std::string title;
-  while (turn(loop, viewport, state, loader)) {
+  while (turn(loop, imgui, viewport, state, loader)) {
     if (title == state.shown.model) continue;
     title = state.shown.model;
     glfwSetWindowTitle(loop.window, (title + " \xe2\x80\x93 facet").c_str());
@@ -459,7 +320,7 @@ Result<void> runWindow(const WindowOptions& options, Start start) {
   if (!options.sizeGiven) glfwGetWindowSize(loop.window, &state.preferences.width, &state.preferences.height);
   keepPreferences(state, before);
   glfwHideWindow(loop.window);
-  return {};
+  return viewport.scene || !state.modelFailed;
 }
 
 }  // namespace facet::view

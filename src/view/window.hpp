@@ -2,13 +2,11 @@
 
 // The viewer: a window on a model.
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/error.hpp"
 #include "frame/settings.hpp"
-#include "view/loader.hpp"
 
 namespace facet::view {
 
@@ -21,16 +19,12 @@ struct WindowOptions {
   bool glDebug = false;                  // KHR_debug
 };
 
-// What is read before there is a window, so that what was typed wrong is told without one.
-struct Start {
-  ModelLoaded model;
-  EnvironmentLoaded environment;
-  std::optional<MeasuredLoaded> measured;
-};
-// Errors: model, environment or measured BRDF cannot be read, or the model has no such scene or camera.
-Result<Start> prepareStart(const WindowOptions& options);
+// What can be told without reading anything, so that it is told without a window: the model, the environment or the
+// measured BRDF does not exist.
+Result<void> checkStart(const WindowOptions& options);
 
-// Runs until the window is closed. Errors: no display, no usable OpenGL.
-Result<void> runWindow(const WindowOptions& options, Start start);
+// Runs until the window is closed. What the options name is read while it is open. False: nothing was ever shown,
+// because no model could be. Errors: no display, no usable OpenGL.
+Result<bool> runWindow(const WindowOptions& options);
 
 }  // namespace facet::view

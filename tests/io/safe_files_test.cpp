@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "io/sources.hpp"
 #include "support/gltf_load.hpp"
 
 namespace {
@@ -11,6 +12,11 @@ namespace {
 using namespace facet;
 using namespace facet::test;
 using Json = nlohmann::json;
+
+template <class T>
+std::string problem(const Result<T>& result) {
+  return result ? "" : describe(result.error());
+}
 
 }  // namespace
 
@@ -23,12 +29,34 @@ TEST_CASE("Files that are no files are refused", "[io][gltf]") {
   const auto pipe = folder.path() / "pipe.glb";
   REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
   CHECK(load(pipe) == pipe.string() + ": is not a regular file; name a regular file.");
+  // The same without reading.
+  CHECK(problem(io::checkModelSource(missing)) == problem(io::loadGltf(missing)));
+  CHECK(problem(io::checkModelSource(folder.path())) == problem(io::loadGltf(folder.path())));
+  CHECK(problem(io::checkModelSource(pipe)) == problem(io::loadGltf(pipe)));
+  CHECK(problem(io::checkEnvironmentSource(missing)) == missing.string() + ": no such file; check the path.");
   CHECK(load("/dev/zero") == "/dev/zero: is not a regular file; name a regular file.");
   const auto large = folder.write("large.glb", std::string(100, 'x'));
   io::Limits limits;
   limits.fileBytes = 99;
   CHECK(outcome(io::loadGltf(large, limits)) ==
         large.string() + ": has 100 bytes, more than the limit of 99; use a smaller file.");
+}
+
+TEST_CASE("Whether a source exists is told without reading it", "[io]") {
+  test::TemporaryFolder folder;
+  const std::string text = folder.write("not.glb", std::string("no model"));
+  CHECK(io::checkModelSource(text));
+  CHECK(io::checkEnvironmentSource(text));
+  CHECK(io::checkModelSource("builtin:poster"));
+  CHECK(io::checkEnvironmentSource("builtin:studio"));
+  CHECK(problem(io::checkModelSource("builtin:postre")) == problem(io::loadModel("builtin:postre")));
+  CHECK(problem(io::checkModelSource("builtin:postre")).find("poster") != std::string::npos);
+  Notes notes;
+  CHECK(problem(io::checkEnvironmentSource("builtin:sun")) == problem(io::loadEnvironmentSource("builtin:sun", notes)));
+  CHECK(problem(io::checkEnvironmentSource("builtin:sun")).find("studio") != std::string::npos);
+  const io::Bump bump{folder.file("missing.png"), 1};
+  CHECK(problem(io::checkModelSource(text, {}, bump)).find("--bump is for the built-in scenes") != std::string::npos);
+  CHECK(problem(io::checkModelSource("builtin:poster", {}, bump)).find("no such file") != std::string::npos);
 }
 
 TEST_CASE("A buffer's file stays below the model's folder", "[io][gltf]") {

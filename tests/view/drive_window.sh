@@ -41,6 +41,31 @@ unset WAYLAND_DISPLAY
 "$facet" missing.glb >missing 2>&1
 [ $? = 2 ] || fail "exit status of a missing model is not 2: $(cat missing)"
 
+for options in "builtin:postre" "builtin:spheres --env missing.hdr" "builtin:spheres --brdf nowhere"; do
+  "$facet" $options >missing 2>&1
+  [ $? = 2 ] || fail "exit status of $options is not 2: $(cat missing)"
+done
+
+# What cannot be read in it is told by a window that stays, and by the exit status where nothing was shown.
+printf 'glTF half a fi' >cut.glb
+for options in "cut.glb" "builtin:spheres --camera door"; do
+  : >log
+  "$facet" $options --size 480x360 --log-level debug >log 2>&1 &
+  viewer=$!
+  for _ in $(seq 400); do grep -q "error: " log && break; sleep 0.05; done
+  grep -q "error: .*\(cut.glb\|door\)" log || fail "nothing is told of $options"
+  window=$(xdotool search --sync --onlyvisible --name facet | head -1)
+  xdotool windowfocus --sync "$window" || fail "the window takes no focus"
+  for _ in 1 2 3 4; do # a key may come before the window listens
+    xdotool key Escape
+    for _ in $(seq 40); do kill -0 $viewer 2>/dev/null || break 2; sleep 0.05; done
+  done
+  wait $viewer
+  status=$?
+  viewer=
+  [ $status = 2 ] || fail "exit status is $status where nothing could be shown of $options"
+done
+
 cp -r "$shaders" shaders || fail "no copy of the shaders"
 : >log
 "$facet" builtin:spheres --size 480x360 --samples 1 --shader-dir shaders --gl-debug --log-level debug >log 2>&1 &

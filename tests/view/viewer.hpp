@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "support/gpu.hpp"
-#include "view/viewport.hpp"
+#include "view/bring_up.hpp"
 
 namespace facet::test {
 
@@ -39,7 +39,7 @@ struct Viewer {
     REQUIRE_FALSE(loader.running());
   }
   void load(const std::string& source) {
-    view::startModel(loader, source);
+    view::startModel(loader, source, viewport.scene ? view::Opening::other : view::Opening::first);
     settle();
   }
   io::Pixels display() const { return frame::readDisplay(viewport.targets, false); }

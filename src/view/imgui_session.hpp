@@ -1,0 +1,29 @@
+#pragma once
+
+// Dear ImGui's context and backends, which end in the reverse order, and how they look.
+
+#include <string>
+
+#include "view/viewer_state.hpp"
+
+struct GLFWwindow;
+
+namespace facet::view {
+
+struct ImGuiSession {
+  ImGuiSession(GLFWwindow* window, ViewerState& state);
+  ~ImGuiSession();
+  ImGuiSession(const ImGuiSession&) = delete;
+  ImGuiSession& operator=(const ImGuiSession&) = delete;
+
+  GLFWwindow* window;
+  std::string layoutFile;  // read by the first frame, written now and then and at the end
+  float scale;             // that the style has
+  Theme theme;
+};
+
+// Theme and scale may have changed, the latter because the window has been moved to another monitor, too. True where
+// they have.
+bool followStyle(ImGuiSession& imgui, const Preferences& preferences);
+
+}  // namespace facet::view

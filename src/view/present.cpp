@@ -1,0 +1,60 @@
+#include "view/present.hpp"
+
+#include <epoxy/gl.h>
+#include <imgui.h>
+#include <imgui/backends/imgui_impl_opengl3.h>
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+namespace facet::view {
+
+namespace {
+
+// The display picture has been through the sRGB curve already: it is copied as it is.
+void copyToWindow(const frame::Targets& targets) {
+  glDisable(GL_FRAMEBUFFER_SRGB);
+  glBlitNamedFramebuffer(targets.shown.id(), 0, 0, 0, targets.width, targets.height, 0, 0, targets.width,
+                         targets.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+// A picture of the window's size, blended by its straight alpha.
+void layOver(const gl::Texture& picture) {
+  const auto name = static_cast<uintptr_t>(picture.id());
+  ImGui::GetBackgroundDrawList()->AddImage(reinterpret_cast<ImTextureID>(name), {0, 0}, ImGui::GetIO().DisplaySize,
+                                           {0, 1}, {1, 0});
+}
+
+// Behind a transparent picture: checks, over which ImGui blends the display picture's straight alpha.
+void drawOverChecks(const frame::Targets& targets) {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+  constexpr float step = 16;
+  draw.AddRectFilled({0, 0}, size, IM_COL32(92, 92, 92, 255));
+  for (int y = 0; static_cast<float>(y) * step < size.y; ++y)
+    for (int x = y % 2; static_cast<float>(x) * step < size.x; x += 2) {
+      const ImVec2 at(static_cast<float>(x) * step, static_cast<float>(y) * step);
+      draw.AddRectFilled(at, {at.x + step, at.y + step}, IM_COL32(112, 112, 112, 255));
+    }
+  layOver(targets.display);
+}
+
+}  // namespace
+
+void present(GLFWwindow* window, const Viewport& viewport, const ViewerState& state) {
+  const bool transparent = state.settings.background == frame::Background::transparent;
+  if (viewport.targets.shown && transparent) drawOverChecks(viewport.targets);
+  if (viewport.outline.shown) layOver(viewport.outline.line);
+  ImGui::Render();
+  int width = 0, height = 0;
+  glfwGetFramebufferSize(window, &width, &height);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glViewport(0, 0, width, height);
+  constexpr float grey[] = {0.1f, 0.1f, 0.1f, 1};
+  glClearNamedFramebufferfv(0, GL_COLOR, 0, grey);
+  if (viewport.targets.shown && !transparent) copyToWindow(viewport.targets);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  glfwSwapBuffers(window);
+}
+
+}  // namespace facet::view
