@@ -1,5 +1,8 @@
 #include "base/parallel.hpp"
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <atomic>
 #include <thread>
@@ -16,6 +19,10 @@ void parallelFor(size_t count, const std::function<void(size_t)>& work) {
   std::vector<std::jthread> threads;
   for (size_t t = 1; t < threadCount; ++t) threads.emplace_back(run);
   run();
+}
+
+void lowerThreadPriority() {
+  setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), 10);  // Linux: of the thread alone
 }
 
 }  // namespace facet

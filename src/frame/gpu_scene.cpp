@@ -38,11 +38,26 @@ GLenum drawMode(Topology topology) {
   return GL_TRIANGLES;
 }
 
+void attach(GpuPrimitive& gpu, const PendingBuffer& wanted, gl::Buffer buffer) {
+  const GLuint id = gpu.buffers.emplace_back(std::move(buffer)).id();
+  if (wanted.indices)
+    glVertexArrayElementBuffer(gpu.vertexArray.id(), id);
+  else
+    glVertexArrayVertexBuffer(gpu.vertexArray.id(), wanted.location, id, 0, wanted.stride);
+}
+
+// What is large waits for uploadPieces.
+void addBuffer(GpuPrimitive& gpu, const PendingBuffer& wanted) {
+  if (wanted.rest.size() > uploadPiece)
+    gpu.pending.push_back(wanted);
+  else
+    attach(gpu, wanted, gl::Buffer(wanted.rest, wanted.label));
+}
+
 template <class T>
 void addAttribute(GpuPrimitive& gpu, GLuint location, GLint components, const std::vector<T>& data, const char* label) {
-  const gl::Buffer& buffer = gpu.buffers.emplace_back(gl::Buffer::of(data, label));
+  addBuffer(gpu, {.location = location, .stride = sizeof(T), .label = label, .rest = std::as_bytes(std::span(data))});
   const GLuint vao = gpu.vertexArray.id();
-  glVertexArrayVertexBuffer(vao, location, buffer.id(), 0, sizeof(T));
   glVertexArrayAttribFormat(vao, location, components, GL_FLOAT, GL_FALSE, 0);
   glVertexArrayAttribBinding(vao, location, location);
   glEnableVertexArrayAttrib(vao, location);
@@ -55,15 +70,16 @@ void addIndices(GpuPrimitive& gpu, const Primitive& primitive) {
     return;
   }
   gpu.count = static_cast<GLsizei>(primitive.indices.size());
+  PendingBuffer buffer = {.indices = true, .label = "indices"};
   if (primitive.positions.size() <= 65535) {
     const std::vector<uint16_t> narrow(primitive.indices.begin(), primitive.indices.end());
     gpu.indexType = GL_UNSIGNED_SHORT;
-    gpu.buffers.push_back(gl::Buffer::of(narrow, "indices"));
+    attach(gpu, buffer, gl::Buffer::of(narrow, buffer.label));
   } else {
     gpu.indexType = GL_UNSIGNED_INT;
-    gpu.buffers.push_back(gl::Buffer::of(primitive.indices, "indices"));
+    buffer.rest = std::as_bytes(std::span(primitive.indices));
+    addBuffer(gpu, buffer);
   }
-  glVertexArrayElementBuffer(gpu.vertexArray.id(), gpu.buffers.back().id());
 }
 
 // Influences per vertex, then joint and bits of the weight.
@@ -101,7 +117,8 @@ gl::Buffer uploadMorphTargets(const Primitive& primitive, const shading::Variant
   return gl::Buffer::of(numbers, "morph targets");
 }
 
-GpuPrimitive uploadPrimitive(const Primitive& primitive, const shading::VariantKey& key) {
+// The model's arrays must stay until nothing is pending.
+GpuPrimitive beginPrimitive(const Primitive& primitive, const shading::VariantKey& key) {
   GpuPrimitive gpu;
   gpu.attributes = shading::attributeBits(key);
   gpu.mode = drawMode(primitive.topology);
@@ -120,6 +137,43 @@ GpuPrimitive uploadPrimitive(const Primitive& primitive, const shading::VariantK
   if (shading::usesFeature(key, "HAS_MORPH")) gpu.morphTargets = uploadMorphTargets(primitive, key);
   addIndices(gpu, primitive);
   return gpu;
+}
+
+// True where all of it is there.
+bool uploadPieces(GpuPrimitive& gpu, const KeepGoing& keepGoing) {
+  while (!gpu.pending.empty()) {
+    if (keepGoing && !keepGoing()) return false;
+    PendingBuffer& next = gpu.pending.back();
+    if (!next.begun) {  // by itself: software has to clear its memory
+      attach(gpu, next, gl::Buffer(next.rest.size(), next.label, true));
+      next.begun = true;
+      continue;
+    }
+    const gl::Buffer& buffer = gpu.buffers.back();
+    const std::span<const std::byte> piece = next.rest.first(std::min(uploadPiece, next.rest.size()));
+    buffer.update(piece, buffer.bytes() - next.rest.size());
+    next.rest = next.rest.subspan(piece.size());
+    if (next.rest.empty()) gpu.pending.pop_back();
+  }
+  return true;
+}
+
+// Its geometry, where attributes of it are missing. True where all of it is there.
+bool uploadPrimitive(GpuScene& gpu, const Draw& draw, const KeepGoing& keepGoing) {
+  const auto found = gpu.primitives.find(draw.primitive);
+  const uint64_t held = found == gpu.primitives.end() ? 0 : found->second.attributes;
+  const uint64_t wanted = shading::attributeBits(draw.key);
+  if (found != gpu.primitives.end() && (wanted & ~held) == 0) return true;
+  std::optional<PrimitiveUpload>& upload = gpu.primitiveUpload;
+  if (upload && (upload->primitive != draw.primitive || (wanted & ~upload->gpu.attributes) != 0)) upload.reset();
+  if (!upload) {
+    if (keepGoing && !keepGoing()) return false;
+    upload = {draw.primitive, beginPrimitive(*draw.primitive, {held | draw.key.features, 0, 0})};
+  }
+  if (!uploadPieces(upload->gpu, keepGoing)) return false;
+  gpu.primitives.insert_or_assign(draw.primitive, std::move(upload->gpu));
+  upload.reset();
+  return true;
 }
 
 void forEachDraw(const DrawList& list, const std::function<void(const Draw&)>& visit) {
@@ -279,15 +333,7 @@ bool isOnGpu(const scene::Model& model, const DrawList& part, const GpuScene& gp
 
 bool uploadScene(GpuScene& gpu, const scene::Model& model, const DrawList& list, const KeepGoing& keepGoing) {
   bool whole = true;
-  forEachDraw(list, [&](const Draw& draw) {
-    const auto found = gpu.primitives.find(draw.primitive);
-    const uint64_t held = found == gpu.primitives.end() ? 0 : found->second.attributes;
-    if (found != gpu.primitives.end() && (shading::attributeBits(draw.key) & ~held) == 0) return;
-    whole = whole && (!keepGoing || keepGoing());
-    if (whole)
-      gpu.primitives.insert_or_assign(draw.primitive,
-                                      uploadPrimitive(*draw.primitive, {held | draw.key.features, 0, 0}));
-  });
+  forEachDraw(list, [&](const Draw& draw) { whole = whole && uploadPrimitive(gpu, draw, keepGoing); });
   if (!whole) return false;
   if (!gpu.placeholder)
     gpu.placeholder = uploadTexture(io::placeholderImage(), {.image = -1, .srgb = true, .channels = 0b0111}, true);
@@ -307,11 +353,20 @@ bool uploadImages(GpuScene& gpu, const scene::Model& model, const std::vector<Te
   const auto byImage = [](const TextureUse& use) { return use.image; };
   for (size_t image = 0; image < pixels.size(); ++image) {
     if (pixels[image].width == 0) continue;
-    if (keepGoing && !keepGoing()) return false;
+    for (const TextureUse& use : std::ranges::equal_range(uses, static_cast<int>(image), {}, byImage)) {
+      if (findTexture(gpu, use)) continue;
+      std::optional<TextureUpload>& upload = gpu.textureUpload;
+      if (!upload || upload->use != use) {
+        if (keepGoing && !keepGoing()) return false;
+        upload = beginTexture(pixels[image], use, needsMips(model, use.image));
+      }
+      do {
+        if (keepGoing && !keepGoing()) return false;
+      } while (!continueTexture(*upload, pixels[image]));
+      gpu.textures.emplace(use, std::move(upload->texture));
+      upload.reset();
+    }
     ++gpu.imagesDecoded;
-    for (const TextureUse& use : std::ranges::equal_range(uses, static_cast<int>(image), {}, byImage))
-      if (!findTexture(gpu, use))
-        gpu.textures.emplace(use, uploadTexture(pixels[image], use, needsMips(model, use.image)));
     pixels[image] = {};
   }
   return true;

@@ -7,6 +7,8 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "frame/draw_list.hpp"
@@ -19,6 +21,19 @@
 
 namespace facet::frame {
 
+// What is larger goes on the GPU in pieces of so many bytes, between which the caller may do something else.
+inline constexpr size_t uploadPiece = size_t{2} << 20;
+
+// One of a primitive's buffers, from an array of the model's.
+struct PendingBuffer {
+  GLuint location = 0;  // of a vertex attribute
+  bool indices = false;
+  GLsizei stride = 0;
+  const char* label = "";
+  std::span<const std::byte> rest = {};  // that is not yet there
+  bool begun = false;                    // it is the last one of GpuPrimitive::buffers
+};
+
 struct GpuPrimitive {
   gl::VertexArray vertexArray;
   std::vector<gl::Buffer> buffers;
@@ -27,6 +42,7 @@ struct GpuPrimitive {
   GLenum mode = GL_TRIANGLES;
   GLenum indexType = GL_NONE;  // GL_NONE: not indexed
   GLsizei count = 0;
+  std::vector<PendingBuffer> pending;
 };
 
 // An image as one use of it needs it: which channels, and through the sRGB curve or not.
@@ -35,6 +51,21 @@ struct TextureUse {
   bool srgb = false;
   uint8_t channels = 0;  // bit 0 red .. bit 3 alpha
   auto operator<=>(const TextureUse&) const = default;
+};
+
+// A texture that is not yet complete; frame/gpu_texture.hpp fills it.
+struct TextureUpload {
+  TextureUse use;
+  gl::Texture texture;
+  std::vector<int> channels;  // of the image, in the order in which they are stored
+  bool wide = false;          // 16 bits a channel
+  int rows = 0, level = 0;    // rows of level 0 that are there; the last level that is
+};
+
+// A primitive that is not yet complete.
+struct PrimitiveUpload {
+  const scene::Primitive* primitive = nullptr;
+  GpuPrimitive gpu;
 };
 
 struct GpuScene {
@@ -47,6 +78,8 @@ struct GpuScene {
   std::shared_ptr<const MeasuredOnGpu> measured;  // in the place of the materials
   std::shared_ptr<const FittedOnGpu> fitted;      // to it; where it is drawn in its place or beside it
   int imagesDecoded = 0;
+  std::optional<PrimitiveUpload> primitiveUpload;  // the next one of primitives
+  std::optional<TextureUpload> textureUpload;      // the next one of textures
 
   size_t textureBytes() const;
   size_t geometryBytes() const;
@@ -62,7 +95,7 @@ std::vector<bool> missingImages(const scene::Model& model, const DrawList& list,
 // Images and vertex attributes of a part (partOf) are there already.
 bool isOnGpu(const scene::Model& model, const DrawList& part, const GpuScene& gpu);
 
-// Asked before each object: false leaves the rest to the next call. Empty: all at once.
+// Asked before each object and each piece of a large one: false leaves the rest to the next call. Empty: all at once.
 using KeepGoing = std::function<bool()>;
 
 // Geometry that is missing, samplers, and all of the list's materials, instances, joints and lights. True where all of

@@ -1,8 +1,10 @@
 #include "frame/gpu_texture.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cassert>
+#include <utility>
 
 namespace facet::frame {
 
@@ -57,13 +59,16 @@ GLenum internalFormat(size_t channels, bool srgb, bool wide) {
   return wide ? wideFormats[channels - 1] : narrowFormats[channels - 1];
 }
 
+// Those channels of some rows of the image, one after another.
 template <class Sample>
-std::vector<uint8_t> repack(const io::Pixels& pixels, const std::vector<int>& channels, bool narrow) {
-  const size_t count = static_cast<size_t>(pixels.width) * static_cast<size_t>(pixels.height);
-  const auto* source = reinterpret_cast<const Sample*>(pixels.data.data());
+std::vector<uint8_t> repack(const io::Pixels& pixels, int firstRow, int rows, const std::vector<int>& channels,
+                            bool narrow) {
+  const size_t width = static_cast<size_t>(pixels.width), count = width * static_cast<size_t>(rows);
+  const auto stride = static_cast<size_t>(pixels.channels);
+  const auto* source =
+      reinterpret_cast<const Sample*>(pixels.data.data()) + width * static_cast<size_t>(firstRow) * stride;
   std::vector<uint8_t> out(count * channels.size() * (narrow ? 1 : sizeof(Sample)));
   for (size_t k = 0; k < channels.size(); ++k) {
-    const auto stride = static_cast<size_t>(pixels.channels);
     const auto channel = static_cast<size_t>(channels[k]);
     if (narrow) {
       for (size_t i = 0; i < count; ++i) {
@@ -86,31 +91,68 @@ bool isIdentity(const std::vector<int>& channels, int stored) {
   return true;
 }
 
+// The next rows of level 0.
+void uploadRows(TextureUpload& upload, const io::Pixels& pixels) {
+  const size_t rowBytes = static_cast<size_t>(pixels.width) * static_cast<size_t>(pixels.channels) *
+                          static_cast<size_t>(pixels.bytesPerSample);
+  const int most = static_cast<int>(std::max<size_t>(1, uploadPiece / rowBytes));
+  const int first = upload.rows, rows = std::min(most, pixels.height - first);
+  constexpr GLenum formats[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
+  const GLenum format = formats[upload.channels.size() - 1];
+  const GLenum type = upload.wide ? GL_UNSIGNED_SHORT : GL_UNSIGNED_BYTE;
+  const void* data = pixels.data.data() + rowBytes * static_cast<size_t>(first);
+  std::vector<uint8_t> packed;
+  if (pixels.bytesPerSample == 2 && !upload.wide)
+    packed = repack<uint16_t>(pixels, first, rows, upload.channels, true), data = packed.data();
+  else if (!isIdentity(upload.channels, pixels.channels))
+    packed = upload.wide ? repack<uint16_t>(pixels, first, rows, upload.channels, false)
+                         : repack<uint8_t>(pixels, first, rows, upload.channels, false),
+    data = packed.data();
+  glTextureSubImage2D(upload.texture.id(), 0, 0, first, pixels.width, rows, format, type, data);
+  upload.rows += rows;
+}
+
+// From the level before.
+void makeLevel(const gl::Texture& texture, int level) {
+  texture.parameter(GL_TEXTURE_BASE_LEVEL, level - 1);
+  texture.parameter(GL_TEXTURE_MAX_LEVEL, level);
+  glGenerateTextureMipmap(texture.id());
+  texture.parameter(GL_TEXTURE_BASE_LEVEL, 0);
+  texture.parameter(GL_TEXTURE_MAX_LEVEL, texture.description().levels - 1);
+}
+
 }  // namespace
 
-gl::Texture uploadTexture(const io::Pixels& pixels, const TextureUse& use, bool mips) {
+TextureUpload beginTexture(const io::Pixels& pixels, const TextureUse& use, bool mips) {
   assert(pixels.width > 0 && pixels.height > 0);
   const Storage plan = planStorage(pixels, use);
-  const bool wide = pixels.bytesPerSample == 2 && !use.srgb;
-  gl::Texture texture({.format = internalFormat(plan.channels.size(), use.srgb, wide),
-                       .width = pixels.width,
-                       .height = pixels.height,
-                       .levels = mips ? gl::mipLevels(pixels.width, pixels.height) : 1},
-                      "image " + std::to_string(use.image));
-  glTextureParameteriv(texture.id(), GL_TEXTURE_SWIZZLE_RGBA, plan.swizzle.data());
-  constexpr GLenum formats[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
-  const GLenum format = formats[plan.channels.size() - 1];
-  const GLenum type = wide ? GL_UNSIGNED_SHORT : GL_UNSIGNED_BYTE;
-  const void* data = pixels.data.data();
-  std::vector<uint8_t> packed;
-  if (pixels.bytesPerSample == 2 && !wide)
-    packed = repack<uint16_t>(pixels, plan.channels, true), data = packed.data();
-  else if (!isIdentity(plan.channels, pixels.channels))
-    packed = wide ? repack<uint16_t>(pixels, plan.channels, false) : repack<uint8_t>(pixels, plan.channels, false),
-    data = packed.data();
-  glTextureSubImage2D(texture.id(), 0, 0, 0, pixels.width, pixels.height, format, type, data);
-  if (mips) glGenerateTextureMipmap(texture.id());
-  return texture;
+  TextureUpload upload;
+  upload.use = use;
+  upload.channels = plan.channels;
+  upload.wide = pixels.bytesPerSample == 2 && !use.srgb;
+  upload.texture = gl::Texture({.format = internalFormat(plan.channels.size(), use.srgb, upload.wide),
+                                .width = pixels.width,
+                                .height = pixels.height,
+                                .levels = mips ? gl::mipLevels(pixels.width, pixels.height) : 1},
+                               "image " + std::to_string(use.image));
+  glTextureParameteriv(upload.texture.id(), GL_TEXTURE_SWIZZLE_RGBA, plan.swizzle.data());
+  return upload;
+}
+
+bool continueTexture(TextureUpload& upload, const io::Pixels& pixels) {
+  const gl::Texture& texture = upload.texture;
+  if (upload.rows < pixels.height)
+    uploadRows(upload, pixels);
+  else
+    makeLevel(texture, ++upload.level);
+  return upload.rows == pixels.height && upload.level + 1 == texture.description().levels;
+}
+
+gl::Texture uploadTexture(const io::Pixels& pixels, const TextureUse& use, bool mips) {
+  TextureUpload upload = beginTexture(pixels, use, mips);
+  while (!continueTexture(upload, pixels)) {
+  }
+  return std::move(upload.texture);
 }
 
 }  // namespace facet::frame

@@ -30,6 +30,7 @@ Result<bool> putOnGpu(Viewport& viewport, SceneSlot& scene, EnvironmentSlot& env
   const scene::Model& model = scene.loaded->model;
   const auto end = std::chrono::steady_clock::now() + viewport.slice;
   const frame::KeepGoing keepGoing = [&, first = true]() mutable {
+    glFinish();  // else what was asked for is done in the window's time
     return std::exchange(first, false) || std::chrono::steady_clock::now() < end;
   };
   if (!frame::uploadScene(scene.onGpu.gpu, model, list, keepGoing)) return false;
@@ -64,6 +65,7 @@ void show(Viewport& viewport, ViewerState& state, EnvironmentSlot* environment, 
   viewport.built = request;
   ++viewport.listNumber;
   if (newScene) viewport.scene = std::move(viewport.next);
+  viewport.sketch = newScene && !again;
   viewport.scene->onGpu.gpu.measured = request.measured;
   viewport.scene->onGpu.gpu.fitted = request.fitted;
   viewport.comparison.sums.clear();

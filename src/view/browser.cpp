@@ -367,7 +367,7 @@ void drawBrowser(Browser& browser, ViewerState& state, PanelResult& result) {
     takeKeys(drawing);
   }
   ImGui::End();
-  browser.maker->want(drawing.wanted);
+  browser.maker->want(state.loading.empty() ? drawing.wanted : std::vector<ThumbnailRequest>());  // one thing at a time
 }
 
 }  // namespace facet::view

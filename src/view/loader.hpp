@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "frame/fitted_gpu.hpp"
 #include "io/bump.hpp"
 #include "io/gltf.hpp"
@@ -68,7 +69,10 @@ class Latest {
  public:
   void start(std::function<T()> task) {
     if (current_.valid()) superseded_.push_back(std::move(current_));
-    current_ = std::async(std::launch::async, std::move(task));
+    current_ = std::async(std::launch::async, [task = std::move(task)] {
+      lowerThreadPriority();
+      return task();
+    });
     std::erase_if(superseded_, isReady);  // those still running are waited for at the end of the program
   }
   bool running() const { return current_.valid(); }

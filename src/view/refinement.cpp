@@ -172,8 +172,8 @@ void stopRefinement(Viewport& viewport, ViewerState& state) {
 
 bool refining(const Viewport& viewport, const ViewerState& state) {
   const bool preview = viewport.environments.shown && viewport.environments.shown->preview;
-  return viewport.drawn && !preview && !viewport.refinement.ended && frame::converges(state.settings) &&
-         !viewport.shadersBroken;
+  return viewport.drawn && !viewport.next && !preview && !viewport.refinement.ended &&
+         frame::converges(state.settings) && !viewport.shadersBroken;
 }
 
 bool refine(Viewport& viewport, ViewerState& state, const scene::View& view) {

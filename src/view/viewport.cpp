@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "base/log.hpp"
 #include "view/describe.hpp"
@@ -74,9 +75,22 @@ DrawnFrame wantedFrame(const Viewport& viewport, const ViewerState& state) {
   return wanted;
 }
 
-// The picture of few samples that is shown while anything changes.
+constexpr int64_t manyCorners = 1 << 20;  // of triangles, lines and points
+
+int64_t cornerCount(const Viewport& viewport) {
+  int64_t corners = 0;
+  for (const std::vector<frame::Draw>* draws : viewport.list.classes())
+    for (const frame::Draw& draw : *draws)
+      corners += int64_t{viewport.scene->onGpu.gpu.primitives.at(draw.primitive).count} * draw.instanceCount;
+  return corners;
+}
+
+// The picture of few samples that is shown while anything changes. Of a large model the first one has a single sample,
+// where it is refined anyway: on software OpenGL that is there in a fourth of the time.
 Result<void> drawMoving(Viewport& viewport, ViewerState& state, const scene::View& view) {
-  const frame::PictureSettings s = movingSettings(state.settings);
+  frame::PictureSettings s = movingSettings(state.settings);
+  const bool sketch = std::exchange(viewport.sketch, false) && !viewport.list.compared;
+  if (sketch && frame::converges(state.settings) && cornerCount(viewport) > manyCorners) s.samples = 1;
   frame::Targets& targets = viewport.targets;
   if (targets.width != s.width || targets.height != s.height || targets.samples != s.samples) {
     targets = {};  // the old ones go first

@@ -65,6 +65,7 @@ struct Viewport {
   // Of what comes up, so much goes on the GPU in one turn: the window answers in between.
   std::chrono::milliseconds slice{20};
   bool comingUp = false;       // there is more of it
+  bool sketch = false;         // the next frame is the model's first
   bool shadersBroken = false;  // as they are in the file now; the last good frame stays
 };
 

@@ -36,7 +36,7 @@ namespace {
 
 // After something has happened ImGui needs a few frames until hovering, clicks and sizes have settled.
 constexpr int settlingFrames = 3;
-constexpr double busyWait = 0.05, timerWait = 0.02, stepWait = 0.004, idleWait = 10;  // seconds
+constexpr double busyWait = 0.03, timerWait = 0.02, stepWait = 0.004, idleWait = 10;  // seconds
 
 // The loop's own data; what it shows is in ViewerState and Viewport.
 struct Loop {

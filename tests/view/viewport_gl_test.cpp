@@ -1,4 +1,6 @@
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <set>
 
 #include "io/image.hpp"
 #include "io/radiance.hpp"
@@ -180,6 +182,68 @@ TEST_CASE("viewport: what goes on the GPU in slices is shown when all of it is t
   }
   CHECK(viewer.state.shown.model == "builtin:spheres");
   CHECK(turns >= 2);  // the geometry, then at least one program
+}
+
+TEST_CASE("viewport: what is large goes on the GPU piece by piece, to the same picture", "[gl]") {
+  // A square of 450 x 450 vertices (positions, normals and indices are cut: above frame::uploadPiece) with noise of
+  // 1024 x 1024 on it, read in three channels and in two.
+  constexpr int side = 450, texels = 1024;
+  std::vector<float> positions, normals, uvs;
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      const float u = static_cast<float>(x) / (side - 1), v = static_cast<float>(y) / (side - 1);
+      for (const float p : {2 * u - 1, 2 * v - 1, 0.2f * std::sin(9 * u) * std::cos(7 * v)}) positions.push_back(p);
+      for (const float n : {0.0f, 0.0f, 1.0f}) normals.push_back(n);
+      for (const float t : {u, v}) uvs.push_back(t);
+    }
+  std::vector<uint32_t> indices;
+  for (uint32_t y = 0; y + 1 < side; ++y)
+    for (uint32_t x = 0; x + 1 < side; ++x)
+      for (const uint32_t corner : {0, 1, side, 1, side + 1, side}) indices.push_back(y * side + x + corner);
+  std::vector<uint8_t> noise(3 * texels * texels);
+  uint32_t random = 1;
+  for (uint8_t& value : noise) value = static_cast<uint8_t>((random = random * 1664525u + 1013904223u) >> 24);
+  test::GltfBuilder b;
+  b.append("images", {{"uri", test::dataUri(test::pngBytes(texels, texels, 3, 8, noise), "image/png")}});
+  b.append("textures", {{"source", 0}});
+  b.append("materials", {{"pbrMetallicRoughness",
+                          {{"baseColorTexture", {{"index", 0}}}, {"metallicRoughnessTexture", {{"index", 0}}}}}});
+  const int primitive = b.append("meshes", {{"primitives",
+                                             {{{"attributes",
+                                                {{"POSITION", b.add(positions, test::floatType, "VEC3")},
+                                                 {"NORMAL", b.add(normals, test::floatType, "VEC3")},
+                                                 {"TEXCOORD_0", b.add(uvs, test::floatType, "VEC2")}}},
+                                               {"indices", b.add(indices, test::uintType, "SCALAR")},
+                                               {"material", 0}}}}});
+  b.json["nodes"] = {{{"mesh", primitive}}};
+  b.json["scenes"] = {{{"nodes", {0}}}};
+  b.json["scene"] = 0;
+  const test::TemporaryFolder folder;
+  const std::string file = folder.write("large.glb", b.glb());
+
+  Viewer atOnce, sliced;
+  atOnce.viewport.slice = std::chrono::minutes(1);
+  sliced.viewport.slice = std::chrono::milliseconds(0);  // one piece a turn
+  for (Viewer* viewer : {&atOnce, &sliced}) {
+    view::startModel(viewer->loader, file, view::Opening::first);
+    int turns = 0;
+    for (; viewer->loader.running() || viewer->viewport.comingUp; ++turns) {
+      if (auto model = viewer->loader.model.take(true))
+        view::takeModel(viewer->viewport, viewer->state, std::move(*model));
+      if (auto map = viewer->loader.environment.take(true))
+        view::takeEnvironment(viewer->viewport, viewer->state, std::move(*map));
+      if (auto images = viewer->loader.images.take(true))
+        view::takeImages(viewer->viewport, viewer->state, std::move(*images));
+      view::bringUp(viewer->viewport, viewer->state, viewer->loader);
+      REQUIRE(turns < 1000);
+    }
+    REQUIRE(viewer->viewport.scene);
+    view::drawViewport(viewer->viewport, viewer->state);
+    if (viewer == &sliced) CHECK(turns > 2 * 10 + 5);  // two textures of eleven levels; the pieces of the rest
+  }
+  CHECK(sliced.display().data == atOnce.display().data);
+  const std::vector<uint8_t>& bytes = sliced.display().data;
+  CHECK(std::set<uint8_t>(bytes.begin(), bytes.end()).size() > 32);  // something is there to be compared
 }
 
 TEST_CASE("viewport: loading is cancelled, what is shown stays", "[gl]") {
