@@ -36,13 +36,14 @@ vec3 specularMeanDirection(Surface s) { return meanDirection(s.N, s.V, s.dfg.z);
 
 // Mean radiance under an isotropic lobe; dfg of (NoV, perceptualRoughness).
 #ifndef IMAGE_LIGHT_MODEL
-vec3 lobeRadiance(vec3 N, vec3 V, float NoV, float perceptualRoughness, vec3 dfg) {
-  return fetchLd(environmentFromWorld(meanDirection(N, V, dfg.z)), perceptualRoughness);
-}
-#elif IMAGE_LIGHT_MODEL == 1
+#define IMAGE_LIGHT_MODEL 6  // as optics::usualLookUp
+#endif
+#if IMAGE_LIGHT_MODEL == 1
 #include "image_light_mirror.glsl"
 #elif IMAGE_LIGHT_MODEL == 2
 #include "image_light_shifted.glsl"
+#elif IMAGE_LIGHT_MODEL == 3
+#include "image_light_mean.glsl"
 #else
 #include "image_light_taps.glsl"
 #endif

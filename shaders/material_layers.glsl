@@ -3,6 +3,9 @@
 #include "bsdf.glsl"
 #include "mapping.glsl"
 #include "dfg_table.glsl"
+#ifdef SPREAD_NORMALS
+#include "normal_spread.glsl"
+#endif
 #ifdef HAS_SHEEN
 #include "sheen_table.glsl"
 #endif
@@ -131,6 +134,9 @@ void readCoat(inout Surface s, Varyings v) {
   s.coat.NoV = clamp(dot(s.coat.N, s.V), minNoV, 1.0);
   s.coat.weight = clamp(weight, 0.0, 1.0);
   s.coat.perceptualRoughness = clamp(perceptualRoughness, 0.0, 1.0);
+#ifdef SPREAD_NORMALS
+  s.coat.perceptualRoughness = roughnessOverPixel(s.coat.perceptualRoughness, dFdx(s.coat.N), dFdy(s.coat.N));
+#endif
   s.coat.alpha = s.coat.perceptualRoughness * s.coat.perceptualRoughness;
   s.coat.dfg = lookUpDfg(s.coat.NoV, s.coat.perceptualRoughness);
 }

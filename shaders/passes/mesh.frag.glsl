@@ -30,6 +30,9 @@
 #include "diffuse_transmitted_light.glsl"
 #endif
 #endif
+#ifdef SPREAD_NORMALS
+#include "normal_spread.glsl"
+#endif
 #include "constants.glsl"
 
 layout(location = 0) in vec3 inPosition;
@@ -112,6 +115,10 @@ vec4 litRadiance(Varyings v, vec3 V, vec3 baseColor) {
 #else
   vec2 metallicRoughness = materialMetallicRoughness(v);
   Surface s = makeSurface(materialNormal(v, V), V, baseColor, metallicRoughness.x, metallicRoughness.y, materialOcclusion(v));
+#endif
+#ifdef SPREAD_NORMALS
+  s.perceptualRoughness = roughnessOverPixel(s.perceptualRoughness, dFdx(s.N), dFdy(s.N));
+  s.alpha = s.perceptualRoughness * s.perceptualRoughness;
 #endif
 #ifdef HAS_DFG
   s.dfg = lookUpDfg(s.NoV, s.perceptualRoughness);

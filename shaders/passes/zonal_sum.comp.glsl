@@ -1,29 +1,35 @@
-// The kernel D(H) NoL of N = V = R summed over the whole sphere: sum K L dw / sum K dw, exact for a constant map
-// whatever the texel count. alpha = 1: irradiance / pi. list[2 i] = (direction, solid angle), list[2 i + 1] = radiance.
+// The kernel D(H) NoL of N = V = R summed over all cells of passes/cube_to_cells.comp.glsl: sum K L dw / sum K dw, exact
+// for a constant map whatever their number. alpha = 1: irradiance / pi.
 #include "layout.h"
 #include "mapping.glsl"
+#include "zonal.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(std430, binding = computeInputBinding) readonly buffer ListBlock { vec4 list[]; };
+layout(std430, binding = computeInputBinding) readonly buffer CellBlock { vec4 cells[]; };
 layout(binding = 0, rgba32f) writeonly uniform imageCube result;
 layout(location = 0) uniform float alpha2;
-layout(location = 1) uniform int firstFace;
+
+const int tileCells = 64;  // read once by a group
+shared vec4 tile[3 * tileCells];
 
 void main() {
   int size = imageSize(result).x;
-  ivec3 texel = ivec3(gl_GlobalInvocationID) + ivec3(0, 0, firstFace);
-  if (texel.x >= size || texel.y >= size) return;
+  ivec3 texel = ivec3(gl_GlobalInvocationID);
   vec3 N = normalize(directionFromCube(texel.z, (vec2(texel.xy) + 0.5) * (2.0 / float(size)) - 1.0));
   vec3 sum = vec3(0.0);
   float weights = 0.0;
-  int count = list.length() / 2;
-  for (int i = 0; i < count; ++i) {
-    vec4 d = list[2 * i];
-    float c = dot(N, d.xyz);
-    float y = mix(1.0, alpha2, 0.5 + 0.5 * c);  // sin^2 + alpha^2 cos^2 of the half angle
-    float w = max(c, 0.0) / (y * y) * d.w;
-    sum += w * list[2 * i + 1].rgb;
-    weights += w;
+  int count = cells.length() / 3, mine = int(gl_LocalInvocationIndex);
+  for (int first = 0; first < count; first += tileCells) {
+    int present = min(tileCells, count - first);
+    barrier();
+    if (mine < present)
+      for (int k = 0; k < 3; ++k) tile[3 * mine + k] = cells[3 * (first + mine) + k];
+    barrier();
+    for (int i = 0; i < present; ++i) {
+      vec4 whole = tile[3 * i], bright = tile[3 * i + 1], radiance = tile[3 * i + 2];
+      weights += radiance.a * spreadZonalKernel(dot(N, whole.xyz), whole.w, alpha2);
+      sum += radiance.a * spreadZonalKernel(dot(N, bright.xyz), bright.w, alpha2) * radiance.rgb;
+    }
   }
-  imageStore(result, texel, vec4(sum / weights, 1.0));
+  if (texel.x < size && texel.y < size) imageStore(result, texel, vec4(sum / weights, 1.0));
 }

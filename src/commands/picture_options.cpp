@@ -393,7 +393,7 @@ constexpr PictureOption table[] = {
     {"masking", "NAME", "shadowing of microfacets for lights: smith, approximate, v-cavity (smith)",
      parseName<maskings, &S::masking>, writeName<maskings, &S::masking>},
     {"image-light", "NAME",
-     "specular light of the environment: mirror, shifted, mean, taps1, taps2, taps3, sampled; auto: mean, above 4 "
+     "specular light of the environment: mirror, shifted, mean, taps1, taps2, taps3, sampled; auto: taps3, above 4 "
      "samples sampled (auto)",
      parseName<imageLights, &S::imageLight>, writeName<imageLights, &S::imageLight>},
     {"energy", "NAME",

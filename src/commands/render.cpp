@@ -85,8 +85,11 @@ nlohmann::ordered_json statsJson(const Job& job, const frame::Session& session, 
   out["variants"] = variants;
   json tables = json::array();
   for (const ibl::TableStatistics& table : s.tables)
-    tables.push_back(
-        {{"name", table.name}, {"bytes", table.bytes}, {"fetches", table.fetches}, {"ms", table.milliseconds}});
+    tables.push_back({{"name", table.name},
+                      {"bytes", table.bytes},
+                      {"fetches", table.fetches},
+                      {"ms", table.milliseconds},
+                      {"gpuMs", table.gpuMilliseconds}});
   out["tables"] = tables;
   if (job.settings.maxError) {
     json methods = json::object();

@@ -8,6 +8,7 @@
 
 #include "ibl/taps.hpp"
 #include "optics/microfacet.hpp"
+#include "optics/normal_spread.hpp"
 #include "scene/deformation.hpp"
 
 namespace facet::frame {
@@ -182,19 +183,21 @@ struct RoughnessRange {
 // Of a material's lobes that look LD up. A texture's texels lie within [0, 1] and scale their factor.
 void addLobes(RoughnessRange& range, const scene::Material& material, const shading::VariantKey& key) {
   const bool textured = shading::usesFeature(key, "HAS_METALLIC_ROUGHNESS_TEXTURE");
-  RoughnessRange base;
+  RoughnessRange lobes;
   if (material.specularGlossiness) {
-    base.add(1 - material.glossinessFactor, textured ? 1 : 1 - material.glossinessFactor);
+    lobes.add(1 - material.glossinessFactor, textured ? 1 : 1 - material.glossinessFactor);
   } else {
-    base.add(textured ? 0 : material.perceptualRoughnessFactor, material.perceptualRoughnessFactor);
+    lobes.add(textured ? 0 : material.perceptualRoughnessFactor, material.perceptualRoughnessFactor);
   }
   // A long lobe is a sum of round ones that are at least as wide as it is across its grain.
-  if (shading::usesFeature(key, "HAS_ANISOTROPY")) base.highest = 1;
-  range.add(base.lowest, base.highest);
+  if (shading::usesFeature(key, "HAS_ANISOTROPY")) lobes.highest = 1;
   if (shading::usesFeature(key, "HAS_CLEARCOAT")) {
     const float coat = material.clearcoatRoughnessFactor;
-    range.add(shading::usesFeature(key, "HAS_CLEARCOAT_ROUGHNESS_TEXTURE") ? 0 : coat, coat);
+    lobes.add(shading::usesFeature(key, "HAS_CLEARCOAT_ROUGHNESS_TEXTURE") ? 0 : coat, coat);
   }
+  if (shading::usesFeature(key, "SPREAD_NORMALS"))
+    lobes.highest = static_cast<float>(optics::largestRoughnessOverPixel(static_cast<double>(lobes.highest)));
+  range.add(lobes.lowest, lobes.highest);
   if (shading::usesFeature(key, "HAS_SHEEN")) range.add(sheenLayerRoughness, sheenLayerRoughness);
 }
 
@@ -217,6 +220,7 @@ layout::LightUniforms sunUniforms(const scene::Sun& sun) {
 ibl::Needs DrawList::needs(bool environmentVisible) const {
   ibl::Needs needs;
   RoughnessRange range;
+  int taps = 0;
   needs.background = environmentVisible;
   for (const std::vector<Draw>* draws : classes())
     for (const Draw& draw : *draws) {
@@ -231,14 +235,15 @@ ibl::Needs DrawList::needs(bool environmentVisible) const {
         addLobes(range, materials[static_cast<size_t>(draw.material)], draw.key);
       const bool lit = imageLight || shading::usesFeature(draw.key, "HAS_PUNCTUAL_LIGHTS") ||
                        shading::usesFeature(draw.key, "HAS_TRANSMISSION");
-      needs.taps |= optics::tapsOf(static_cast<optics::ImageLight>(draw.key.imageLight)) > 0;
+      taps = std::max(taps, shading::imageLightTaps(draw.key));
       needs.dfg |= lit;
       needs.sheen |= lit && shading::usesFeature(draw.key, "HAS_SHEEN");
     }
+  needs.taps = taps > 0;
   if (needs.taps) {
-    const ibl::TapRoughness taps = ibl::tapRoughness(optics::tapsOf(features.models.imageLight),
-                                                     std::max(range.lowest, 0.0f), std::min(range.highest, 1.0f));
-    range.add(taps.lowest, taps.highest);
+    const ibl::TapRoughness reached =
+        ibl::tapRoughness(taps, std::max(range.lowest, 0.0f), std::min(range.highest, 1.0f));
+    range.add(reached.lowest, reached.highest);
   }
   if (needs.layers) {
     needs.lowestRoughness = std::clamp(range.lowest, 0.0f, 1.0f);

@@ -115,6 +115,7 @@ DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment) {
   options.features.occlusion = settings.occlusion > 0;
   options.features.channel = std::max(0, shading::channelIndex(settings.channel));
   const bool converging = converges(settings);
+  options.features.shadedOnce = !converging;
   if (settings.imageLight == optics::ImageLight::sampled)
     options.features.imageLightSamples = converging ? convergedLightSamples : onceLightSamples;
   else if (settings.imageLight == optics::ImageLight::automatic && converging)
@@ -247,7 +248,7 @@ bool chooseMethod(EnvironmentOnGpu& environment, const PictureSettings& settings
 
 Result<void> prepareTables(EnvironmentOnGpu& environment, const ibl::Needs& needs, shading::ProgramStore& programs) {
   return ibl::prepareTables(environment.tables, environment.environment, environment.content, needs, programs,
-                            environment.cache, environment.method);
+                            environment.cache, environment.method, environment.prepared.get());
 }
 
 namespace {

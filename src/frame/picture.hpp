@@ -33,6 +33,7 @@ struct SceneOnGpu {
 // environment is null for pictures without distant light; the DFG table may still be needed.
 struct EnvironmentOnGpu {
   const scene::Environment* environment = nullptr;
+  std::shared_ptr<const ibl::PreparedEnvironment> prepared = {};  // null: made when it is needed
   ibl::Tables tables;
   std::optional<scene::Sun> sun = {};  // a light of its own, which the tables do without
   ibl::Method method = {};             // of the tables

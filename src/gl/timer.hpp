@@ -31,4 +31,31 @@ class Timer : public Handle<destroyQuery> {
   }
 };
 
+// GPU time from start to stop() by two time stamps, so that intervals may lie within each other and within a Timer's.
+// What the GPU waits for in between counts. Both ends are flushed: Mesa's software rasterizer writes a stamp with the
+// drawing that it belongs to, and compute shaders would not lie between.
+class Interval {
+ public:
+  Interval() {
+    glCreateQueries(GL_TIMESTAMP, 2, ids_);
+    mark(0);
+  }
+  ~Interval() { glDeleteQueries(2, ids_); }
+  Interval(const Interval&) = delete;
+  Interval& operator=(const Interval&) = delete;
+  double stop() {  // waits; milliseconds
+    mark(1);
+    GLuint64 ns[2] = {};
+    for (int i = 0; i < 2; ++i) glGetQueryObjectui64v(ids_[i], GL_QUERY_RESULT, &ns[i]);
+    return static_cast<double>(ns[1] - ns[0]) * 1e-6;
+  }
+
+ private:
+  void mark(int which) {
+    glQueryCounter(ids_[which], GL_TIMESTAMP);
+    glFlush();
+  }
+  GLuint ids_[2] = {};
+};
+
 }  // namespace facet::gl

@@ -198,7 +198,7 @@ void loadTables(Tables& tables, const scene::Environment* environment, std::stri
     const std::chrono::duration<double, std::milli> spent = Clock::now() - start;
     const std::string name = (piece.layer >= 0 ? "LD layers" : piece.name) + " (cached)";
     std::vector<TableStatistics>& booked = tables.statistics;
-    if (booked.empty() || booked.back().name != name) booked.push_back({name, 0, 0, 0});
+    if (booked.empty() || booked.back().name != name) booked.push_back({.name = name});
     booked.back().bytes += bytes->size() - sizeof(StoredTexture);
     booked.back().milliseconds += spent.count();
   }
@@ -206,13 +206,11 @@ void loadTables(Tables& tables, const scene::Environment* environment, std::stri
 
 Result<void> prepareTables(Tables& tables, const scene::Environment* environment, std::string& content,
                            const Needs& needs, shading::ProgramStore& programs, const TableCache& cache,
-                           const Method& method) {
+                           const Method& method, const PreparedEnvironment* prepared) {
   loadTables(tables, environment, content, needs, cache, method);
   const std::vector<TableStatistics> loaded = tables.statistics;
-  if (!loaded.empty() && method.takeSunOut && environment)
-    if (const std::optional<scene::FoundSun> found = scene::findSun(*environment)) tables.sun = found->sun;
   const std::vector<Piece> missing = missingPieces(tables, needs);
-  if (Result<void> r = computeTables(tables, environment, needs, programs, method); !r) return r;
+  if (Result<void> r = computeTables(tables, environment, needs, programs, method, prepared); !r) return r;
   if (!cache.disk.folder.empty())
     for (const Piece& piece : missing) {
       const PackedPiece packed = packPiece(tables, piece, content, cache, method);

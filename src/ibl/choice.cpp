@@ -7,16 +7,14 @@ namespace facet::ibl {
 namespace {
 
 constexpr Candidate table[] = {
-    {Part::irradiance, "summed over 8 x 8 at 8 x 8", {.sumSize = 8, .irradianceSize = 8}, 0.064},
-    {Part::irradiance, "summed over 16 x 16 at 8 x 8", {.sumSize = 16, .irradianceSize = 8}, 0.057},
-    {Part::irradiance, "summed over 16 x 16 at 16 x 16", {.sumSize = 16, .irradianceSize = 16}, 0.019},
-    {Part::irradiance, "summed over 16 x 16 at 32 x 32", {.sumSize = 16, .irradianceSize = 32}, 0.0070},
-    {Part::irradiance, "summed over 32 x 32 at 32 x 32", {.sumSize = 32, .irradianceSize = 32}, 0.0036},
-    {Part::irradiance, "summed over 64 x 64 at 32 x 32", {.sumSize = 64, .irradianceSize = 32}, 0.0024},
+    {Part::irradiance, "8 x 8 cells at 8 x 8", {.sumSize = 8, .irradianceSize = 8}, 0.054},
+    {Part::irradiance, "8 x 8 cells at 16 x 16", {.sumSize = 8, .irradianceSize = 16}, 0.015},
+    {Part::irradiance, "8 x 8 cells at 32 x 32", {.sumSize = 8, .irradianceSize = 32}, 0.0064},
+    {Part::irradiance, "16 x 16 cells at 32 x 32", {.sumSize = 16, .irradianceSize = 32}, 0.0024},
+    {Part::irradiance, "16 x 16 cells at 64 x 64", {.sumSize = 16, .irradianceSize = 64}, 0.0012},
     {Part::layers, "16 filtered samples", {.ld = LdMethod::filtered, .samples = 16}, 0.41},
-    {Part::layers, "mixture, summed over 8 x 8", {.sumSize = 8}, 0.012},
-    {Part::layers, "mixture, summed over 16 x 16", {.sumSize = 16}, 0.0086},
-    {Part::layers, "mixture, summed over 32 x 32", {.sumSize = 32}, 0.0080},
+    {Part::layers, "mixture, 4 x 4 cells", {.sumSize = 4}, 0.0083},
+    {Part::layers, "mixture, 8 x 8 cells", {.sumSize = 8}, 0.0079},
     {Part::dfg, "16 x 16", {.dfgSize = 16}, 0.031},
     {Part::dfg, "32 x 32", {.dfgSize = 32}, 0.0075},
     {Part::dfg, "64 x 64", {.dfgSize = 64}, 0.0027},

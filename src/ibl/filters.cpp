@@ -36,36 +36,44 @@ void addByFaces(std::vector<Step>& steps, const char* table, int size, uint64_t 
 
 // ---- Sums over the sphere -------------------------------------------------------------------------------------------
 
-gl::Buffer levelAsList(const gl::Texture& cube, int size, const gl::Program& program) {
-  gl::Buffer list(texels(size) * 2 * sizeof(glm::vec4), "environment list");
+constexpr int cellVectors = 3;  // passes/cube_to_cells.comp.glsl
+constexpr int groupSize = 8;    // of passes/zonal_sum.comp.glsl, which reads the cells once a group
+
+// Texels along a cell's edge: enough for its centroid and spread.
+int cellTexels(int sumSize) { return std::min(8, mirrorSize / sumSize); }
+
+gl::Buffer cellsOf(const gl::Texture& cube, int sumSize, const gl::Program& program) {
+  gl::Buffer cells(texels(sumSize) * cellVectors * sizeof(glm::vec4), "environment cells");
   glUseProgram(program.id());
-  glBindImageTexture(0, cube.id(), levelOfSize(cube, size), GL_TRUE, 0, GL_READ_ONLY, GL_RGBA32F);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeOutputBinding, list.id());
-  dispatchFaces(size);
-  return list;
+  program.set(0, cellTexels(sumSize));
+  glBindImageTexture(0, cube.id(), levelOfSize(cube, sumSize * cellTexels(sumSize)), GL_TRUE, 0, GL_READ_ONLY,
+                     GL_RGBA32F);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeOutputBinding, cells.id());
+  dispatchFaces(sumSize);
+  return cells;
 }
 
 void addSum(std::vector<Step>& steps, const char* table, size_t which, const ScratchPointer& scratch,
             ProgramStore& programs, const Method& method) {
   scratch->sumPlanned[which] = true;
   const int size = method.irradianceSize, sumSize = method.sumSize;
-  const auto run = [=, &programs](int face, int faces) -> Result<void> {
-    const auto toList = programs.compute("passes/cube_to_list.comp.glsl");
-    if (!toList) return tl::unexpected(toList.error());
+  const auto run = [=, &programs]() -> Result<void> {
+    const auto toCells = programs.compute("passes/cube_to_cells.comp.glsl");
+    if (!toCells) return tl::unexpected(toCells.error());
     const auto sum = programs.compute("passes/zonal_sum.comp.glsl");
     if (!sum) return tl::unexpected(sum.error());
     gl::Texture& result = scratch->summed[which];
-    if (!result) result = cubeTexture(GL_RGBA32F, size, 1, "summed kernel");
-    const gl::Buffer list = levelAsList(scratch->environmentCube(), sumSize, **toList);
+    result = cubeTexture(GL_RGBA32F, size, 1, "summed kernel");
+    const gl::Buffer cells = cellsOf(scratch->environmentCube(), sumSize, **toCells);
     glUseProgram((*sum)->id());
     (*sum)->set(0, static_cast<float>(optics::summedAlphas[which] * optics::summedAlphas[which]));
-    (*sum)->set(1, face);
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeInputBinding, list.id());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeInputBinding, cells.id());
     glBindImageTexture(0, result.id(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA32F);
-    dispatchFaces(size, faces);
+    dispatchFaces(size);
     return {};
   };
-  addByFaces(steps, table, size, texels(sumSize), run);
+  const int groups = (size + groupSize - 1) / groupSize;
+  steps.push_back({table, texels(sumSize * cellTexels(sumSize)) + texels(groups) * cellVectors * texels(sumSize), run});
 }
 
 // ---- Mixtures of blurred copies -------------------------------------------------------------------------------------

@@ -20,7 +20,8 @@ enum class LdMethod {
 };
 
 enum class IrradianceMethod {
-  summed,     // over a coarse level of the cube: the layer of roughness 1, because LD(n, 1) = irradiance / pi
+  summed,     // over few cells of the cube, by centroid and spread: the layer of roughness 1, because LD(n, 1) =
+              // irradiance / pi
   riemann,    // steps of 0.025 in both angles over the whole cube, as is usual
   harmonics,  // spherical harmonics up to an order (Ramamoorthi and Hanrahan 2001)
 };
@@ -40,7 +41,7 @@ struct Method {
   LdMethod ld = LdMethod::mixture;
   int samples = 1024;          // importance, filtered: in each texel
   double filterGain = 1;       // filtered: K, the level's texels in shares of a sample
-  int sumSize = 16;            // mixture, irradiance: face of the level that is summed over
+  int sumSize = 8;             // mixture, irradiance: cells along the edge of a face that are summed over
   double cutTolerance = 0.01;  // cut: largest error of a node, of the result
   double cutAcross = 1.5;      // cut: nodes across the kernel's scale, at least
   bool cutByG2 = false;        // cut: the kernel D G2(N = V) in place of D NoL

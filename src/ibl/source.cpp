@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "base/parallel.hpp"
 #include "layout.h"
@@ -37,19 +38,25 @@ float radianceScaleFor(const scene::Environment& environment) {
   return largest > largestStored ? std::exp2(std::ceil(std::log2(largest / largestStored))) : 1.0f;
 }
 
-gl::Texture uploadEquirect(const scene::Environment& environment, GLenum format, float scale, std::string_view label) {
+gl::Texture equirectTexture(const scene::Environment& environment, GLenum format, std::string_view label) {
   gl::Texture texture({.format = format, .width = environment.width, .height = environment.height}, label);
   texture.filterLinear();
   texture.parameter(GL_TEXTURE_WRAP_S, GL_REPEAT);
-  const std::vector<glm::vec3>* texels = &environment.radiance;
+  return texture;
+}
+
+void uploadEquirectRows(const gl::Texture& texture, const scene::Environment& environment, float scale, int first,
+                        int end) {
+  const auto width = static_cast<size_t>(environment.width);
+  const std::span rows = std::span(environment.radiance)
+                             .subspan(static_cast<size_t>(first) * width, static_cast<size_t>(end - first) * width);
+  const glm::vec3* texels = rows.data();
   std::vector<glm::vec3> scaled;
   if (scale != 1) {
-    scaled = environment.radiance;
-    for (glm::vec3& texel : scaled) texel /= scale;
-    texels = &scaled;
+    for (const glm::vec3& texel : rows) scaled.push_back(texel / scale);
+    texels = scaled.data();
   }
-  glTextureSubImage2D(texture.id(), 0, 0, 0, environment.width, environment.height, GL_RGB, GL_FLOAT, texels->data());
-  return texture;
+  glTextureSubImage2D(texture.id(), 0, 0, first, environment.width, end - first, GL_RGB, GL_FLOAT, texels);
 }
 
 gl::Texture cubeTexture(GLenum format, int size, int levels, std::string_view label) {
@@ -121,15 +128,30 @@ void blendPolarTexels(scene::Environment& environment, double maxWidth) {
   }
 }
 
-CubeSource cubeSource(const scene::Environment& environment, float scale, const Method& method) {
-  scene::Environment prepared = reduceEquirect(environment, method.equirectWidth);
+PreparedEnvironment prepareEnvironment(const scene::Environment& environment, const Method& method) {
+  PreparedEnvironment prepared{radianceScaleFor(environment), {}, {}};
+  std::optional<scene::FoundSun> found;
+  if (method.takeSunOut) found = scene::findSun(environment);
+  if (found) prepared.sun = found->sun;
+  prepared.reduced = reduceEquirect(found ? found->rest : environment, method.equirectWidth);
+  return prepared;
+}
+
+PreparedEnvironment reducedFurther(const PreparedEnvironment& prepared, int maxWidth) {
+  return {prepared.radianceScale, prepared.sun, reduceEquirect(prepared.reduced, maxWidth)};
+}
+
+CubeSource cubeSource(const PreparedEnvironment& prepared, const Method& method) {
+  scene::Environment map = prepared.reduced;
   if (method.cube == CubeMethod::areaExact) {
     // A needle is caught when it is as wide as the distance of two of the cube's taps.
     const double tap = std::numbers::pi / 2 / 256 / method.cubeTaps;
-    blendPolarTexels(prepared, 2 * tap);
+    blendPolarTexels(map, 2 * tap);
   }
-  const double steep = method.steepness * meanRadiance(prepared) / static_cast<double>(scale);
-  return {uploadEquirect(prepared, GL_RGBA32F, scale, "equirectangular source"), static_cast<float>(steep)};
+  CubeSource source{equirectTexture(map, GL_RGBA32F, "equirectangular source"), 0};
+  uploadEquirectRows(source.equirect, map, prepared.radianceScale, 0, map.height);
+  source.steep = static_cast<float>(method.steepness * meanRadiance(map) / static_cast<double>(prepared.radianceScale));
+  return source;
 }
 
 Result<void> drawCubeFaces(const gl::Texture& cube, const CubeSource& source, int firstFace, int faces,

@@ -5,10 +5,10 @@
 #include <chrono>
 #include <utility>
 
+#include "gl/timer.hpp"
 #include "ibl/albedo.hpp"
 #include "ibl/layers.hpp"
 #include "ibl/taps.hpp"
-#include "scene/sun.hpp"
 
 namespace facet::ibl {
 
@@ -39,6 +39,19 @@ void addCubeSteps(Precompute& work, ProgramStore& programs, const Method& method
   work.steps.push_back({"environment cube", 0, [=, &programs] { return drawCubeLevels(scratch->cube, programs); }});
 }
 
+// A few rows at a time: a map of 4k takes a tenth of a second where the driver converts it.
+void addBackgroundSteps(Precompute& work, const scene::Environment& environment) {
+  const int rows = std::max(1, static_cast<int>(backgroundTexelsAtOnce) / environment.width);
+  Tables* made = work.made.get();
+  for (int first = 0; first < environment.height; first += rows)
+    work.steps.push_back({"background", 0, [=, &environment]() -> Result<void> {
+                            if (first == 0) made->background = equirectTexture(environment, GL_RGBA16F, "background");
+                            const int end = std::min(environment.height, first + rows);
+                            uploadEquirectRows(made->background, environment, made->radianceScale, first, end);
+                            return {};
+                          }});
+}
+
 // Targets of the layers that are missing; their textures are made where there are none.
 std::vector<LayerTarget> missingLayers(const Tables& tables, Tables& made, const Needs& needs) {
   std::vector<LayerTarget> targets;
@@ -65,6 +78,7 @@ size_t bytesOf(const Tables& made, const Scratch& scratch, std::string_view tabl
   if (table == "sheen") return of(made.sheen);
   if (table == "taps") return of(made.taps);
   if (table == "irradiance") return of(scratch.summed[1]);
+  if (table == "background") return of(made.background);
   if (table == "LD layers") return of(made.mirrorLayers) + of(made.roughLayers);
   return 0;  // freed at the end, or counted where it is kept
 }
@@ -88,8 +102,8 @@ LayerRange layersFor(float lowestRoughness, float highestRoughness) {
   return range;
 }
 
-Precompute planTables(const Tables& tables, const scene::Environment* environment, const Needs& needs,
-                      ProgramStore& programs, const Method& method) {
+Precompute planTables(const Tables& tables, const scene::Environment* environment, const PreparedEnvironment* prepared,
+                      const Needs& needs, ProgramStore& programs, const Method& method) {
   Precompute work;
   work.scratch = std::make_shared<Scratch>();
   work.made = std::make_unique<Tables>();
@@ -112,16 +126,16 @@ Precompute planTables(const Tables& tables, const scene::Environment* environmen
   if (!background && !filtered) return work;
 
   assert(environment != nullptr && environment->width > 0);
-  made.radianceScale = radianceScaleFor(*environment);
-  if (background) made.background = uploadEquirect(*environment, GL_RGBA16F, made.radianceScale, "background");
+  std::optional<PreparedEnvironment> here;
+  if (!prepared && filtered && !tables.cube) prepared = &here.emplace(prepareEnvironment(*environment, method));
+  made.radianceScale = prepared ? prepared->radianceScale : radianceScaleFor(*environment);
+  if (background) addBackgroundSteps(work, *environment);
   if (!filtered) return work;
-  std::optional<scene::FoundSun> found;
-  if (method.takeSunOut && !tables.cube) found = scene::findSun(*environment);
-  made.sun = found ? std::optional(found->sun) : tables.sun;
   if (tables.cube) {
     work.scratch->presentCube = &tables.cube;
   } else {
-    work.scratch->source = cubeSource(found ? found->rest : *environment, made.radianceScale, method);
+    made.sun = prepared->sun;
+    work.scratch->source = cubeSource(*prepared, method);
     work.scratch->cube = cubeTexture(GL_RGBA32F, mirrorSize, gl::mipLevels(mirrorSize, mirrorSize), "environment cube");
     addCubeSteps(work, programs, method);
   }
@@ -149,22 +163,23 @@ void finish(Precompute&& work, Tables& tables) {
 }
 
 Result<void> computeTables(Tables& tables, const scene::Environment* environment, const Needs& needs,
-                           ProgramStore& programs, const Method& method) {
+                           ProgramStore& programs, const Method& method, const PreparedEnvironment* prepared) {
   std::vector<TableStatistics>& booked = tables.statistics;
   booked.clear();
   const Clock::time_point planned = Clock::now();
-  Precompute work = planTables(tables, environment, needs, programs, method);
+  Precompute work = planTables(tables, environment, prepared, needs, programs, method);
   const double planMs = std::chrono::duration<double, std::milli>(Clock::now() - planned).count();
   while (!work.done()) {
     const std::string_view table = work.steps[work.next].table;
     TableStatistics& entry = booked.emplace_back();
     entry.name = table;
     const Clock::time_point start = Clock::now();
+    gl::Interval interval;
     for (; !work.done() && work.steps[work.next].table == table;) {
       entry.fetches += work.steps[work.next].fetches;
       if (Result<void> r = runStep(work); !r) return r;
     }
-    glFinish();
+    entry.gpuMilliseconds = interval.stop();
     entry.fetches += std::exchange(work.scratch->counted, uint64_t{0});
     entry.milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
     entry.bytes = bytesOf(*work.made, *work.scratch, table);

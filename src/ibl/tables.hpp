@@ -35,8 +35,9 @@ struct Needs {
 struct TableStatistics {
   std::string name;
   size_t bytes = 0;
-  uint64_t fetches = 0;  // texture and list reads
-  double milliseconds = 0;
+  uint64_t fetches = 0;        // texture and list reads
+  double milliseconds = 0;     // until the GPU is done, shaders that had to be compiled among them
+  double gpuMilliseconds = 0;  // 0: not measured
 };
 
 struct Tables {
@@ -68,10 +69,14 @@ struct Precompute {
   bool done() const { return next == steps.size(); }
 };
 
-// What is needed and not in the tables yet. environment may be null where nothing of it is needed; it is not read after
-// this call. programs must outlive the result.
-Precompute planTables(const Tables& tables, const scene::Environment* environment, const Needs& needs,
-                      shading::ProgramStore& programs, const Method& method = {});
+// The background is uploaded in steps of as many texels.
+inline constexpr size_t backgroundTexelsAtOnce = size_t{1} << 19;
+
+// What is needed and not in the tables yet. environment may be null where nothing of it is needed. prepared: of it,
+// with the same method; null: it is made here where tables are filtered. programs and, where the background is needed,
+// the environment must outlive the result.
+Precompute planTables(const Tables& tables, const scene::Environment* environment, const PreparedEnvironment* prepared,
+                      const Needs& needs, shading::ProgramStore& programs, const Method& method = {});
 // One step. Errors: a shader does not compile.
 Result<void> runStep(Precompute& work);
 // Moves what was made to the tables. All steps are run.
@@ -79,7 +84,8 @@ void finish(Precompute&& work, Tables& tables);
 
 // All of that at once; tables.statistics names what this call computed.
 Result<void> computeTables(Tables& tables, const scene::Environment* environment, const Needs& needs,
-                           shading::ProgramStore& programs, const Method& method = {});
+                           shading::ProgramStore& programs, const Method& method = {},
+                           const PreparedEnvironment* prepared = nullptr);
 
 // First and last index of the layers that look-ups of that roughness touch.
 struct LayerRange {

@@ -22,8 +22,9 @@ enum class Masking : uint8_t { smith, approximate, cavity };
 //   mean     at the lobe's mean direction
 //   taps1 .. taps3  at as many fitted directions and roughnesses in the plane of N and V
 //   sampled  none: the environment itself is sampled
-//   automatic  mean up to 4 samples a pixel, sampled above
+//   automatic  usualLookUp up to 4 samples a pixel, sampled above
 enum class ImageLight : uint8_t { automatic, mirror, shifted, mean, taps1, taps2, taps3, sampled };
+inline constexpr ImageLight usualLookUp = ImageLight::taps3;
 constexpr int tapsOf(ImageLight model) {
   return model < ImageLight::taps1 || model > ImageLight::taps3 ? 0 : static_cast<int>(model) - 3;
 }

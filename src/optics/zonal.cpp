@@ -86,6 +86,18 @@ std::vector<double> legendre(double x, size_t count) {
   return P;
 }
 
+double spreadCosine(double c, double variance) {
+  const double halfWidth = std::sqrt(3 * variance);
+  if (std::abs(c) >= halfWidth) return std::max(c, 0.0);
+  const double above = c + halfWidth;
+  return above * above / (4 * halfWidth);
+}
+
+double spreadZonalKernel(double c, double variance, double alpha) {
+  const double y = (1 - c) / 2 + alpha * alpha * (1 + c) / 2;
+  return spreadCosine(c, variance) / (y * y);
+}
+
 double prefilterKernel(double alpha, double theta) {
   // With x = sin^2(theta / 2), b = alpha^2, y = b + (1 - b) x: D NoL ~ (1 - 2x) / y^2, whose integral over x has a
   // closed form; towards b = 1 it cancels, and the kernel is the cosine there.

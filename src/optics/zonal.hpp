@@ -20,6 +20,12 @@ std::vector<double> legendre(double x, std::size_t count);
 // / pi.
 double prefilterKernel(double alpha, double theta);
 
+// Few cells of radiance in the place of the sphere: the mean of max(x, 0) over x spread evenly about c with that
+// variance, which is what a cell across the horizon sends, and with it D(H) NoL of N = V = R, but for a factor, where c
+// is the cosine of normal and light.
+double spreadCosine(double c, double variance);
+double spreadZonalKernel(double c, double variance, double alpha);
+
 // One ring of taps about the centre, its weight shared by `count` taps at the azimuths 2 pi (i + turn) / count.
 struct Ring {
   double angle = 0;   // rad

@@ -73,10 +73,10 @@ std::vector<Model> models() {
   };
   return {{"mirror direction", defines(optics::ImageLight::mirror), 2},
           {"shifted direction", defines(optics::ImageLight::shifted), 2},
-          {"mean direction", {}, 2},
+          {"mean direction", defines(optics::ImageLight::mean), 2},
           {"1 fitted tap", defines(optics::ImageLight::taps1), 2},
           {"2 fitted taps", defines(optics::ImageLight::taps2), 4},
-          {"3 fitted taps", defines(optics::ImageLight::taps3), 6}};
+          {"3 fitted taps (default)", defines(optics::ImageLight::taps3), 6}};
 }
 
 }  // namespace

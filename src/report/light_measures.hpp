@@ -30,6 +30,7 @@ struct Measured {
 };
 Measured lookAt(const ReportInput& input, const scene::Environment& environment, shading::ProgramStore& programs);
 
+// gpuMilliseconds: the least of two runs or more, because the first waits for the driver to compile.
 Result<ibl::Tables> makeTables(const Measured& m, const ibl::Needs& needs, const ibl::Method& method);
 const ibl::TableStatistics& booked(const ibl::Tables& tables, std::string_view name);
 // What the body (Probe's) makes of in0 = (direction, w), as radiance.

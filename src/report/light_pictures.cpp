@@ -37,12 +37,12 @@ std::vector<Way> ways(const ReportInput& input) {
     return list.back().settings;
   };
   using optics::ImageLight;
-  add("default", 4);
   add("mirror direction", 4).imageLight = ImageLight::mirror;
   add("shifted direction", 4).imageLight = ImageLight::shifted;
+  add("mean direction", 4).imageLight = ImageLight::mean;
   add("1 fitted tap", 4).imageLight = ImageLight::taps1;
   add("2 fitted taps", 4).imageLight = ImageLight::taps2;
-  add("3 fitted taps", 4).imageLight = ImageLight::taps3;
+  add("3 fitted taps (default)", 4).imageLight = ImageLight::taps3;
   for (const int samples : {8, 16, 32, 64, 256}) add("sampled", samples);
   return list;
 }

@@ -23,8 +23,9 @@ void add(Report& report, Table&& table, const std::vector<CostAndError>& figures
 
 NamedPlot errorAgainstTime(const std::string& name, const std::string& title, const Table& table,
                            const std::vector<CostAndError>& figures) {
-  Plot plot{
-      .title = title, .x = {.label = "ms", .logarithmic = true}, .y = {.label = "relative RMSE", .logarithmic = true}};
+  Plot plot{.title = title,
+            .x = {.label = "GPU ms", .logarithmic = true},
+            .y = {.label = "relative RMSE", .logarithmic = true}};
   Series series{.name = "methods (ringed: on the Pareto front)", .line = false, .dots = true};
   const std::vector<bool> front = paretoFront(figures);
   for (size_t i = 0; i < figures.size(); ++i) {
@@ -42,7 +43,7 @@ Result<void> addCube(const Measured& m, Report& report) {
   Table table{"light-cube",
               "Equirectangular map to cube, 256 x 256 faces",
               "Error: of the total flux (luminance). * on the Pareto front.",
-              {"method", "flux error", "fetches", "ms", "front"},
+              {"method", "flux error", "fetches", "GPU ms", "front"},
               {}};
   std::vector<CostAndError> figures;
   const std::pair<const char*, ibl::CubeMethod> methods[] = {{"one tap (usual)", ibl::CubeMethod::oneTap},
@@ -52,8 +53,8 @@ Result<void> addCube(const Measured& m, Report& report) {
     if (!tables) return tl::unexpected(tables.error());
     const double error = luminance(cubeFlux(*tables, 0)) / luminance(m.flux) - 1;
     const ibl::TableStatistics& cost = booked(*tables, "environment cube");
-    table.rows.push_back({std::string(name), error, static_cast<double>(cost.fetches), cost.milliseconds});
-    figures.push_back({cost.milliseconds, std::abs(error)});
+    table.rows.push_back({std::string(name), error, static_cast<double>(cost.fetches), cost.gpuMilliseconds});
+    figures.push_back({cost.gpuMilliseconds, std::abs(error)});
   }
   add(report, std::move(table), figures);
   return {};
@@ -71,8 +72,8 @@ std::vector<IrradianceRow> irradianceRows(bool sun) {
   for (const int order : {2, 4, 6})
     rows.push_back({"harmonics of order " + std::to_string(order),
                     {.irradiance = ibl::IrradianceMethod::harmonics, .harmonicsOrder = order}});
-  rows.push_back({"layer of roughness 1, summed over 16 x 16", {}});
-  rows.push_back({"quality: summed over 32 x 32", {.sumSize = 32}});
+  rows.push_back({"layer of roughness 1, 8 x 8 cells at 32 x 32", {}});
+  rows.push_back({"quality: 16 x 16 cells at 64 x 64", {.sumSize = 16, .irradianceSize = 64}});
   if (!sun) return rows;
   for (size_t i = 0, count = rows.size(); i < count; ++i) {
     rows.push_back(rows[i]);
@@ -88,7 +89,7 @@ Result<void> addIrradiance(const Measured& m, Report& report) {
       "Irradiance",
       "Relative RMSE and largest relative error over 32 directions; floored: with a tenth of the map's mean "
       "added to what is divided by. Sun apart: taken out of the map and added as a light. * on the Pareto front.",
-      {"method", "relative RMSE", "floored", "largest", "bias", "fetches", "ms", "front"},
+      {"method", "relative RMSE", "floored", "largest", "bias", "fetches", "GPU ms", "front"},
       {}};
   std::vector<CostAndError> figures;
   const Truth truth = irradianceTruth(m);
@@ -99,8 +100,8 @@ Result<void> addIrradiance(const Measured& m, Report& report) {
     const ErrorFigures& e = measure->error;
     const ibl::TableStatistics& cost = measure->cost;
     table.rows.push_back({row.name, e.relativeRmse, e.flooredRmse, e.worst, e.bias, static_cast<double>(cost.fetches),
-                          cost.milliseconds});
-    figures.push_back({cost.milliseconds, e.relativeRmse});
+                          cost.gpuMilliseconds});
+    figures.push_back({cost.gpuMilliseconds, e.relativeRmse});
   }
   report.plots.push_back(errorAgainstTime("light-irradiance", "Irradiance: error against time", table, figures));
   add(report, std::move(table), figures);
@@ -140,8 +141,8 @@ Result<void> addLd(const Measured& m, Report& report) {
       "RMSE over RMS of the reference about the brightest texel, the worst; floored: as for irradiance. Cost: of all "
       "layers from roughness "
       "0.1 on. * on the Pareto front.",
-      {"method", "all", "floored", "r 0.1", "r 0.2", "r 0.3", "r 0.5", "r 0.7", "r 1", "bias", "zone", "fetches", "ms",
-       "front"},
+      {"method", "all", "floored", "r 0.1", "r 0.2", "r 0.3", "r 0.5", "r 0.7", "r 1", "bias", "zone", "fetches",
+       "GPU ms", "front"},
       {}};
   std::vector<CostAndError> figures;
   const std::vector<LobeTruth> truths = lobeTruths(m);
@@ -152,9 +153,9 @@ Result<void> addLd(const Measured& m, Report& report) {
     std::vector<Cell> cells = {row.name, measure->all, measure->floored};
     for (const double e : measure->byRoughness) cells.emplace_back(e);
     const ibl::TableStatistics& cost = measure->cost;
-    cells.insert(cells.end(), {measure->bias, measure->zone, static_cast<double>(cost.fetches), cost.milliseconds});
+    cells.insert(cells.end(), {measure->bias, measure->zone, static_cast<double>(cost.fetches), cost.gpuMilliseconds});
     table.rows.push_back(std::move(cells));
-    figures.push_back({cost.milliseconds, measure->all});
+    figures.push_back({cost.gpuMilliseconds, measure->all});
   }
   report.plots.push_back(errorAgainstTime("light-ld", "Prefiltered radiance: error against time", table, figures));
   add(report, std::move(table), figures);
@@ -213,7 +214,7 @@ Result<void> addDfg(const Measured& m, Report& report) {
       "DFG table",
       "Largest error of A and B over 300 look-ups, for NoV from 0.02 on and everywhere. Analytic: Karis 2014. * on "
       "the Pareto front.",
-      {"method", "largest, NoV >= 0.02", "largest", "RMS", "bytes", "evaluations", "ms", "front"},
+      {"method", "largest, NoV >= 0.02", "largest", "RMS", "bytes", "evaluations", "GPU ms", "front"},
       {}};
   std::vector<CostAndError> figures;
   const DfgTruth truth = dfgTruth();
@@ -236,7 +237,7 @@ Result<void> addDfg(const Measured& m, Report& report) {
     if (!measure) return tl::unexpected(measure.error());
     const ibl::TableStatistics& cost = measure->cost;
     addRow(row.name, measure->error, static_cast<double>(cost.bytes), static_cast<double>(cost.fetches),
-           cost.milliseconds);
+           cost.gpuMilliseconds);
   }
   const auto fit = [&](size_t i) {
     return karisFit(static_cast<double>(truth.inputs[i].x), static_cast<double>(truth.inputs[i].y));

@@ -18,7 +18,7 @@ using ibl::Part;
 void add(CandidateMeasure& worst, double error, const ibl::TableStatistics& cost) {
   worst.error = std::max(worst.error, error);
   worst.reads = std::max(worst.reads, cost.fetches);
-  worst.milliseconds = std::max(worst.milliseconds, cost.milliseconds);
+  worst.milliseconds = std::max(worst.milliseconds, cost.gpuMilliseconds);
 }
 
 // A black room, lamps at one side of it, of radiances just below what scene::findSun takes for a sun: harder for sums
@@ -99,7 +99,7 @@ Result<Report> methodsReport(const ReportInput& input) {
       "the "
       "largest relative error of a dielectric's albedo (0.04 A + B) for NoV from 0.02 on. Of each part the first one "
       "within the error is taken. Stated: what facet goes by.",
-      {"part", "method", "error", "stated", "reads", "ms"},
+      {"part", "method", "error", "stated", "reads", "GPU ms"},
       {}};
   constexpr const char* parts[] = {"irradiance", "layers", "DFG"};
   for (const CandidateMeasure& m : *all)

@@ -18,6 +18,6 @@ std::vector<Check> layeredChecks();      // bsdf with all layers, anisotropy's a
 std::vector<Check> transmittedChecks();  // what is seen through glass
 std::vector<Check> lightChecks();        // lights
 std::vector<Check> displayChecks();      // color
-std::vector<Check> mappingChecks();      // mapping, environment_layers
+std::vector<Check> mappingChecks();      // mapping, environment_layers, zonal
 
 }  // namespace facet::report

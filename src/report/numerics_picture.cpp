@@ -7,6 +7,7 @@
 #include "optics/mapping.hpp"
 #include "optics/microfacet.hpp"
 #include "optics/quadrature.hpp"
+#include "optics/zonal.hpp"
 #include "report/numerics_grid.hpp"
 
 namespace facet::report {
@@ -278,6 +279,34 @@ Check checkLayer() {
   return check;
 }
 
+// ---- zonal.glsl -----------------------------------------------------------------------------------------------------
+
+// From a cell that is a point to one that is a third of the sphere, across the horizon and at both ends.
+Check zonalCheck(std::string name, const std::string& call) {
+  Check check = relativeCheck(std::move(name), "zonal.glsl", "out0.x = " + call + ";", {"cos", "variance", "alpha"});
+  check.inputs =
+      grid({-1, -0.3, -0.01, -1e-6, 0, 1e-6, 0.01, 0.0999, 0.3, 0.7, 1}, {0, 1e-12, 1e-6, 0.003, 0.3}, {0.64, 1});
+  // Near the lower end of the spread what is above the horizon cancels.
+  check.conditioning = [](CheckVectors in) {
+    const double halfWidth = std::sqrt(3 * in[0].y), above = in[0].x + halfWidth;
+    return std::abs(in[0].x) < halfWidth ? 1 + halfWidth / above : 1;
+  };
+  allow(check, 16, "12 roundings, two of them of what cancels");
+  return check;
+}
+
+Check checkSpreadCosine() {
+  Check check = zonalCheck("spreadCosine", "spreadCosine(in0.x, in0.y)");
+  check.twin = [](CheckVectors in) -> CheckValues { return {optics::spreadCosine(in[0].x, in[0].y)}; };
+  return check;
+}
+
+Check checkSpreadKernel() {
+  Check check = zonalCheck("spreadZonalKernel", "spreadZonalKernel(in0.x, in0.y, in0.z * in0.z)");
+  check.twin = [](CheckVectors in) -> CheckValues { return {optics::spreadZonalKernel(in[0].x, in[0].y, in[0].z)}; };
+  return check;
+}
+
 }  // namespace
 
 Check checkDiscWidth() {
@@ -320,8 +349,8 @@ std::vector<Check> displayChecks() {
 }
 
 std::vector<Check> mappingChecks() {
-  return {checkToEquirect(), checkFromEquirect(), checkFromCube(), checkCubeDensity(),
-          checkCubeTexel(),  checkFrame(),        checkLayer()};
+  return {checkToEquirect(), checkFromEquirect(), checkFromCube(),     checkCubeDensity(), checkCubeTexel(),
+          checkFrame(),      checkLayer(),        checkSpreadCosine(), checkSpreadKernel()};
 }
 
 }  // namespace facet::report

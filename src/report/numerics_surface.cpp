@@ -5,6 +5,7 @@
 #include "optics/bsdf.hpp"
 #include "optics/diffuse.hpp"
 #include "optics/fresnel.hpp"
+#include "optics/normal_spread.hpp"
 #include "optics/quadrature.hpp"
 #include "report/numerics_checks.hpp"
 
@@ -108,6 +109,26 @@ Check checkF() {
   check.relative = false;
   check.tolerance = 8 * floatEpsilon;
   check.reason = "8 roundings of numbers up to 1";
+  return check;
+}
+
+Check checkNormalSpread() {
+  Check check{"roughnessOverPixel",
+              {{"normal_spread.glsl"}, "out0.x = roughnessOverPixel(in0.x, in1.xyz, in1.w * in1.yzx);", 2},
+              {"perceptual roughness", "-", "-", "-", "dNdx.x", "dNdx.y", "dNdx.z", "dNdy"},
+              {}};
+  for (const double r : perceptualRoughnesses)
+    for (const double dx : {0.0, 1e-6, 1e-3, 0.05, 0.3, 2.0})
+      for (const double dy : {0.0, 0.5, 1.0}) {
+        check.inputs.emplace_back(r, 0, 0, 0);
+        check.inputs.emplace_back(dx, -0.3 * dx, 0.1 * dx, dy);
+      }
+  check.twin = [](CheckVectors in) {
+    const glm::dvec3 dx(in[1]);
+    return CheckValues{optics::roughnessOverPixel(in[0].x, dx, in[1].w * glm::dvec3(dx.y, dx.z, dx.x))};
+  };
+  check.tolerance = 12 * floatEpsilon;
+  check.reason = "12 roundings, nothing cancels";
   return check;
 }
 
@@ -304,6 +325,7 @@ std::vector<Check> surfaceChecks() {
       checkV(),
       checkG1(),
       checkF(),
+      checkNormalSpread(),
       checkLambert(),
       energyCheck(
           "singleScatterAlbedo",

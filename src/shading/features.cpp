@@ -108,6 +108,12 @@ bool flatPerPixel(const FeatureInput& in) {
   return readsNormal(in) && in.primitive.flatNormals && (skinned(in) || morphed(in));
 }
 
+// A pixel that is shaded once shows a mean over its normals. Flat faces too: a program less costs more than it saves.
+bool spreadNormals(const FeatureInput& in) {
+  return in.frame.shadedOnce && in.frame.channel == 0 && !unlit(in) && !measured(in) &&
+         (in.frame.punctualLights || in.frame.environment);
+}
+
 // Does any target change this attribute?
 template <class T>
 bool targetsChange(const FeatureInput& in, std::vector<T> scene::MorphTarget::*attribute) {
@@ -157,6 +163,7 @@ constexpr FeatureRow rows[] = {
      }},
     {"flat normals per pixel", "FLAT_NORMALS", flatPerPixel},
     {"base colour texture", "HAS_BASE_COLOR_TEXTURE", baseColorTexture},
+    {"normals spread over the pixel", "SPREAD_NORMALS", spreadNormals},
     {"specular-glossiness", "SPECULAR_GLOSSINESS", specularGlossiness},
     {"metallic-roughness texture", "HAS_METALLIC_ROUGHNESS_TEXTURE", metallicRoughnessTexture},
     {"normal texture", "HAS_NORMAL_TEXTURE", normalTexture},
@@ -261,7 +268,7 @@ void setModels(const FeatureInput& in, VariantKey& key) {
     key.masking = static_cast<uint8_t>(models.masking);
   }
   key.energy = energyIndex(in, key);
-  if (environment && !sampled && models.imageLight != optics::ImageLight::mean)
+  if (environment && !sampled && models.imageLight != optics::usualLookUp)
     key.imageLight = static_cast<uint8_t>(models.imageLight);
   if (!(lights || sampled) || models.fresnel == optics::FresnelModel::schlick) return;
   const optics::MetalPreset* metal =
@@ -391,6 +398,14 @@ VariantKey fittedKey(const VariantKey& key, optics::DiffuseModel diffuse) {
   }
   fitted.diffuse = static_cast<uint8_t>(diffuse);
   return fitted;
+}
+
+int imageLightTaps(const VariantKey& key) {
+  if (!usesFeature(key, "HAS_ENVIRONMENT") || key.imageLightSamples != 0) return 0;
+  // A grain has look-ups of its own.
+  if (usesFeature(key, "HAS_ANISOTROPY") && !usesFeature(key, "HAS_CLEARCOAT")) return 0;
+  const auto lookUp = static_cast<optics::ImageLight>(key.imageLight);
+  return optics::tapsOf(lookUp == optics::ImageLight::automatic ? optics::usualLookUp : lookUp);
 }
 
 bool isMeasured(const VariantKey& key) { return usesFeature(key, "MERL_BRDF") || usesFeature(key, "UTIA_BRDF"); }

@@ -33,6 +33,7 @@ struct FrameFeatures {
   bool environment = false;
   bool occlusion = true;  // false: occlusion textures are switched off
   int channel = 0;
+  bool shadedOnce = false;    // a pixel, for all of its coverage samples
   int imageLightSamples = 0;  // 0: split sum from the tables; else environment samples per shaded sample
   optics::Models models = {};
   Measured measured = Measured::none;
@@ -89,6 +90,9 @@ std::string texCoordDefine(int set);  // "HAS_TEXCOORD_3"
 
 // True where the key's draws read punctual lights, the environment, the DFG table.
 bool usesFeature(const VariantKey& key, const char* define);
+
+// How many fitted look-ups of the environment each of its lobes takes; 0: none, or others.
+int imageLightTaps(const VariantKey& key);
 
 // True where the key's draws show a measured BRDF.
 bool isMeasured(const VariantKey& key);

@@ -22,13 +22,18 @@ constexpr ibl::Method previewMethod{.cube = ibl::CubeMethod::oneTap,
                                     .irradianceSize = 8};
 
 bool covers(const ibl::Needs& have, const ibl::Needs& wanted) {
-  return have.irradiance >= wanted.irradiance && have.layers >= wanted.layers && have.cube >= wanted.cube &&
-         have.lowestRoughness <= wanted.lowestRoughness && have.highestRoughness >= wanted.highestRoughness;
+  return have.background >= wanted.background && have.irradiance >= wanted.irradiance && have.layers >= wanted.layers &&
+         have.cube >= wanted.cube && have.lowestRoughness <= wanted.lowestRoughness &&
+         have.highestRoughness >= wanted.highestRoughness;
 }
 
 void logTables(const ibl::Tables& tables) {
   for (const ibl::TableStatistics& table : tables.statistics)
     log::debug("table: " + table.name + ", " + std::to_string(std::lround(table.milliseconds)) + " ms");
+}
+
+bool isSmall(const EnvironmentSlot& slot) {
+  return slot.environment && slot.environment->radiance.size() <= ibl::backgroundTexelsAtOnce;
 }
 
 // Steps, waiting for each, until the time is over.
@@ -44,15 +49,17 @@ Result<void> runFor(ibl::Precompute& work, double ms) {
 }  // namespace
 
 size_t EnvironmentSlot::bytes() const {
-  const size_t texels = environment ? environment->radiance.size() * sizeof(glm::vec3) : 0;
-  return texels + onGpu.tables.bytes();
+  size_t texels = environment ? environment->radiance.size() : 0;
+  if (onGpu.prepared) texels += onGpu.prepared->reduced.radiance.size();
+  return texels * sizeof(glm::vec3) + onGpu.tables.bytes();
 }
 
 Result<void> provideTables(EnvironmentSlot& slot, const ibl::Needs& needs, shading::ProgramStore& programs,
                            double immediateMs) {
   ibl::Tables& tables = slot.onGpu.tables;
-  // What does not depend on the environment is cheap, and the background is not to be uploaded twice.
-  const ibl::Needs cheap{.dfg = needs.dfg, .sheen = needs.sheen, .background = needs.background};
+  // What does not depend on the environment, and a small map as background, which is not worth a preview.
+  const ibl::Needs cheap{
+      .dfg = needs.dfg, .taps = needs.taps, .sheen = needs.sheen, .background = needs.background && isSmall(slot)};
   if (Result<void> r = frame::prepareTables(slot.onGpu, cheap, programs); !r) return r;
   logTables(tables);
   if (slot.preview && covers(slot.sharpening->needs, needs)) return {};
@@ -60,16 +67,20 @@ Result<void> provideTables(EnvironmentSlot& slot, const ibl::Needs& needs, shadi
   ibl::loadTables(tables, slot.onGpu.environment, slot.onGpu.content, needs, slot.onGpu.cache, slot.onGpu.method);
   logTables(tables);
   const std::vector<ibl::Piece> missing = ibl::missingPieces(tables, needs);
-  if (missing.empty()) return {};
-  ibl::Precompute work = ibl::planTables(tables, slot.onGpu.environment, needs, programs, slot.onGpu.method);
+  if (missing.empty() && (!needs.background || tables.background)) return {};
+  const ibl::PreparedEnvironment* const prepared = slot.onGpu.prepared.get();
+  ibl::Precompute work = ibl::planTables(tables, slot.onGpu.environment, prepared, needs, programs, slot.onGpu.method);
   slot.toStore.insert(slot.toStore.end(), missing.begin(), missing.end());
   if (Result<void> r = runFor(work, immediateMs); !r) return r;
   if (work.done()) return ibl::finish(std::move(work), tables), Result<void>();
-  ibl::Method preview = previewMethod;
-  preview.takeSunOut = slot.onGpu.method.takeSunOut;
-  if (Result<void> r = ibl::computeTables(tables, slot.onGpu.environment, needs, programs, preview); !r) return r;
+  // Of the reduced map, the background among them.
+  const bool coarseBackground = needs.background && !tables.background;
+  const ibl::PreparedEnvironment small = ibl::reducedFurther(*prepared, previewMethod.equirectWidth);
+  if (Result<void> r = ibl::computeTables(tables, &prepared->reduced, needs, programs, previewMethod, &small); !r)
+    return r;
   logTables(tables);
-  slot.sharpening = Sharpening{std::move(work), needs, gl::Timer::create()};
+  slot.sharpening = Sharpening{
+      .work = std::move(work), .needs = needs, .timer = gl::Timer::create(), .coarseBackground = coarseBackground};
   slot.preview = true;
   return {};
 }
@@ -108,6 +119,7 @@ Result<bool> sharpen(EnvironmentSlot& slot) {
 }
 
 void cancelSharpening(EnvironmentSlot& slot) {
+  const bool background = slot.sharpening && slot.sharpening->coarseBackground;
   slot.sharpening.reset();
   slot.toStore.clear();
   slot.packed.clear();
@@ -116,6 +128,7 @@ void cancelSharpening(EnvironmentSlot& slot) {
   ibl::Tables& tables = slot.onGpu.tables;
   for (gl::Texture* texture : {&tables.irradiance, &tables.mirrorLayers, &tables.roughLayers, &tables.cube})
     *texture = {};
+  if (background) tables.background = {};
   tables.layersMade = {};
 }
 

@@ -23,6 +23,7 @@ struct Sharpening {
   uint64_t issuedFetches = 0;
   double issueMs = 0;     // CPU time of the last steps
   double msPerFetch = 0;  // of the last steps; 0: not known yet
+  bool coarseBackground = false;
 };
 
 struct EnvironmentSlot {

@@ -41,6 +41,8 @@ EnvironmentLoaded loadEnvironment(const std::string& source, bool again) {
     Result<scene::Environment> loaded = io::loadEnvironmentSource(source, out.notes);
     if (loaded) {
       out.content = ibl::contentKey(*loaded);
+      out.prepared =
+          std::make_shared<const ibl::PreparedEnvironment>(ibl::prepareEnvironment(*loaded, {.takeSunOut = true}));
       out.environment = std::make_shared<const scene::Environment>(std::move(*loaded));
     } else {
       out.environment = tl::unexpected(loaded.error());

@@ -14,6 +14,7 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "frame/fitted_gpu.hpp"
+#include "ibl/source.hpp"
 #include "io/bump.hpp"
 #include "io/gltf.hpp"
 #include "io/image.hpp"
@@ -41,7 +42,8 @@ struct EnvironmentLoaded {
   bool again = false;
   Result<std::shared_ptr<const scene::Environment>> environment;  // null for "none"
   Notes notes;
-  std::string content;  // ibl::contentKey
+  std::string content;                                            // ibl::contentKey
+  std::shared_ptr<const ibl::PreparedEnvironment> prepared = {};  // its sun taken out
 };
 
 struct MeasuredLoaded {

@@ -42,7 +42,9 @@ Result<bool> prepare(Viewport& viewport, const ViewerState& state, const scene::
   if (!r.movingFeatures) {
     r.movingFeatures = viewport.list.features;
     shading::FrameFeatures resting = viewport.list.features;
-    resting.imageLightSamples = frame::drawOptions(state.settings, resting.environment).features.imageLightSamples;
+    const frame::DrawOptions options = frame::drawOptions(state.settings, resting.environment);
+    resting.imageLightSamples = options.features.imageLightSamples;
+    resting.shadedOnce = options.features.shadedOnce;
     frame::setFeatures(viewport.list, resting);
   }
   EnvironmentSlot& environment = *viewport.environments.shown;

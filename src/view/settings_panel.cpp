@@ -255,7 +255,7 @@ void modelsSection(ViewerState& state) {
                                        {"F82-tint", "metals whose complex index is known"}};
   static constexpr Choice distributions[] = {{"GGX", "glTF's"}, {"Beckmann", nullptr}, {"Blinn", nullptr}};
   static constexpr Choice maskings[] = {{"Smith", "glTF's"}, {"approximate", nullptr}, {"V-cavities", nullptr}};
-  static constexpr Choice imageLights[] = {{"automatic", "mean direction; sampled with more than 4 samples"},
+  static constexpr Choice imageLights[] = {{"automatic", "3 fitted taps; sampled with more than 4 samples"},
                                            {"mirror direction", "the usual split sum: N = V = R"},
                                            {"shifted direction", "UE4's and Frostbite's"},
                                            {"mean direction", "where the lobe looks on average"},

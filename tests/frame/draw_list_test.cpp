@@ -117,10 +117,12 @@ TEST_CASE("Draw list: what the draws need of the tables") {
   CHECK(converging.irradiance);
   CHECK_FALSE(converging.layers);
   CHECK(converging.cube);
-  frame::DrawOptions fitted{.features = {.environment = true}};
-  fitted.features.models.imageLight = optics::ImageLight::taps3;
-  CHECK(needs(fitted).taps);
-  CHECK_FALSE(environment.taps);
+  CHECK(environment.taps);
+  CHECK_FALSE(demo.taps);
+  CHECK_FALSE(converging.taps);
+  frame::DrawOptions mean{.features = {.environment = true}};
+  mean.features.models.imageLight = optics::ImageLight::mean;
+  CHECK_FALSE(needs(mean).taps);
   // A debug view needs nothing.
   const ibl::Needs view = needs({.features = {.environment = true, .channel = 1}, .demoLights = true});
   CHECK_FALSE(view.dfg);
@@ -128,7 +130,8 @@ TEST_CASE("Draw list: what the draws need of the tables") {
 }
 
 TEST_CASE("Draw list: the range of roughness in which lobes look the environment's layers up") {
-  const frame::DrawOptions lit{.features = {.environment = true}};
+  frame::DrawOptions lit{.features = {.environment = true}};
+  lit.features.models.imageLight = optics::ImageLight::mean;
   const json texture = {{"index", 0}};
   const auto range = [&](const std::vector<json>& materials, const frame::DrawOptions& options) {
     test::GltfBuilder builder = test::triangle();
@@ -165,7 +168,8 @@ TEST_CASE("Draw list: the range of roughness in which lobes look the environment
   CHECK(range({with(rough(0.8), "sheen", {{"sheenColorFactor", {1, 1, 1}}})}, lit) == glm::vec2(0.4f, 0.8f));
   CHECK(range({with(rough(0.3), "anisotropy", {{"anisotropyStrength", 0.5}})}, lit) == glm::vec2(0.3f, 1));
   CHECK(range({with({}, "pbrSpecularGlossiness", {{"glossinessFactor", 0.75}})}, lit) == glm::vec2(0.25f));
-  // Fitted look-ups go to smoother layers too.
+  // Fitted look-ups, the default among them, go to smoother layers too.
+  CHECK(range({rough(0.5)}, {.features = {.environment = true}}).x < 0.45f);
   frame::DrawOptions fitted = lit;
   fitted.features.models.imageLight = optics::ImageLight::taps2;
   const glm::vec2 spread = range({rough(0.5)}, fitted);
@@ -173,6 +177,13 @@ TEST_CASE("Draw list: the range of roughness in which lobes look the environment
   CHECK(spread.x > 0.1f);
   CHECK(spread.y > 0.5f);
   CHECK(spread.y < 0.9f);
+  // Where a pixel is shaded once its lobes may be wider, but not narrower.
+  frame::DrawOptions once = lit;
+  once.features.shadedOnce = true;
+  CHECK(range({rough(0)}, once).x == 0);
+  CHECK(range({rough(0)}, once).y == Approx(std::pow(0.02, 0.25)));
+  CHECK(range({rough(0.5), rough(0), rough(0.9)}, once).y == Approx(std::pow(std::pow(0.9, 4) + 0.02, 0.25)));
+  CHECK(range({rough(1)}, once) == glm::vec2(1));
   // What converges samples the environment itself, and what is unlit needs nothing: the range says nothing there.
   CHECK(range({rough(0.5)}, {.features = {.environment = true, .imageLightSamples = 4}}) == glm::vec2(0, 1));
   CHECK(range({rough(0.5)}, {}) == glm::vec2(0, 1));

@@ -42,7 +42,7 @@ Run Preparing::operator()(const ibl::TableCache& cache, const scene::Environment
   std::string content;
   REQUIRE(ibl::prepareTables(run.tables, &map, content, needs, programs, cache, method));
   for (const ibl::TableStatistics& table : run.tables.statistics)
-    (table.name.ends_with("(cached)") ? run.cached : run.computed) += 1;
+    if (table.name != "background") (table.name.ends_with("(cached)") ? run.cached : run.computed) += 1;
   return run;
 }
 

@@ -39,6 +39,36 @@ TEST_CASE("The prefilter's kernel integrates to 1 and is D NoL") {
   CHECK(optics::prefilterKernel(1, 0.5) == Approx(std::cos(0.5) / pi));
 }
 
+TEST_CASE("A cell's cosine is the mean over its spread, one across the horizon too") {
+  for (const double c : {-0.2, -0.05, 0.0, 0.03, 0.11, 0.5}) {
+    const double halfWidth = 0.1, variance = halfWidth * halfWidth / 3;
+    double mean = 0;
+    for (int i = 0; i < 1000; ++i) mean += std::max(c + halfWidth * ((i + 0.5) / 500 - 1), 0.0) / 1000;
+    CHECK(optics::spreadCosine(c, variance) == Approx(mean).margin(1e-6));
+  }
+  CHECK(optics::spreadCosine(0.3, 0) == 0.3);
+  CHECK(optics::spreadCosine(-0.3, 0) == 0);
+  CHECK(optics::spreadCosine(0, 0) == 0);
+  // A cap of 0.2 rad about 1.5 rad from N, a third of it below the horizon, as one cell.
+  const double cap = 0.2, from = 1.5;
+  double sum = 0, area = 0;
+  glm::dvec3 mean(0);
+  for (int i = 0; i < 400; ++i)
+    for (int k = 0; k < 400; ++k) {
+      const double theta = cap * (i + 0.5) / 400, phi = 2 * pi * (k + 0.5) / 400, dw = std::sin(theta);
+      const glm::dvec3 d(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
+      sum += dw * std::max(std::sin(from) * d.x + std::cos(from) * d.z, 0.0), area += dw, mean += dw * d;
+    }
+  mean /= area;
+  const double cosine = std::sin(from) * mean.x + std::cos(from) * mean.z;
+  const double variance = (1 - glm::dot(mean, mean)) / 2;
+  CHECK(optics::spreadCosine(cosine, variance) == Approx(sum / area).epsilon(0.01));
+  CHECK(std::abs(std::max(cosine, 0.0) / (sum / area) - 1) > 0.1);  // what the centroid alone would be off by
+  for (const double theta : {0.2, 1.0})
+    CHECK(optics::spreadZonalKernel(std::cos(theta), 0, 0.64) / optics::spreadZonalKernel(1, 0, 0.64) ==
+          Approx(optics::prefilterKernel(0.64, theta) / optics::prefilterKernel(0.64, 0)));
+}
+
 TEST_CASE("A hexagonal blur has the coefficients of its Gaussian") {
   const double tau = 0.02;
   const std::vector<double> taps = optics::coefficients(optics::hexagonalBlur(tau), 80);

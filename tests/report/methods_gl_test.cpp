@@ -10,15 +10,15 @@ using namespace facet;
 
 TEST_CASE("methods: of each part the cheapest within the error, the best where none is") {
   using ibl::Part;
-  CHECK(ibl::choose(Part::irradiance, 0.1).name == "summed over 8 x 8 at 8 x 8");
-  CHECK(ibl::choose(Part::irradiance, 0.02).name == "summed over 16 x 16 at 16 x 16");
-  CHECK(ibl::choose(Part::irradiance, 0.01).name == "summed over 16 x 16 at 32 x 32");
-  CHECK(ibl::choose(Part::irradiance, 1e-6).name == "summed over 64 x 64 at 32 x 32");
-  CHECK(ibl::choose(Part::layers, 0.01).name == "mixture, summed over 16 x 16");
+  CHECK(ibl::choose(Part::irradiance, 0.1).name == "8 x 8 cells at 8 x 8");
+  CHECK(ibl::choose(Part::irradiance, 0.02).name == "8 x 8 cells at 16 x 16");
+  CHECK(ibl::choose(Part::irradiance, 0.01).name == "8 x 8 cells at 32 x 32");
+  CHECK(ibl::choose(Part::irradiance, 1e-6).name == "16 x 16 cells at 64 x 64");
+  CHECK(ibl::choose(Part::layers, 0.01).name == "mixture, 4 x 4 cells");
   CHECK(ibl::choose(Part::dfg, 0.005).name == "64 x 64");
   const ibl::Method tight = ibl::methodFor(0.003), loose = ibl::methodFor(0.06);
-  CHECK((tight.sumSize == 64 && tight.irradianceSize == 32 && tight.dfgSize == 64));
-  CHECK((loose.sumSize == 16 && loose.irradianceSize == 8 && loose.dfgSize == 16));
+  CHECK((tight.sumSize == 16 && tight.irradianceSize == 32 && tight.dfgSize == 64));
+  CHECK((loose.sumSize == 8 && loose.irradianceSize == 8 && loose.dfgSize == 16));
   // Without an error to keep to: what 1 % asks for, but for the finer DFG table.
   ibl::Method usual = ibl::methodFor(0.01);
   usual.dfgSize = ibl::Method().dfgSize;

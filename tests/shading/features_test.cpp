@@ -231,14 +231,30 @@ TEST_CASE("Models: only what the draw can show enters its key, and the defaults 
   lobes.punctualLights = false;
   CHECK(shading::variantKey({metal, full, lobes}).distribution == 0);
 
+  // A pixel that is shaded once shows its normals' spread, where normals vary and something shines.
+  FrameFeatures once = lit;
+  once.shadedOnce = true;
+  CHECK(definesOf(gold, once).count("SPREAD_NORMALS") == 1);
+  CHECK(definesOf(gold, lit).count("SPREAD_NORMALS") == 0);
+  once.channel = 1;
+  CHECK(definesOf(gold, once).count("SPREAD_NORMALS") == 0);
+  once.channel = 0;
+  once.environment = once.punctualLights = false;
+  CHECK(definesOf(gold, once).count("SPREAD_NORMALS") == 0);
+
   FrameFeatures looked = lit;
   looked.models.imageLight = optics::ImageLight::taps2;
   CHECK(variant(gold, full, looked) == "normals, punctual lights, environment, 2 taps");
   CHECK(definesOf(gold, looked).count("IMAGE_LIGHT_MODEL") == 1);
-  looked.models.imageLight = optics::ImageLight::mean;  // what the default is
+  CHECK(shading::imageLightTaps(shading::variantKey({gold, full, looked})) == 2);
+  CHECK(shading::imageLightTaps(shading::variantKey({gold, full, lit})) == 3);
+  looked.models.imageLight = optics::ImageLight::mean;
+  CHECK(shading::imageLightTaps(shading::variantKey({gold, full, looked})) == 0);
+  looked.models.imageLight = optics::ImageLight::taps3;  // what the default is
   CHECK(shading::variantKey({gold, full, looked}) == shading::variantKey({gold, full, lit}));
   looked.models.imageLight = optics::ImageLight::mirror;
   looked.imageLightSamples = 4;  // looks nothing up
+  CHECK(shading::imageLightTaps(shading::variantKey({gold, full, looked})) == 0);
   CHECK(definesOf(gold, looked).count("IMAGE_LIGHT_MODEL") == 0);
   looked.imageLightSamples = 0;
   looked.environment = false;
