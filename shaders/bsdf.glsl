@@ -84,6 +84,11 @@ struct Surface {
 #endif
 };
 
+void setRoughness(inout Surface s, float perceptualRoughness) {
+  s.perceptualRoughness = perceptualRoughness;
+  s.alpha = perceptualRoughness * perceptualRoughness;
+}
+
 Surface makeSurface(vec3 N, vec3 V, vec3 baseColor, float metallic, float perceptualRoughness, float occlusion) {
   Surface s;
   s.N = N;
@@ -92,8 +97,7 @@ Surface makeSurface(vec3 N, vec3 V, vec3 baseColor, float metallic, float percep
   s.baseColor = baseColor;
   s.metallic = metallic;
   s.dielectricF0 = vec3(0.04);
-  s.perceptualRoughness = perceptualRoughness;
-  s.alpha = perceptualRoughness * perceptualRoughness;
+  setRoughness(s, perceptualRoughness);
   s.dfg = vec3(1.0, 0.0, 0.0);
 #if ENERGY_MODEL == 3
   s.albedoL = 1.0;

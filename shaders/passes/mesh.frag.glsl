@@ -117,8 +117,7 @@ vec4 litRadiance(Varyings v, vec3 V, vec3 baseColor) {
   Surface s = makeSurface(materialNormal(v, V), V, baseColor, metallicRoughness.x, metallicRoughness.y, materialOcclusion(v));
 #endif
 #ifdef SPREAD_NORMALS
-  s.perceptualRoughness = roughnessOverPixel(s.perceptualRoughness, dFdx(s.N), dFdy(s.N));
-  s.alpha = s.perceptualRoughness * s.perceptualRoughness;
+  setRoughness(s, roughnessOverPixel(s.perceptualRoughness, dFdx(s.N), dFdy(s.N)));
 #endif
 #ifdef HAS_DFG
   s.dfg = lookUpDfg(s.NoV, s.perceptualRoughness);

@@ -235,7 +235,8 @@ Result<void> dfgCorners(Context& context) {
 Result<void> furnaceCorners(Context& context) {
   Row row(context, "white furnace: metal and dielectric", false, 1e-3, "half floats");
   const scene::Environment map = constantMap(64, 32, glm::vec3(1));
-  const Result<ibl::Tables> tables = tablesOf(context, &map, {.dfg = true, .irradiance = true, .layers = true});
+  const Result<ibl::Tables> tables =
+      tablesOf(context, &map, {.dfg = true, .irradiance = true, .layers = true, .taps = true});
   if (!tables) return tl::unexpected(tables.error());
   std::vector<glm::vec4> inputs;
   for (const float NoV : {-0.5f, 0.0f, 1e-4f, 0.02f, 0.3f, 0.7f, 1.0f})
