@@ -187,7 +187,7 @@ TEST_CASE("facet selftest: table, JSON, exit status") {
   CHECK_THAT(table.text, Catch::Contains("D_GGX") && Catch::Contains("131 checks, 0 failed"));
   const auto json = nlohmann::json::parse(test::runFacet({"--log-level", "error", "selftest", "--json"}).text);
   CHECK(json["passed"] == true);
-  CHECK(json["checks"].size() == 128);
+  CHECK(json["checks"].size() == 131);
   CHECK(json["checks"][0]["function"] == "D_GGX");
 
   // A folder with one broken chunk: the failure is named and the exit status says so.
