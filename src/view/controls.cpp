@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "view/camera_control.hpp"
+#include "view/listing.hpp"
 #include "view/playback.hpp"
 
 namespace facet::view {
@@ -164,6 +165,10 @@ const std::vector<Shortcut> shortcuts = {
     {"Window", "Esc", "cancel loading, close the help, deselect, quit"},
     {"Window", "Ctrl+Q", "quit"},
 };
+
+bool isAbout(const Shortcut& shortcut, std::string_view query) {
+  return hasWords(std::string(shortcut.group) + " " + shortcut.keys + " " + shortcut.does, query);
+}
 
 Actions control(const Input& input, const Flight& flight, const std::optional<scene::View>& view, double windowHeight,
                 ViewerState& state) {

@@ -36,6 +36,9 @@ struct Shortcut {
 };
 extern const std::vector<Shortcut> shortcuts;
 
+// Every word of the query, in any case, is part of its group, its keys or what it does.
+bool isAbout(const Shortcut& shortcut, std::string_view query);
+
 // Applies what came in. view: what is on the screen, from which the hand starts when it takes over from a camera of the
 // file; windowHeight in the unit of the cursor.
 Actions control(const Input& input, const Flight& flight, const std::optional<scene::View>& view, double windowHeight,

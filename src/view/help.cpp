@@ -7,14 +7,16 @@
 
 #include "view/controls.hpp"
 #include "view/panel_window.hpp"
+#include "view/widgets.hpp"
 
 namespace facet::view {
 
 namespace {
 
-void shortcutRows() {
+void shortcutRows(const std::string& filter) {
   std::string_view group;
   for (const Shortcut& shortcut : shortcuts) {
+    if (!isAbout(shortcut, filter)) continue;
     if (group != shortcut.group) {
       if (!group.empty()) ImGui::TableNextRow(ImGuiTableRowFlags_None, 0.5f * ImGui::GetFontSize());
       ImGui::TableNextRow();
@@ -28,6 +30,9 @@ void shortcutRows() {
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(shortcut.does);
   }
+  if (!group.empty()) return;
+  ImGui::TableNextColumn();
+  ImGui::TextDisabled("none matches");
 }
 
 }  // namespace
@@ -49,11 +54,18 @@ void drawHelp(ViewerState& state, PanelResult& result) {
     ImGui::TextUnformatted("Keys and mouse");
     ImGui::SameLine(36 * em);
     if (ImGui::SmallButton("close")) state.helpVisible = false;
+    const bool appears = ImGui::IsWindowAppearing();
+    if (appears) state.helpFilter.clear(), ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(38 * em);
+    searchField("##search", "search the keys", state.helpFilter);
+    // The field has the keyboard, so that the window's own keys do not come.
+    if (!appears && ImGui::GetIO().WantTextInput && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false))
+      state.helpVisible = false;
     ImGui::Dummy({38 * em, 0.3f * em});
     if (ImGui::BeginTable("shortcuts", 2)) {
       ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 12 * em);
       ImGui::TableSetupColumn("does", ImGuiTableColumnFlags_WidthFixed, 26 * em);
-      shortcutRows();
+      shortcutRows(state.helpFilter);
       ImGui::EndTable();
     }
     result.areas.push_back(windowArea());

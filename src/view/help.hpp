@@ -5,7 +5,7 @@
 
 namespace facet::view {
 
-// All shortcuts, over the picture, while state.helpVisible.
+// The shortcuts, searchable, over the picture, while state.helpVisible. Typing goes to the search.
 void drawHelp(ViewerState& state, PanelResult& result);
 
 }  // namespace facet::view

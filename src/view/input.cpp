@@ -63,7 +63,8 @@ void onScroll(GLFWwindow* window, double, double y) {
 
 void onKey(GLFWwindow* window, int key, int, int action, int modifiers) {
   Input& input = inputOf(window);
-  if (action == GLFW_PRESS && !input.keyboardTaken)
+  // No text has a use for F1, which closes the help that it has opened.
+  if (action == GLFW_PRESS && (!input.keyboardTaken || key == GLFW_KEY_F1))
     input.keys.push_back({key, (modifiers & GLFW_MOD_CONTROL) != 0, (modifiers & GLFW_MOD_SHIFT) != 0});
 }
 

@@ -95,13 +95,15 @@ FolderListing scanFolder(const fs::path& folder, const ScanLimits& limits, const
   return listing;
 }
 
-bool matches(const Entry& entry, std::string_view query) {
-  const std::string text = lower(entry.name + " " + entry.place);
+bool hasWords(std::string_view text, std::string_view query) {
+  const std::string searched = lower(text);
   std::istringstream words(lower(query));
   for (std::string word; words >> word;)
-    if (text.find(word) == std::string::npos) return false;
+    if (searched.find(word) == std::string::npos) return false;
   return true;
 }
+
+bool matches(const Entry& entry, std::string_view query) { return hasWords(entry.name + " " + entry.place, query); }
 
 std::vector<int> filtered(const std::vector<Entry>& entries, FileKind kind, std::string_view query) {
   std::vector<int> found;

@@ -43,7 +43,10 @@ struct FolderListing {
 FolderListing scanFolder(const std::filesystem::path& folder, const ScanLimits& limits = {},
                          const std::stop_token& stop = {});
 
-// Every word of the query, in any case, is part of the entry's name or place.
+// Every word of the query, in any case, is part of the text.
+bool hasWords(std::string_view text, std::string_view query);
+
+// The same of the entry's name and place.
 bool matches(const Entry& entry, std::string_view query);
 
 // Indices of the entries of that kind that match; of several with one source the first.

@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 
 #include "optics/synthetic_brdf.hpp"
 #include "view/settings_panel.hpp"
@@ -48,10 +47,8 @@ void databaseRow(ViewerState& state, const Entry& entry) {
 }
 
 void databaseList(ViewerState& state) {
-  char filter[128] = "";
-  std::strncpy(filter, state.brdfFilter.c_str(), sizeof filter - 1);
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::InputTextWithHint("##databases", "search the databases", filter, sizeof filter)) state.brdfFilter = filter;
+  searchField("##databases", "search the databases", state.brdfFilter);
   hint(
       "MERL and UTIA files in --brdf-dir, resources/brdf, $XDG_DATA_HOME/facet/brdf and folders that are browsed, "
       "and built-in ones; drop a file to add it");

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <iterator>
 #include <string_view>
 
@@ -67,11 +66,9 @@ void materialLink(ViewerState& state, PanelResult& result, int material) {
 
 // ---- The tree -------------------------------------------------------------------------------------------------------
 
-void searchField(SceneTree& tree) {
-  char text[128] = "";
-  std::strncpy(text, tree.filter.c_str(), sizeof text - 1);
+void treeSearch(SceneTree& tree) {
   ImGui::SetNextItemWidth(-7.5f * ImGui::GetFontSize() - ImGui::GetStyle().ItemSpacing.x);
-  if (ImGui::InputTextWithHint("##search", "search by name", text, sizeof text)) tree.filter = text, tree.stale = true;
+  if (searchField("##search", "search by name", tree.filter)) tree.stale = true;
   ImGui::SameLine();
   static constexpr const char* kinds[] = {"nodes", "meshes", "materials"};
   ImGui::SetNextItemWidth(7.5f * ImGui::GetFontSize());
@@ -271,7 +268,7 @@ void materialTable(const ViewerState& state, const std::string& name) {
 void scenePanel(ViewerState& state, PanelResult& result) {
   if (!state.shown.content) return;
   const scene::Model& model = *state.shown.content;
-  searchField(state.tree);
+  treeSearch(state.tree);
   const bool chosen = state.selection.node >= 0 || state.selection.material >= 0;
   const float all = ImGui::GetContentRegionAvail().y;
   treeList(state, result, chosen ? 0.36f * all : std::max(all, 1.0f));

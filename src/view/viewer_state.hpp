@@ -151,6 +151,7 @@ struct ViewerState {
   bool modelFailed = false;  // one at least could not be shown
   std::string openGL;        // version and renderer
   bool helpVisible = false;
+  std::string helpFilter;
   bool searchAsked = false;  // the browser's search is to take the keyboard
   bool panelVisible = true;  // the panels that are chosen to be shown; one key hides all
   bool browserVisible = true, settingsVisible = true, timelineVisible = true;

@@ -1,5 +1,7 @@
 #include "view/widgets.hpp"
 
+#include <cstring>
+
 #include "base/srgb.hpp"
 
 namespace facet::view {
@@ -44,6 +46,14 @@ void editColor(const char* label, glm::vec3& linear, const glm::vec3& usual, con
     for (int c = 0; c < 3; ++c) linear[c] = static_cast<float>(linearFromSrgb(encoded[c]));
   if (resetAsked()) linear = usual;
   resettableHint(explanation);
+}
+
+bool searchField(const char* id, const char* emptyText, std::string& text) {
+  char typed[128] = "";
+  std::strncpy(typed, text.c_str(), sizeof typed - 1);
+  if (!ImGui::InputTextWithHint(id, emptyText, typed, sizeof typed)) return false;
+  text = typed;
+  return true;
 }
 
 bool beginList(const char* label, const std::string& chosen) {

@@ -24,6 +24,9 @@ bool slider(const char* label, float& value, float low, float high, const char* 
 // Colours are linear inside and chosen as they look.
 void editColor(const char* label, glm::vec3& linear, const glm::vec3& usual, const char* explanation);
 
+// A field for what is searched. True where it has changed.
+bool searchField(const char* id, const char* emptyText, std::string& text);
+
 // Ends with ImGui::EndCombo where true. Escape closes the list.
 bool beginList(const char* label, const std::string& chosen);
 

@@ -3,6 +3,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "view/camera_control.hpp"
@@ -195,4 +196,20 @@ TEST_CASE("controls: dropped files are told apart by their ending") {
   CHECK(drop(state, "/").folders == std::vector<std::string>{"/"});
   CHECK(state.panelVisible);
   CHECK(state.browserVisible);
+}
+
+TEST_CASE("controls: shortcuts are found by any words of theirs") {
+  const auto found = [](const char* query) {
+    std::string keys;
+    for (const view::Shortcut& shortcut : view::shortcuts)
+      if (view::isAbout(shortcut, query)) keys += std::string(keys.empty() ? "" : "; ") + shortcut.keys;
+    return keys;
+  };
+  CHECK(found("turntable") == "O");
+  CHECK(found("SCREENSHOT") == "P, F12");
+  CHECK(found("camera fly") == "W A S D, PgUp PgDn");
+  CHECK(found("fly camera") == found("camera fly"));
+  CHECK(found("ctrl+q") == "Ctrl+Q");
+  CHECK(found("screenshot turntable").empty());
+  CHECK(std::ranges::all_of(view::shortcuts, [](const view::Shortcut& s) { return view::isAbout(s, "  "); }));
 }
