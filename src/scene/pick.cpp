@@ -103,7 +103,7 @@ void pickPrimitive(const Primitive& p, const Shape& shape, const Ray& ray, const
     const std::optional<Crossing> crossing = cross(local, corner);
     if (!crossing) continue;
     Hit hit = head;
-    hit.triangle = static_cast<uint32_t>(triangle);
+    hit.element = static_cast<uint32_t>(triangle);
     hit.vertices = vertices;
     hit.weights = crossing->weights;
     hit.distance = crossing->distance;
@@ -118,11 +118,74 @@ void pickPrimitive(const Primitive& p, const Shape& shape, const Ray& ray, const
   }
 }
 
-}  // namespace
+// Ends of a line, twice the same of a point.
+std::array<uint32_t, 2> lineVertices(const Primitive& p, size_t element) {
+  const size_t corners = cornerCount(p);
+  std::array<size_t, 2> ends = {element, element};
+  if (p.topology == Topology::lines) ends = {2 * element, 2 * element + 1};
+  if (p.topology == Topology::lineStrip || p.topology == Topology::lineLoop) ends[1] = (element + 1) % corners;
+  const auto vertex = [&](size_t corner) {
+    return p.indices.empty() ? static_cast<uint32_t>(corner) : p.indices[corner];
+  };
+  return {vertex(ends[0]), vertex(ends[1])};
+}
 
-std::vector<Hit> pick(const Model& model, const FlatScene& flat, const Pose& pose, const Ray& ray) {
-  std::vector<Hit> hits;
-  MorphedBounds morphed;
+size_t lineCount(const Primitive& p) {
+  const size_t corners = cornerCount(p);
+  if (hasTriangles(p.topology)) return 0;
+  if (p.topology == Topology::lines) return corners / 2;
+  if (p.topology == Topology::lineStrip) return corners > 0 ? corners - 1 : 0;
+  return corners;  // points, and the lines of a loop
+}
+
+// The point of a line in clip space that is seen nearest to the pixel: its share of the way to the other end, and how
+// far off it is in pixels. Nothing where all of it is before the near plane.
+struct Approach {
+  double share, pixels;
+};
+std::optional<Approach> approach(const Aim& aim, glm::dvec4 a, glm::dvec4 b) {
+  // Only what is behind the near plane, where w + z >= 0, is seen.
+  const double nearA = a.w + a.z, nearB = b.w + b.z;
+  double from = 0, to = 1;
+  if (nearA < 0) from = nearB > nearA ? nearA / (nearA - nearB) : 1;
+  if (nearB < 0) to = nearA > nearB ? nearA / (nearA - nearB) : 0;
+  if (from > to || (nearA < 0 && nearB < 0)) return std::nullopt;
+  const glm::dvec4 first = a + (b - a) * from, last = a + (b - a) * to;
+  if (!(first.w > 0 && last.w > 0)) return std::nullopt;
+  const auto seen = [&](const glm::dvec4& clip) { return (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * aim.picture; };
+  const glm::dvec2 start = seen(first), way = seen(last) - start;
+  const double length2 = glm::dot(way, way);
+  const double t = length2 > 0 ? std::clamp(glm::dot(aim.pixel - start, way) / length2, 0.0, 1.0) : 0.0;
+  const double pixels = glm::length(start + way * t - aim.pixel);
+  // Along the picture -> along the line.
+  const double share = t / last.w / ((1 - t) / first.w + t / last.w);
+  return Approach{from + (to - from) * share, pixels};
+}
+
+void pickThinPrimitive(const Primitive& p, const Shape& shape, const Ray& ray, const Aim& aim, const Hit& head,
+                       std::vector<std::pair<double, Hit>>& hits) {
+  const glm::dmat4 world = shape.instance.worldFromNode;
+  const auto position = [&](uint32_t v) { return deformedPosition(p, v, shape.weights, shape.joints, world); };
+  for (size_t element = 0; element < lineCount(p); ++element) {
+    const std::array<uint32_t, 2> ends = lineVertices(p, element);
+    const glm::dvec3 a = position(ends[0]), b = position(ends[1]);
+    const std::optional<Approach> near =
+        approach(aim, aim.clipFromWorld * glm::dvec4(a, 1), aim.clipFromWorld * glm::dvec4(b, 1));
+    if (!near || !(near->pixels <= aim.tolerance)) continue;
+    Hit hit = head;
+    hit.element = static_cast<uint32_t>(element);
+    hit.vertices = {ends[0], ends[1], ends[1]};
+    hit.weights = {1 - near->share, near->share, 0};
+    hit.position = a + (b - a) * near->share;
+    hit.distance = glm::dot(hit.position - ray.origin, ray.direction) / glm::dot(ray.direction, ray.direction);
+    hit.normal = -glm::normalize(ray.direction);
+    hits.emplace_back(near->pixels, hit);
+  }
+}
+
+// Calls visit(primitive, shape, hit that names them) for each primitive of each instance.
+template <class Visit>
+void forEachShape(const Model& model, const FlatScene& flat, const Pose& pose, const Visit& visit) {
   int instance = 0;
   for (size_t i = 0; i < flat.instances.size(); ++i) {
     const Instance& placed = flat.instances[i];
@@ -131,14 +194,35 @@ std::vector<Hit> pick(const Model& model, const FlatScene& flat, const Pose& pos
     Shape shape{placed, morphWeights(mesh, pose.nodes.of(model.nodes, placed.node)), {}};
     if (placed.skin >= 0) shape.joints = flat.joints[static_cast<size_t>(placed.skin)];
     for (size_t p = 0; p < mesh.primitives.size(); ++p) {
-      const Primitive& primitive = mesh.primitives[p];
-      if (!meets(ray, deformedBounds(primitive, shape.weights, shape.joints, placed.worldFromNode, morphed))) continue;
       Hit head;
       head.node = placed.node, head.mesh = placed.mesh, head.primitive = static_cast<int>(p), head.instance = instance;
-      pickPrimitive(primitive, shape, ray, head, hits);
+      visit(mesh.primitives[p], shape, head);
     }
   }
+}
+
+}  // namespace
+
+std::vector<Hit> pick(const Model& model, const FlatScene& flat, const Pose& pose, const Ray& ray) {
+  std::vector<Hit> hits;
+  MorphedBounds morphed;
+  forEachShape(model, flat, pose, [&](const Primitive& primitive, const Shape& shape, const Hit& head) {
+    const glm::dmat4& world = shape.instance.worldFromNode;
+    if (meets(ray, deformedBounds(primitive, shape.weights, shape.joints, world, morphed)))
+      pickPrimitive(primitive, shape, ray, head, hits);
+  });
   std::ranges::stable_sort(hits, {}, &Hit::distance);
+  return hits;
+}
+
+std::vector<Hit> pickThin(const Model& model, const FlatScene& flat, const Pose& pose, const Ray& ray, const Aim& aim) {
+  std::vector<std::pair<double, Hit>> found;
+  forEachShape(model, flat, pose, [&](const Primitive& primitive, const Shape& shape, const Hit& head) {
+    pickThinPrimitive(primitive, shape, ray, aim, head, found);
+  });
+  std::ranges::stable_sort(found, {}, &std::pair<double, Hit>::first);
+  std::vector<Hit> hits;
+  for (const auto& [pixels, hit] : found) hits.push_back(hit);
   return hits;
 }
 

@@ -13,6 +13,8 @@ namespace facet::view {
 
 namespace {
 
+constexpr double thinTolerance = 4;  // pixels of the window, for lines and points
+
 const scene::Model& modelOf(const Viewport& viewport) { return viewport.scene->loaded->model; }
 
 // The pose of what is shown, which the settings may have left already.
@@ -100,6 +102,79 @@ const scene::Hit* firstSeen(Viewport& viewport, const ViewerState& state, const 
     if (!alpha || *alpha) return &hit;
   }
   return nullptr;
+}
+
+struct Click {
+  const scene::FlatScene& flat;
+  const scene::Pose& pose;
+  double tolerance;  // pixels of the picture
+};
+
+// As seen by the view, in pixels from the lower left.
+glm::dvec2 pictureOf(const scene::View& view, const frame::PictureSettings& settings, const glm::dvec3& world) {
+  const glm::dvec4 clip = view.clipFromWorld * glm::dvec4(world, 1);
+  return (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * glm::dvec2(settings.width, settings.height);
+}
+
+PixelRay rayThroughPicture(const scene::View& view, const frame::PictureSettings& settings, const glm::dvec2& pixel) {
+  const glm::dvec2 size(settings.width, settings.height);
+  return rayThrough(view, {pixel.x, size.y - pixel.y}, size);
+}
+
+// How far the surface that a line lies on may rise before it within the tolerance.
+double riseAt(const scene::View& view, const frame::PictureSettings& settings, double tolerance,
+              const glm::dvec3& world) {
+  const double depth = view.orthographic ? 1 : glm::dot(world - view.eye, view.forward);
+  return 2 * tolerance * 2 * depth / (view.clipFromView[1][1] * settings.height);
+}
+
+// Of the pixels around the place, the nearest one that the line or point covers: how it is rasterised is the driver's.
+glm::ivec2 coveredPixel(Viewport& viewport, const ViewerState& state, Inspection at, const scene::Hit& hit,
+                        const glm::dvec2& place) {
+  const glm::ivec2 last(state.settings.width - 1, state.settings.height - 1);
+  const glm::ivec2 middle = glm::clamp(glm::ivec2(glm::floor(place)), glm::ivec2(0), last);
+  std::vector<glm::ivec2> around;
+  for (int y = -1; y <= 1; ++y)
+    for (int x = -1; x <= 1; ++x) around.push_back(glm::clamp(middle + glm::ivec2(x, y), glm::ivec2(0), last));
+  std::ranges::stable_sort(around, {}, [&](glm::ivec2 p) { return glm::distance(glm::dvec2(p) + 0.5, place); });
+  for (const glm::ivec2 pixel : around) {
+    at.pixel = pixel;
+    const auto alpha = valueAt(viewport, at, state.settings, hit, shading::channelIndex("alpha"));
+    if (alpha && *alpha) return pixel;
+  }
+  return middle;
+}
+
+// Where at.pixel is near to it, the line or point that is seen there, and the pixel where it is. surface: what was
+// clicked otherwise; may be null.
+std::optional<scene::Hit> thinSeen(Viewport& viewport, const ViewerState& state, const Click& click, Inspection& at,
+                                   const scene::Hit* surface) {
+  constexpr size_t tried = 16;
+  const scene::Model& model = modelOf(viewport);
+  const frame::PictureSettings& s = state.settings;
+  const glm::dvec2 centre = glm::dvec2(at.pixel) + 0.5;
+  const PixelRay ray = rayThroughPicture(at.view, s, centre);
+  std::vector<scene::Hit> hits =
+      scene::pickThin(model, click.flat, click.pose, {ray.origin, ray.direction},
+                      {at.view.clipFromWorld, centre, glm::dvec2(s.width, s.height), click.tolerance});
+  if (hits.size() > tried) hits.resize(tried);
+  for (const scene::Hit& hit : hits) {
+    const double rise = riseAt(at.view, s, click.tolerance, hit.position);
+    if (surface && surface->distance < hit.distance - rise) continue;
+    Inspection there = at;
+    const glm::dvec2 pixel = pictureOf(at.view, s, hit.position);
+    there.pixel = glm::clamp(glm::ivec2(glm::floor(pixel)), glm::ivec2(0), glm::ivec2(s.width - 1, s.height - 1));
+    if (!firstSeen(viewport, state, there, {hit})) continue;
+    const PixelRay through = rayThroughPicture(at.view, s, pixel);
+    const std::vector<scene::Hit> before =
+        scene::pick(model, click.flat, click.pose, {through.origin, through.direction});
+    const scene::Hit* hides = firstSeen(viewport, state, there, before);
+    const double distance = glm::dot(hit.position - through.origin, through.direction);
+    if (hides && hides->distance < distance - rise) continue;
+    at.pixel = coveredPixel(viewport, state, there, hit, pixel);
+    return hit;
+  }
+  return std::nullopt;
 }
 
 std::string text(const char* format, double a, double b = 0, double c = 0, double d = 0) {
@@ -217,13 +292,14 @@ void clickAt(Viewport& viewport, ViewerState& state, const glm::dvec2& at, const
   inspection.pixel = pixelOf(state.settings, at, windowSize);
   inspection.listNumber = viewport.listNumber;
   // Through the pixel's centre, where it is shaded.
-  const glm::dvec2 size(state.settings.width, state.settings.height);
-  const glm::dvec2 centre(inspection.pixel.x + 0.5, size.y - inspection.pixel.y - 0.5);
-  const PixelRay through = rayThrough(*view, centre, size);
+  const PixelRay through = rayThroughPicture(*view, state.settings, glm::dvec2(inspection.pixel) + 0.5);
   const scene::Model& model = modelOf(viewport);
   const scene::FlatScene flat = scene::flatten(model, viewport.built.scene, *pose);
   const std::vector<scene::Hit> hits = scene::pick(model, flat, *pose, {through.origin, through.direction});
-  const scene::Hit* hit = firstSeen(viewport, state, inspection, hits);
+  const scene::Hit* surface = firstSeen(viewport, state, inspection, hits);
+  const Click click{flat, *pose, thinTolerance * state.settings.height / windowSize.y};
+  const std::optional<scene::Hit> thin = thinSeen(viewport, state, click, inspection, surface);
+  const scene::Hit* hit = thin ? &*thin : surface;
   if (!hit) return;
   const scene::Primitive& primitive = primitiveOf(model, *hit);
   const frame::Draw* draw = drawOf(viewport.list, hit->node, primitive);

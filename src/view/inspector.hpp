@@ -9,7 +9,8 @@ namespace facet::view {
 
 // Selects what is drawn at the point, in pixels of a window of that size, from its top left; nothing there: deselects.
 // One-sided triangles are seen from the front only; where a material is masked, the texels that are left out are
-// clicked through. Lines and points cannot be picked.
+// clicked through. A line or a point is met from four pixels of the window on, unless a surface hides it or is clicked
+// in front of it; its values are those where it is nearest.
 void clickAt(Viewport& viewport, ViewerState& state, const glm::dvec2& at, const glm::dvec2& windowSize);
 
 // Looks up the next of the values, one a turn, because each may have to compile a program. True while there is more.

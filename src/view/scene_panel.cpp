@@ -6,6 +6,7 @@
 #include <iterator>
 #include <string_view>
 
+#include "scene/geometry.hpp"
 #include "scene/nodes.hpp"
 #include "view/inspector.hpp"
 #include "view/scene_tree.hpp"
@@ -227,7 +228,9 @@ void pointValues(const Inspection& at, const scene::Model& model) {
   detail("pixel", std::to_string(at.pixel.x) + ", " + std::to_string(at.pixel.y) + " from the lower left");
   if (at.uv) detail("uv", format("%.5f  %.5f", static_cast<double>(at.uv->x), static_cast<double>(at.uv->y)));
   if (mesh.primitives.size() > 1) detail("primitive", std::to_string(at.hit.primitive));
-  detail("triangle", grouped(at.hit.triangle));
+  const scene::Topology topology = mesh.primitives[static_cast<size_t>(at.hit.primitive)].topology;
+  const char* thin = topology == scene::Topology::points ? "point" : "line";
+  detail(scene::hasTriangles(topology) ? "triangle" : thin, grouped(at.hit.element));
   static constexpr const char* names[] = {"",         "normal",    "vertex normal", "tangent",  "",     "base colour",
                                           "metallic", "roughness", "occlusion",     "emissive", "alpha"};
   static_assert(std::size(names) == std::size(shading::channelNames));

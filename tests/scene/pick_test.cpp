@@ -125,3 +125,78 @@ TEST_CASE("pick: far from the origin, degenerate transforms and triangles") {
   model.nodes[0].scale = {0, 0, 0};
   CHECK(picked(model, {{0, 0, 5}, down}).empty());
 }
+
+namespace {
+
+// Through a picture of 200 x 100 pixels.
+std::vector<Hit> thin(const Primitive& p, const glm::dmat4& clipFromWorld, const glm::dvec2& pixel, double tolerance) {
+  const Model model = modelOf(p);
+  return pickThin(model, flatten(model, 0), {}, {{0, 0, 5}, down}, {clipFromWorld, pixel, {200, 100}, tolerance});
+}
+
+Primitive thinPrimitive(Topology topology, const std::vector<glm::vec3>& positions) {
+  Primitive p;
+  p.topology = topology;
+  p.positions = positions;
+  return p;
+}
+
+}  // namespace
+
+TEST_CASE("pick: lines and points within the tolerance, in every topology, the nearest in the picture first") {
+  const std::vector<glm::vec3> corners = {{-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0.5, 0.5, 0}, {-0.5, 0.5, 0}};
+  const glm::dmat4 clip(1);  // corners at (50, 25), (150, 25), (150, 75), (50, 75)
+  const auto found = [&](Topology topology, const glm::dvec2& pixel, double tolerance) {
+    std::vector<uint32_t> elements;
+    for (const Hit& hit : thin(thinPrimitive(topology, corners), clip, pixel, tolerance))
+      elements.push_back(hit.element);
+    return elements;
+  };
+  using Elements = std::vector<uint32_t>;
+  CHECK(found(Topology::points, {53, 75}, 3.1) == Elements{3});
+  CHECK(found(Topology::points, {53, 75}, 2.9).empty());
+  CHECK(found(Topology::points, {102, 50}, 60) == Elements{1, 2, 0, 3});
+  CHECK(found(Topology::lines, {100, 78}, 3.1) == Elements{1});
+  CHECK(found(Topology::lines, {100, 78}, 2.9).empty());
+  CHECK(found(Topology::lines, {150, 50}, 3).empty());
+  CHECK(found(Topology::lineStrip, {150, 50}, 3) == Elements{1});
+  CHECK(found(Topology::lineStrip, {50, 50}, 3).empty());
+  CHECK(found(Topology::lineLoop, {50, 50}, 3) == Elements{3});
+  CHECK(found(Topology::lineLoop, {151, 27}, 3) == Elements{1, 0});
+  CHECK(found(Topology::triangles, {50, 25}, 9).empty());
+  Primitive indexed = thinPrimitive(Topology::lines, corners);
+  indexed.indices = {0, 2};
+  const std::vector<Hit> hits = thin(indexed, clip, {100, 50}, 1);
+  REQUIRE(hits.size() == 1);
+  CHECK(hits[0].vertices == std::array<uint32_t, 3>{0, 2, 2});
+  CHECK(hits[0].weights.x == Approx(0.5));
+  CHECK(hits[0].weights.y == Approx(0.5));
+  CHECK(hits[0].distance == Approx(5));
+  CHECK(hits[0].normal == glm::dvec3(0, 0, 1));
+  CHECK(hits[0].front);
+}
+
+TEST_CASE("pick: a line in perspective is met at the point that is seen nearest, and not behind the eye") {
+  // Eye at (0, 0, 5), looking down.
+  const glm::dmat4 clip = glm::perspective(1.0, 2.0, 0.1, 100.0) * glm::translate(glm::dmat4(1), glm::dvec3(0, 0, -5));
+  const auto seen = [&](const glm::dvec3& p) {
+    const glm::dvec4 c = clip * glm::dvec4(p, 1);
+    return (glm::dvec2(c) / c.w * 0.5 + 0.5) * glm::dvec2(200, 100);
+  };
+  const glm::dvec3 a(-1, 0.5, 3), b(4, -1, -20);
+  const Primitive line = thinPrimitive(Topology::lines, {a, b});
+  for (const double share : {0.0, 0.1, 0.5, 0.9, 1.0}) {
+    const std::vector<Hit> hits = thin(line, clip, seen(a + (b - a) * share), 0.01);
+    REQUIRE(hits.size() == 1);
+    CHECK(hits[0].weights.y == Approx(share).margin(1e-9));
+    CHECK(glm::distance(hits[0].position, a + (b - a) * share) < 1e-9);
+    CHECK(hits[0].distance == Approx(5 - hits[0].position.z));
+  }
+  // From before the eye to behind it: what is seen of it is met, its mirror image is not.
+  const Primitive passing = thinPrimitive(Topology::lines, {{0.2, 0.1, 0}, {0.2, 0.1, 10}});
+  const std::vector<Hit> hits = thin(passing, clip, seen({0.2, 0.1, 4}), 0.01);
+  REQUIRE(hits.size() == 1);
+  CHECK(hits[0].position.z == Approx(4));
+  CHECK(thin(passing, clip, seen({0.2, 0.1, 6}), 1).empty());
+  CHECK(thin(thinPrimitive(Topology::points, {{0, 0, 6}}), clip, {100, 50}, 5).empty());
+}

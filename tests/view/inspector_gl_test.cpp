@@ -161,3 +161,65 @@ TEST_CASE("inspector: the outline runs around the selection, beside the picture"
   CHECK(view::updateOutline(viewer.viewport, viewer.state, 1));
   CHECK_FALSE(viewer.viewport.outline.shown);
 }
+
+TEST_CASE("inspector: a click near a line or a point selects its node, with the values of its material", "[gl]") {
+  // A red line "line" along x at z = 0.5, a blue point "point" above it, and a square "wall" that lies behind the
+  // right half of the line and hides nothing but a line "hidden" behind it.
+  test::GltfBuilder b;
+  const auto vec3 = [&](const std::vector<float>& numbers) { return b.add(numbers, test::floatType, "VEC3"); };
+  const auto node = [&](const char* name, int mode, const std::vector<float>& positions,
+                        const std::vector<float>& color) {
+    const int material = b.append("materials", {{"name", std::string(name) + "'s"},
+                                                {"doubleSided", true},
+                                                {"pbrMetallicRoughness", {{"baseColorFactor", color}}}});
+    const int mesh = b.append(
+        "meshes",
+        {{"primitives", {{{"attributes", {{"POSITION", vec3(positions)}}}, {"mode", mode}, {"material", material}}}}});
+    return b.append("nodes", {{"name", name}, {"mesh", mesh}});
+  };
+  const int line = node("line", 1, {-1, 0, 0.5, 1, 0, 0.5}, {1, 0, 0, 1});
+  const int point = node("point", 0, {0, 0.5, 0.5}, {0, 0, 1, 1});
+  const int wall = node("wall", 5, {0.1f, -1, 0, 1, -1, 0, 0.1f, 1, 0, 1, 1, 0}, {0, 1, 0, 1});
+  const int hidden = node("hidden", 1, {-1, -0.5, -0.5, 1, -0.5, -0.5}, {1, 1, 0, 1});
+  b.append("scenes", {{"nodes", {line, point, wall, hidden}}});
+  b.json["scene"] = 0;
+  const test::TemporaryFolder folder;
+  test::Viewer viewer;
+  viewer.state.settings.width = 200, viewer.state.settings.height = 100;
+  viewer.state.settings.environment = "builtin:white";
+  viewer.load(folder.write("thin.glb", b.glb()));
+  viewer.state.camera = {0, 90, 4, {0, 0, 0}, 45};
+  view::drawViewport(viewer.viewport, viewer.state);
+  const glm::dvec2 size(200, 100);
+  // So many pixels above the place where the world point is seen.
+  const auto clickAbove = [&](const glm::dvec3& world, double pixels) {
+    const glm::dvec4 clip = view::currentView(viewer.viewport, viewer.state)->clipFromWorld * glm::dvec4(world, 1);
+    const glm::dvec2 at = (glm::dvec2(clip.x, -clip.y) / clip.w * 0.5 + 0.5) * size;
+    view::clickAt(viewer.viewport, viewer.state, at - glm::dvec2(0, pixels), size);
+    while (view::inspectNext(viewer.viewport, viewer.state)) {
+    }
+    return viewer.state.selection.node;
+  };
+  const view::Inspection& at = viewer.state.inspection;
+  const auto value = [&](const char* channel) {
+    return at.values[static_cast<size_t>(shading::channelIndex(channel))].value_or(glm::vec3(-1));
+  };
+  CHECK(clickAbove({-0.5, 0, 0.5}, 3) == line);
+  CHECK(at.materialName == "line's");
+  CHECK(at.hit.position.x == Approx(-0.5).margin(0.02));
+  CHECK(at.hit.position.y == Approx(0).margin(1e-6));
+  CHECK(value("baseColor") == glm::vec3(1, 0, 0));
+  CHECK(value("roughness").x == 1);
+  CHECK(clickAbove({-0.5, 0, 0.5}, 6) == -1);
+  CHECK_FALSE(at.on);
+
+  CHECK(clickAbove({0, 0.5, 0.5}, 2) == point);
+  CHECK(at.materialName == "point's");
+  CHECK(value("baseColor") == glm::vec3(0, 0, 1));
+  CHECK(clickAbove({0, 0.5, 0.5}, -6) == -1);
+
+  CHECK(clickAbove({0.6, 0, 0.5}, 2) == line);  // before the wall
+  CHECK(clickAbove({0.6, 0, 0.5}, 8) == wall);
+  CHECK(clickAbove({0.6, -0.5, -0.5}, 0) == wall);  // before the line
+  CHECK(clickAbove({-0.6, -0.5, -0.5}, 0) == hidden);
+}
