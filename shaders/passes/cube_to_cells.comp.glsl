@@ -3,14 +3,13 @@
 // cells[3 i + 2] = mean radiance, solid angle. Centroids lie within the sphere: kernels that are linear over a cell
 // are summed exactly.
 #include "layout.h"
+#include "luminance.glsl"
 #include "mapping.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0, rgba32f) readonly uniform imageCube cube;
 layout(std430, binding = computeOutputBinding) writeonly buffer CellBlock { vec4 cells[]; };
 layout(location = 0) uniform int cellTexels;
-
-float luminance(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }
 
 // |d| = 1: the variances along all three axes sum to 1 - |mean|^2, those along the sphere are two of them.
 float varianceAbout(vec3 mean) { return max(0.0, 0.5 - 0.5 * dot(mean, mean)); }

@@ -1,6 +1,7 @@
 // A level of the tree for passes/prefilter_cut.comp.glsl: nodes[level's offset + (face * size + y) * size + x] = mean
 // radiance over the node's solid angle, and the mean square of its luminance.
 #include "layout.h"
+#include "luminance.glsl"
 #include "mapping.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -16,7 +17,7 @@ void main() {
   int index = offset + (texel.z * size + texel.y) * size + texel.x;
   if (fineOffset < 0) {
     vec3 radiance = imageLoad(cube, texel).rgb;
-    float y = dot(radiance, vec3(0.2126, 0.7152, 0.0722));
+    float y = luminance(radiance);
     nodes[index] = vec4(radiance, y * y);
     return;
   }

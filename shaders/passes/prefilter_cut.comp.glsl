@@ -4,6 +4,7 @@
 // what it is. w = NoL, or G1(NoL) = G2 of N = V. The finest texels are divided further, with bilinear radiance, where
 // the lobe is narrower.
 #include "layout.h"
+#include "luminance.glsl"
 #include "mapping.glsl"
 #include "microfacet.glsl"
 
@@ -26,8 +27,6 @@ struct Sum {
   float weight;
   uint visits;  // of nodes whose radiance is read
 };
-
-float luminance(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }
 
 // x = sin^2 of half the angle between N and L; N = V.
 float kernel(float x) {

@@ -232,7 +232,9 @@ std::string chooseEnvironment(const PictureSettings& settings, const std::string
 
 void findSun(EnvironmentOnGpu& environment) {
   environment.sun.reset();
-  if (environment.environment)
+  if (environment.prepared)
+    environment.sun = environment.prepared->sun;
+  else if (environment.environment)
     if (auto found = scene::findSun(*environment.environment)) environment.sun = found->sun;
   environment.method.takeSunOut = environment.sun.has_value();
 }

@@ -41,7 +41,7 @@ struct EnvironmentOnGpu {
   std::string content = {};            // ibl::contentKey, where it is known
 };
 
-// Looks for a sun in the environment's texels.
+// The sun of what is prepared, else looks for one in the environment's texels.
 void findSun(EnvironmentOnGpu& environment);
 
 // The methods that settings.maxError asks for; the tables of others are dropped. True where they were.

@@ -13,7 +13,7 @@ enum class Part { irradiance, layers, dfg };
 
 // error: of an irradiance map and of layers (all of them from roughness 0.1 on) the relative RMSE over the sphere, a
 // tenth of the map's mean added to what is divided by, the sun apart; of the DFG table the largest relative error of a
-// dielectric's albedo (0.04 A + B). Each is the worst of three synthetic environments and seven photographed ones;
+// dielectric's albedo (0.04 A + B). Each is the worst of three synthetic environments and eight photographed ones;
 // `facet report methods [--env E]` measures anew. The adaptive cut is not among them: it takes ten times the mixture's
 // time and serves as a reference.
 struct Candidate {

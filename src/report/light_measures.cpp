@@ -41,21 +41,27 @@ Measured lookAt(const ReportInput& input, const scene::Environment& e, shading::
 }
 
 Result<ibl::Tables> makeTables(const Measured& m, const ibl::Needs& needs, const ibl::Method& method) {
+  ibl::Tables tables;
+  if (Result<void> r = ibl::computeTables(tables, &m.environment, needs, m.programs, method); !r)
+    return tl::unexpected(r.error());
+  return tables;
+}
+
+Result<ibl::Tables> timedTables(const Measured& m, const ibl::Needs& needs, const ibl::Method& method) {
   constexpr double enoughMs = 500;
   constexpr int leastRuns = 2, mostRuns = 6;
-  ibl::Tables fastest;
+  Result<ibl::Tables> tables;
   double spent = 0;
   for (int run = 0; run < leastRuns || (run < mostRuns && spent < enoughMs); ++run) {
-    ibl::Tables tables;
-    if (Result<void> r = ibl::computeTables(tables, &m.environment, needs, m.programs, method); !r)
-      return tl::unexpected(r.error());
-    for (const ibl::TableStatistics& table : tables.statistics) spent += table.gpuMilliseconds;
-    if (run > 0)
-      for (ibl::TableStatistics& table : tables.statistics)
-        table.gpuMilliseconds = std::min(table.gpuMilliseconds, booked(fastest, table.name).gpuMilliseconds);
-    fastest = std::move(tables);
+    Result<ibl::Tables> made = makeTables(m, needs, method);
+    if (!made) return made;
+    for (ibl::TableStatistics& table : made->statistics) {
+      spent += table.gpuMilliseconds;
+      if (run > 0) table.gpuMilliseconds = std::min(table.gpuMilliseconds, booked(*tables, table.name).gpuMilliseconds);
+    }
+    tables = std::move(made);
   }
-  return fastest;
+  return tables;
 }
 
 const ibl::TableStatistics& booked(const ibl::Tables& tables, std::string_view name) {
@@ -95,7 +101,7 @@ Truth irradianceTruth(const Measured& m) {
 }
 
 Result<IrradianceMeasure> measureIrradiance(const Measured& m, const ibl::Method& method, const Truth& truth) {
-  const auto tables = makeTables(m, {.irradiance = true}, method);
+  const auto tables = timedTables(m, {.irradiance = true}, method);
   if (!tables) return tl::unexpected(tables.error());
   Result<Directions> values =
       readTables(m, *tables, "out0.rgb = textureLod(irradianceOverPi, in0.xyz, 0.0).rgb;", truth.directions, 0);
@@ -130,7 +136,7 @@ std::vector<LobeTruth> lobeTruths(const Measured& m) {
 }
 
 Result<LdMeasure> measureLd(const Measured& m, const ibl::Method& method, const std::vector<LobeTruth>& truths) {
-  const auto tables = makeTables(m, {.layers = true, .lowestRoughness = 0.1f}, method);
+  const auto tables = timedTables(m, {.layers = true, .lowestRoughness = 0.1f}, method);
   if (!tables) return tl::unexpected(tables.error());
   LdMeasure measure;
   measure.cost = booked(*tables, "LD layers");
@@ -197,7 +203,7 @@ DfgError dfgError(const DfgTruth& truth, const std::function<glm::dvec2(size_t)>
 }
 
 Result<DfgMeasure> measureDfg(const Measured& m, const ibl::Method& method, const DfgTruth& truth, bool columnIsNoV) {
-  const auto tables = makeTables(m, {.dfg = true}, method);
+  const auto tables = timedTables(m, {.dfg = true}, method);
   if (!tables) return tl::unexpected(tables.error());
   const char* body =
       columnIsNoV ? "out0.xy = textureLod(dfgTable, in0.xy, 0.0).xy;" : "out0.xy = lookUpDfg(in0.x, in0.y).xy;";

@@ -30,8 +30,9 @@ struct Measured {
 };
 Measured lookAt(const ReportInput& input, const scene::Environment& environment, shading::ProgramStore& programs);
 
-// gpuMilliseconds: the least of two runs or more, because the first waits for the driver to compile.
 Result<ibl::Tables> makeTables(const Measured& m, const ibl::Needs& needs, const ibl::Method& method);
+// gpuMilliseconds: the least of two runs or more, because the first waits for the driver to compile.
+Result<ibl::Tables> timedTables(const Measured& m, const ibl::Needs& needs, const ibl::Method& method);
 const ibl::TableStatistics& booked(const ibl::Tables& tables, std::string_view name);
 // What the body (Probe's) makes of in0 = (direction, w), as radiance.
 Result<Directions> readTables(const Measured& m, const ibl::Tables& tables, const std::string& body,

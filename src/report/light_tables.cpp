@@ -49,7 +49,7 @@ Result<void> addCube(const Measured& m, Report& report) {
   const std::pair<const char*, ibl::CubeMethod> methods[] = {{"one tap (usual)", ibl::CubeMethod::oneTap},
                                                              {"area-exact", ibl::CubeMethod::areaExact}};
   for (const auto& [name, method] : methods) {
-    const auto tables = makeTables(m, {.cube = true}, {.cube = method});
+    const auto tables = timedTables(m, {.cube = true}, {.cube = method});
     if (!tables) return tl::unexpected(tables.error());
     const double error = luminance(cubeFlux(*tables, 0)) / luminance(m.flux) - 1;
     const ibl::TableStatistics& cost = booked(*tables, "environment cube");

@@ -204,9 +204,8 @@ void takeEnvironment(Viewport& viewport, ViewerState& state, EnvironmentLoaded l
   slot->source = loaded.source;
   slot->environment = *loaded.environment;
   slot->onGpu.environment = slot->environment.get();
-  if (loaded.prepared) slot->onGpu.sun = loaded.prepared->sun;
-  slot->onGpu.method.takeSunOut = slot->onGpu.sun.has_value();
   slot->onGpu.prepared = std::move(loaded.prepared);
+  frame::findSun(slot->onGpu);
   slot->onGpu.cache = viewport.tableCache;
   slot->onGpu.content = std::move(loaded.content);
   slot->notes = std::move(loaded.notes);

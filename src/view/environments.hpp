@@ -21,9 +21,9 @@ struct Sharpening {
   gl::Timer timer;
   bool pending = false;  // steps are on their way through the GPU
   uint64_t issuedFetches = 0;
-  double issueMs = 0;     // CPU time of the last steps
-  double msPerFetch = 0;  // of the last steps; 0: not known yet
-  bool coarseBackground = false;
+  double issueMs = 0;             // CPU time of the last steps
+  double msPerFetch = 0;          // of the last steps; 0: not known yet
+  bool coarseBackground = false;  // the background that is shown is of the reduced map, too
 };
 
 struct EnvironmentSlot {

@@ -8,33 +8,13 @@
 #include "support/temporary_folder.hpp"
 #include "view/copied_command.hpp"
 #include "view/follow.hpp"
+#include "view/textured_triangle.hpp"
 #include "view/viewer.hpp"
 
 using namespace facet;
 
-namespace {
-
+using test::texturedTriangle;
 using test::Viewer;
-
-// A triangle that covers the middle of the picture, unlit, with this texture.
-std::vector<uint8_t> texturedTriangle(const std::vector<uint8_t>& rgb) {
-  test::GltfBuilder b = test::triangle();
-  const std::vector<uint8_t> png = test::pngBytes(1, 1, 3, 8, rgb);
-  b.append("images", {{"uri", test::dataUri(png, "image/png")}});
-  b.append("textures", {{"source", 0}});
-  b.append("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}},
-                         {"doubleSided", true},
-                         {"extensions", {{"KHR_materials_unlit", nlohmann::json::object()}}}});
-  b.json["extensionsUsed"] = {"KHR_materials_unlit"};
-  const std::vector<float> uv = {0, 0, 1, 0, 0, 1}, normals = {0, 0, 1, 0, 0, 1, 0, 0, 1};
-  nlohmann::json& primitive = b.json["meshes"][0]["primitives"][0];
-  primitive["attributes"]["NORMAL"] = b.add(normals, test::floatType, "VEC3");
-  primitive["attributes"]["TEXCOORD_0"] = b.add(uv, test::floatType, "VEC2");
-  primitive["material"] = 0;
-  return b.glb();
-}
-
-}  // namespace
 
 TEST_CASE("viewport: a model comes up with its images, a failed one changes nothing", "[gl]") {
   const test::TemporaryFolder folder;
@@ -263,97 +243,6 @@ TEST_CASE("viewport: loading is cancelled, what is shown stays", "[gl]") {
   CHECK_FALSE(viewer.state.status.isError);
   viewer.load(folder.file("blue.glb"));  // asked for anew it comes
   CHECK(viewer.state.shown.model == folder.file("blue.glb"));
-}
-
-TEST_CASE("viewport: what the command line names is the first model's alone", "[gl]") {
-  const test::TemporaryFolder folder;
-  const std::string red = folder.write("red.glb", texturedTriangle({255, 0, 0}));
-  const std::string blue = folder.write("blue.glb", texturedTriangle({0, 0, 255}));
-  Viewer viewer;
-  frame::PictureSettings& settings = viewer.state.settings;
-  settings.orbit = frame::Orbit{33, 44, 5};
-  settings.target = glm::dvec3(1, 2, 3);
-  settings.fovYDeg = 30;
-  settings.scene = 0;
-
-  SECTION("shown") {
-    viewer.load(red);
-    const scene::OrbitCamera& camera = viewer.state.camera;
-    CHECK(camera.theta == 33);
-    CHECK(camera.phi == 44);
-    CHECK(camera.radius == 5);
-    CHECK(camera.target == glm::dvec3(1, 2, 3));
-    CHECK(camera.fovY == Approx(30));
-    CHECK(viewer.state.startCamera == viewer.state.camera);
-    CHECK_FALSE(viewer.state.modelFailed);
-    return;
-  }
-  SECTION("another model is opened before it has been read") {
-    view::startModel(viewer.loader, red, view::Opening::first);
-    view::startModel(viewer.loader, blue);
-    viewer.settle();
-  }
-  SECTION("another model is opened while it comes up") {
-    view::startModel(viewer.loader, red, view::Opening::first);
-    view::takeModel(viewer.viewport, viewer.state, *viewer.loader.model.take(true));
-    REQUIRE(viewer.viewport.next);
-    view::startModel(viewer.loader, blue);
-    view::takeModel(viewer.viewport, viewer.state, *viewer.loader.model.take(true));
-    viewer.settle();
-  }
-  SECTION("it cannot be read") {
-    viewer.load(folder.write("cut.glb", std::string("glTF half a fi")));
-    CHECK_FALSE(viewer.viewport.scene);
-    CHECK(viewer.state.modelFailed);
-    CHECK(viewer.state.status.isError);
-    CHECK(viewer.state.status.text.find("cut.glb") != std::string::npos);
-    view::startModel(viewer.loader, blue);
-    viewer.settle();
-  }
-  CHECK(viewer.state.shown.model == blue);
-  CHECK(viewer.state.camera.theta == 0);  // framed, with the field of view that was asked for
-  CHECK(viewer.state.camera.fovY == Approx(30));
-  CHECK(viewer.state.camera.target.x == Approx(0.5));
-  CHECK(viewer.state.startCamera == viewer.state.camera);
-  CHECK_FALSE(settings.orbit);
-}
-
-TEST_CASE("viewport: a first model without what the command line names of it is told and not shown", "[gl]") {
-  struct Row {
-    void (*set)(frame::PictureSettings&);
-    const char* told;
-  };
-  const Row row = GENERATE(values<Row>({
-      {[](frame::PictureSettings& s) { s.scene = 3; }, "there is no scene 3"},
-      {[](frame::PictureSettings& s) { s.animation = "walk"; }, "walk"},
-      {[](frame::PictureSettings& s) { s.variant = "sea"; }, "the file has no material variant 'sea'"},
-      {[](frame::PictureSettings& s) { s.camera = "door"; }, "door"},
-  }));
-  const test::TemporaryFolder folder;
-  const std::string red = folder.write("red.glb", texturedTriangle({255, 0, 0}));
-  Viewer viewer;
-  row.set(viewer.state.settings);
-  viewer.load(red);
-  INFO(viewer.state.status.text);
-  CHECK_FALSE(viewer.viewport.scene);
-  CHECK(viewer.state.modelFailed);
-  CHECK(viewer.state.status.isError);
-  CHECK(viewer.state.status.text.find(row.told) != std::string::npos);
-  CHECK_FALSE(view::drawViewport(viewer.viewport, viewer.state));
-  view::startModel(viewer.loader, red);  // chosen in the browser
-  viewer.settle();
-  CHECK(viewer.state.shown.model == red);
-}
-
-TEST_CASE("viewport: an environment that cannot be read at the start leaves the choice to the model", "[gl]") {
-  const test::TemporaryFolder folder;
-  Viewer viewer;
-  viewer.state.settings.environment = folder.write("cut.hdr", std::string("#?RADIANCE"));
-  viewer.load("builtin:furnace");
-  CHECK(viewer.state.shown.model == "builtin:furnace");
-  CHECK(viewer.state.shown.environment == "builtin:white");
-  CHECK(viewer.state.status.isError);
-  CHECK(viewer.state.status.text.find("cut.hdr") != std::string::npos);
 }
 
 TEST_CASE("viewport: a model whose file changes is read again, camera and settings stay", "[gl]") {

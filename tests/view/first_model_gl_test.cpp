@@ -1,0 +1,100 @@
+#include <catch2/catch.hpp>
+
+#include "support/temporary_folder.hpp"
+#include "view/textured_triangle.hpp"
+#include "view/viewer.hpp"
+
+using namespace facet;
+using test::texturedTriangle;
+using test::Viewer;
+
+TEST_CASE("viewport: what the command line names is the first model's alone", "[gl]") {
+  const test::TemporaryFolder folder;
+  const std::string red = folder.write("red.glb", texturedTriangle({255, 0, 0}));
+  const std::string blue = folder.write("blue.glb", texturedTriangle({0, 0, 255}));
+  Viewer viewer;
+  frame::PictureSettings& settings = viewer.state.settings;
+  settings.orbit = frame::Orbit{33, 44, 5};
+  settings.target = glm::dvec3(1, 2, 3);
+  settings.fovYDeg = 30;
+  settings.scene = 0;
+
+  SECTION("shown") {
+    viewer.load(red);
+    const scene::OrbitCamera& camera = viewer.state.camera;
+    CHECK(camera.theta == 33);
+    CHECK(camera.phi == 44);
+    CHECK(camera.radius == 5);
+    CHECK(camera.target == glm::dvec3(1, 2, 3));
+    CHECK(camera.fovY == Approx(30));
+    CHECK(viewer.state.startCamera == viewer.state.camera);
+    CHECK_FALSE(viewer.state.modelFailed);
+    return;
+  }
+  SECTION("another model is opened before it has been read") {
+    view::startModel(viewer.loader, red, view::Opening::first);
+    view::startModel(viewer.loader, blue);
+    viewer.settle();
+  }
+  SECTION("another model is opened while it comes up") {
+    view::startModel(viewer.loader, red, view::Opening::first);
+    view::takeModel(viewer.viewport, viewer.state, *viewer.loader.model.take(true));
+    REQUIRE(viewer.viewport.next);
+    view::startModel(viewer.loader, blue);
+    view::takeModel(viewer.viewport, viewer.state, *viewer.loader.model.take(true));
+    viewer.settle();
+  }
+  SECTION("it cannot be read") {
+    viewer.load(folder.write("cut.glb", std::string("glTF half a fi")));
+    CHECK_FALSE(viewer.viewport.scene);
+    CHECK(viewer.state.modelFailed);
+    CHECK(viewer.state.status.isError);
+    CHECK(viewer.state.status.text.find("cut.glb") != std::string::npos);
+    view::startModel(viewer.loader, blue);
+    viewer.settle();
+  }
+  CHECK(viewer.state.shown.model == blue);
+  CHECK(viewer.state.camera.theta == 0);  // framed, with the field of view that was asked for
+  CHECK(viewer.state.camera.fovY == Approx(30));
+  CHECK(viewer.state.camera.target.x == Approx(0.5));
+  CHECK(viewer.state.startCamera == viewer.state.camera);
+  CHECK_FALSE(settings.orbit);
+}
+
+TEST_CASE("viewport: a first model without what the command line names of it is told and not shown", "[gl]") {
+  struct Row {
+    void (*set)(frame::PictureSettings&);
+    const char* told;
+  };
+  const Row row = GENERATE(values<Row>({
+      {[](frame::PictureSettings& s) { s.scene = 3; }, "there is no scene 3"},
+      {[](frame::PictureSettings& s) { s.animation = "walk"; }, "walk"},
+      {[](frame::PictureSettings& s) { s.variant = "sea"; }, "the file has no material variant 'sea'"},
+      {[](frame::PictureSettings& s) { s.camera = "door"; }, "door"},
+  }));
+  const test::TemporaryFolder folder;
+  const std::string red = folder.write("red.glb", texturedTriangle({255, 0, 0}));
+  Viewer viewer;
+  row.set(viewer.state.settings);
+  viewer.load(red);
+  INFO(viewer.state.status.text);
+  CHECK_FALSE(viewer.viewport.scene);
+  CHECK(viewer.state.modelFailed);
+  CHECK(viewer.state.status.isError);
+  CHECK(viewer.state.status.text.find(row.told) != std::string::npos);
+  CHECK_FALSE(view::drawViewport(viewer.viewport, viewer.state));
+  view::startModel(viewer.loader, red);  // chosen in the browser
+  viewer.settle();
+  CHECK(viewer.state.shown.model == red);
+}
+
+TEST_CASE("viewport: an environment that cannot be read at the start leaves the choice to the model", "[gl]") {
+  const test::TemporaryFolder folder;
+  Viewer viewer;
+  viewer.state.settings.environment = folder.write("cut.hdr", std::string("#?RADIANCE"));
+  viewer.load("builtin:furnace");
+  CHECK(viewer.state.shown.model == "builtin:furnace");
+  CHECK(viewer.state.shown.environment == "builtin:white");
+  CHECK(viewer.state.status.isError);
+  CHECK(viewer.state.status.text.find("cut.hdr") != std::string::npos);
+}
