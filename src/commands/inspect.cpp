@@ -172,10 +172,10 @@ void checkImages(const scene::Model& model, const frame::DrawList& list, Notes& 
 
 // As a picture would find and read it; null without --brdf.
 Result<json> readMeasured(const frame::PictureSettings& settings, frame::DrawOptions& options, Notes& notes) {
-  if (settings.brdf.empty()) return json();
-  const Result<std::string> source = io::resolveMeasured(settings.brdf, settings.brdfDir);
+  if (settings.sources.brdf.empty()) return json();
+  const Result<std::string> source = io::resolveMeasured(settings.sources.brdf, settings.sources.brdfDir);
   if (!source) return tl::unexpected(source.error());
-  const Result<optics::MeasuredBrdf> brdf = io::readMeasured(*source, {.utiaDecode = settings.utiaDecode});
+  const Result<optics::MeasuredBrdf> brdf = io::readMeasured(*source, {.utiaDecode = settings.sources.utiaDecode});
   if (!brdf) return tl::unexpected(brdf.error());
   std::ranges::move(io::measuredNotes(*brdf), std::back_inserter(notes));
   frame::setMeasured(options.features, settings, brdf->kind, optics::fitProxy(*brdf));

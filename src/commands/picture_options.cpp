@@ -19,27 +19,39 @@ namespace facet::commands {
 namespace {
 
 using frame::PictureSettings;
+using S = PictureSettings;
 using Text = std::string_view;
 
 // ---- Rows of one number, one name, one text -------------------------------------------------------------------------
 
-template <auto member, int min, int max>
+// What the members lead to, one inside the other.
+template <auto member, auto... inner, class T>
+auto& at(T& object) {
+  if constexpr (sizeof...(inner) == 0)
+    return object.*member;
+  else
+    return at<inner...>(object.*member);
+}
+
+template <int min, int max, auto... members>
 Result<void> parseNumberInto(Text text, PictureSettings& settings) {
-  using Member = std::remove_cvref_t<decltype(settings.*member)>;
+  auto& setting = at<members...>(settings);
+  using Member = std::remove_cvref_t<decltype(setting)>;
   if constexpr (std::is_same_v<Member, int>) {
-    return parseWhole(text, min, max).map([&](int value) { settings.*member = value; });
+    return parseWhole(text, min, max).map([&](int value) { setting = value; });
   } else {
     using Value = std::conditional_t<std::is_same_v<Member, float>, float, double>;
-    return parseNumber(text, min, max).map([&](double value) { settings.*member = static_cast<Value>(value); });
+    return parseNumber(text, min, max).map([&](double value) { setting = static_cast<Value>(value); });
   }
 }
 
-template <auto member>
+template <auto... members>
 std::string writeNumber(const PictureSettings& settings) {
-  if constexpr (requires { (settings.*member).has_value(); }) {
-    return settings.*member ? number(*(settings.*member)) : std::string();
+  const auto& setting = at<members...>(settings);
+  if constexpr (requires { setting.has_value(); }) {
+    return setting ? number(*setting) : std::string();
   } else {
-    return number(settings.*member);
+    return number(setting);
   }
 }
 
@@ -113,34 +125,34 @@ constexpr Named<Text> channels[] = {{"final", ""},
                                     {"emissive", "emissive"},
                                     {"alpha", "alpha"}};
 
-template <const auto& choices, auto member>
+template <const auto& choices, auto... members>
 Result<void> parseName(Text text, PictureSettings& settings) {
   std::vector<Text> names;
   for (const auto& choice : choices) {
-    if (choice.name == text) return (settings.*member = choice.value), Result<void>();
+    if (choice.name == text) return (at<members...>(settings) = choice.value), Result<void>();
     names.push_back(choice.name);
   }
   return fail({}, {}, inQuotes(text) + " is not known", suggestion(text, names));
 }
 
-template <const auto& choices, auto member>
+template <const auto& choices, auto... members>
 std::string writeName(const PictureSettings& settings) {
   for (const auto& choice : choices) {
-    if (settings.*member == choice.value) return std::string(choice.name);
+    if (at<members...>(settings) == choice.value) return std::string(choice.name);
   }
   return {};
 }
 
-template <auto member>
+template <auto... members>
 Result<void> parseText(Text text, PictureSettings& settings) {
   if (text.empty()) return fail({}, {}, "the value is empty", "give a name or leave the option out");
-  settings.*member = text;
+  at<members...>(settings) = text;
   return {};
 }
 
-template <auto member>
+template <auto... members>
 std::string writeText(const PictureSettings& settings) {
-  return settings.*member;
+  return at<members...>(settings);
 }
 
 // ---- Rows of their own kind -----------------------------------------------------------------------------------------
@@ -151,12 +163,12 @@ Result<void> parseSize(Text text, PictureSettings& settings) {
   const Result<int> width = parseWhole(parts[0], 1, 16384), height = parseWhole(parts[1], 1, 16384);
   if (!width) return tl::unexpected(width.error());
   if (!height) return tl::unexpected(height.error());
-  settings.width = *width, settings.height = *height;
+  settings.frame.width = *width, settings.frame.height = *height;
   return {};
 }
 
 std::string writeSize(const PictureSettings& settings) {
-  return number(settings.width) + "x" + number(settings.height);
+  return number(settings.frame.width) + "x" + number(settings.frame.height);
 }
 
 Result<void> parseOrbit(Text text, PictureSettings& settings) {
@@ -173,14 +185,15 @@ Result<void> parseOrbit(Text text, PictureSettings& settings) {
     if (!radius) return tl::unexpected(radius.error());
     orbit.radius = *radius;
   }
-  settings.orbit = orbit;
+  settings.viewpoint.orbit = orbit;
   return {};
 }
 
 std::string writeOrbit(const PictureSettings& settings) {
-  if (!settings.orbit) return {};
-  const std::string angles = number(settings.orbit->thetaDeg) + "," + number(settings.orbit->phiDeg);
-  return settings.orbit->radius ? angles + "," + number(*settings.orbit->radius) : angles;
+  if (!settings.viewpoint.orbit) return {};
+  const std::string angles =
+      number(settings.viewpoint.orbit->thetaDeg) + "," + number(settings.viewpoint.orbit->phiDeg);
+  return settings.viewpoint.orbit->radius ? angles + "," + number(*settings.viewpoint.orbit->radius) : angles;
 }
 
 Result<void> parseTarget(Text text, PictureSettings& settings) {
@@ -193,39 +206,40 @@ Result<void> parseTarget(Text text, PictureSettings& settings) {
     if (!value) return tl::unexpected(value.error());
     target[i] = *value;
   }
-  settings.target = target;
+  settings.viewpoint.target = target;
   return {};
 }
 
 std::string writeTarget(const PictureSettings& settings) {
-  if (!settings.target) return {};
-  return number(settings.target->x) + "," + number(settings.target->y) + "," + number(settings.target->z);
+  if (!settings.viewpoint.target) return {};
+  return number(settings.viewpoint.target->x) + "," + number(settings.viewpoint.target->y) + "," +
+         number(settings.viewpoint.target->z);
 }
 
 Result<void> parseScene(Text text, PictureSettings& settings) {
-  return parseNumberInto<&PictureSettings::scene, 0, 1'000'000>(text, settings);
+  return parseNumberInto<0, 1'000'000, &S::placement, &frame::Placement::scene>(text, settings);
 }
 
 std::string writeScene(const PictureSettings& settings) {
-  return settings.scene < 0 ? std::string() : number(settings.scene);
+  return settings.placement.scene < 0 ? std::string() : number(settings.placement.scene);
 }
 
 std::string writeBumpScale(const PictureSettings& settings) {
-  return settings.bump.empty() ? std::string() : number(settings.bumpScale);
+  return settings.sources.bump.empty() ? std::string() : number(settings.sources.bumpScale);
 }
 
 std::string writeBrdfSamples(const PictureSettings& settings) {
-  return settings.brdfSamples == 0 ? std::string() : number(settings.brdfSamples);
+  return settings.look.brdfSamples == 0 ? std::string() : number(settings.look.brdfSamples);
 }
 
 // Nothing is compared where nothing is measured.
 std::string writeBrdfCompare(const PictureSettings& settings) {
-  if (settings.brdf.empty() || settings.brdfCompare == frame::BrdfCompare::none) return {};
-  return writeName<comparisons, &PictureSettings::brdfCompare>(settings);
+  if (settings.sources.brdf.empty() || settings.display.brdfCompare == frame::BrdfCompare::none) return {};
+  return writeName<comparisons, &S::display, &frame::Display::brdfCompare>(settings);
 }
 
 std::string writeTime(const PictureSettings& settings) {
-  return settings.animation.empty() ? std::string() : number(settings.timeSeconds);
+  return settings.placement.animation.empty() ? std::string() : number(settings.placement.timeSeconds);
 }
 
 // "#rrggbb", sRGB, or three linear numbers; [0, 1]. Linear Rec. 709.
@@ -268,20 +282,20 @@ Result<void> parseMaterial(Text text, PictureSettings& settings) {
   for (const optics::DielectricPreset& dielectric : optics::dielectricPresets()) names.push_back(dielectric.name);
   if (std::ranges::find(names, text) == names.end())
     return fail({}, {}, inQuotes(text) + " is not known", suggestion(text, names));
-  settings.material.on = true;
-  choosePreset(settings.material, text == "plain" ? Text() : text);
+  settings.look.material.on = true;
+  choosePreset(settings.look.material, text == "plain" ? Text() : text);
   return {};
 }
 
 std::string writeMaterial(const PictureSettings& settings) {
-  if (!settings.material.on) return {};
-  return settings.material.preset.empty() ? "plain" : settings.material.preset;
+  if (!settings.look.material.on) return {};
+  return settings.look.material.preset.empty() ? "plain" : settings.look.material.preset;
 }
 
 Result<void> parseMaterialColor(Text text, PictureSettings& settings) {
   return parseColor(text).map([&](const glm::vec3& color) {
-    settings.material.on = true;
-    settings.material.baseColor = color;
+    settings.look.material.on = true;
+    settings.look.material.baseColor = color;
   });
 }
 
@@ -293,39 +307,39 @@ frame::MaterialChoice presetAlone(const frame::MaterialChoice& choice) {
 }
 
 std::string writeMaterialColor(const PictureSettings& settings) {
-  const frame::MaterialChoice& choice = settings.material;
+  const frame::MaterialChoice& choice = settings.look.material;
   return choice.on && choice.baseColor != presetAlone(choice).baseColor ? writeColor(choice.baseColor) : std::string();
 }
 
 template <auto member, int min, int max>
 Result<void> parseMaterialNumber(Text text, PictureSettings& settings) {
   return parseNumber(text, min, max).map([&](double value) {
-    settings.material.on = true;
-    settings.material.*member = static_cast<float>(value);
+    settings.look.material.on = true;
+    settings.look.material.*member = static_cast<float>(value);
   });
 }
 
 template <auto member>
 std::string writeMaterialNumber(const PictureSettings& settings) {
-  const frame::MaterialChoice& choice = settings.material;
+  const frame::MaterialChoice& choice = settings.look.material;
   return choice.on && choice.*member != presetAlone(choice).*member ? number(choice.*member) : std::string();
 }
 
 Result<void> parseBackground(Text text, PictureSettings& settings) {
   if (text == "env" || text == "transparent") {
-    settings.background = text == "env" ? frame::Background::environment : frame::Background::transparent;
+    settings.frame.background = text == "env" ? frame::Background::environment : frame::Background::transparent;
     return {};
   }
   const Result<glm::vec3> color = parseColor(text);
   if (!color) return fail({}, {}, inQuotes(text) + " is no background", "give env, transparent or a colour as #rrggbb");
-  settings.background = frame::Background::color;
-  settings.backgroundColor = *color;
+  settings.frame.background = frame::Background::color;
+  settings.frame.backgroundColor = *color;
   return {};
 }
 
 std::string writeBackground(const PictureSettings& settings) {
-  if (settings.background == frame::Background::color) return writeColor(settings.backgroundColor);
-  return settings.background == frame::Background::environment ? "env" : "transparent";
+  if (settings.frame.background == frame::Background::color) return writeColor(settings.frame.backgroundColor);
+  return settings.frame.background == frame::Background::environment ? "env" : "transparent";
 }
 
 Result<void> parseMaxError(Text text, PictureSettings& settings) {
@@ -334,13 +348,12 @@ Result<void> parseMaxError(Text text, PictureSettings& settings) {
   if (!value || *value == 0)
     return fail({}, {}, inQuotes(text) + " is no error that a picture could keep to",
                 "give a share such as 0.01 or 1%");
-  settings.maxError = percent ? *value / 100 : *value;
+  settings.quality.maxError = percent ? *value / 100 : *value;
   return {};
 }
 
 // ---- The table ------------------------------------------------------------------------------------------------------
 
-using S = PictureSettings;
 using M = frame::MaterialChoice;
 
 constexpr PictureOption table[] = {
@@ -348,12 +361,14 @@ constexpr PictureOption table[] = {
     {"orbit", "THETA,PHI,RADIUS", "camera around the target: degrees from +Z towards +X, degrees from +Y, metres",
      parseOrbit, writeOrbit},
     {"target", "X,Y,Z", "what the camera looks at, metres (the scene's centre)", parseTarget, writeTarget},
-    {"fov-y", "DEG", "vertical field of view (the camera's, else 45)", parseNumberInto<&S::fovYDeg, 1, 179>,
-     writeNumber<&S::fovYDeg>},
-    {"camera", "NAME|INDEX", "a camera of the file", parseText<&S::camera>, writeText<&S::camera>},
+    {"fov-y", "DEG", "vertical field of view (the camera's, else 45)",
+     parseNumberInto<1, 179, &S::viewpoint, &frame::Viewpoint::fovYDeg>,
+     writeNumber<&S::viewpoint, &frame::Viewpoint::fovYDeg>},
+    {"camera", "NAME|INDEX", "a camera of the file", parseText<&S::viewpoint, &frame::Viewpoint::camera>,
+     writeText<&S::viewpoint, &frame::Viewpoint::camera>},
     {"scene", "N", "index of the scene (the file's default)", parseScene, writeScene},
-    {"variant", "NAME|INDEX", "the file's material variant (none: its own materials)", parseText<&S::variant>,
-     writeText<&S::variant>},
+    {"variant", "NAME|INDEX", "the file's material variant (none: its own materials)",
+     parseText<&S::look, &frame::Look::variant>, writeText<&S::look, &frame::Look::variant>},
     {"material", "NAME",
      "one material for everything: plain, or a substance of the panel's such as gold, silver, water, diamond (none)",
      parseMaterial, writeMaterial},
@@ -365,77 +380,93 @@ constexpr PictureOption table[] = {
      writeMaterialNumber<&M::perceptualRoughness>},
     {"material-ior", "1..3", "its index of refraction (1.5; a substance's own)", parseMaterialNumber<&M::ior, 1, 3>,
      writeMaterialNumber<&M::ior>},
-    {"bump", "HEIGHT.png", "grey height map for the materials of a built-in scene (none)", parseText<&S::bump>,
-     writeText<&S::bump>, ',', true},
+    {"bump", "HEIGHT.png", "grey height map for the materials of a built-in scene (none)",
+     parseText<&S::sources, &frame::Sources::bump>, writeText<&S::sources, &frame::Sources::bump>, ',', true},
     {"bump-scale", "X", "height of its white above its black, in widths of the map (0.02)",
-     parseNumberInto<&S::bumpScale, -1000, 1000>, writeBumpScale},
+     parseNumberInto<-1000, 1000, &S::sources, &frame::Sources::bumpScale>, writeBumpScale},
     {"animation", "NAME|INDEX|all", "an animation of the file, or all at once (none: at rest)",
-     parseText<&S::animation>, writeText<&S::animation>},
-    {"time", "S", "seconds at which the animation stands (0)", parseNumberInto<&S::timeSeconds, 0, 1'000'000>,
-     writeTime},
+     parseText<&S::placement, &frame::Placement::animation>, writeText<&S::placement, &frame::Placement::animation>},
+    {"time", "S", "seconds at which the animation stands (0)",
+     parseNumberInto<0, 1'000'000, &S::placement, &frame::Placement::timeSeconds>, writeTime},
     {"env", "FILE|builtin:NAME|none", "environment: .hdr, .exr, builtin:studio, builtin:sky, builtin:white",
-     parseText<&S::environment>, writeText<&S::environment>, ',', true},
+     parseText<&S::sources, &frame::Sources::environment>, writeText<&S::sources, &frame::Sources::environment>, ',',
+     true},
     {"env-rotation", "DEG", "turns the environment about +Y (0)",
-     parseNumberInto<&S::environmentRotationDeg, -36000, 36000>, writeNumber<&S::environmentRotationDeg>},
+     parseNumberInto<-36000, 36000, &S::frame, &frame::FrameSettings::environmentRotationDeg>,
+     writeNumber<&S::frame, &frame::FrameSettings::environmentRotationDeg>},
     {"env-strength", "X", "factor on the environment's radiance (1)",
-     parseNumberInto<&S::environmentStrength, 0, 1'000'000>, writeNumber<&S::environmentStrength>},
+     parseNumberInto<0, 1'000'000, &S::frame, &frame::FrameSettings::environmentStrength>,
+     writeNumber<&S::frame, &frame::FrameSettings::environmentStrength>},
     {"background", "env|transparent|#rrggbb", "what is behind the model (env); also a colour as R,G,B, linear",
      parseBackground, writeBackground},
-    {"lights", "scene|none|demo", "the file's lights, none, or four more (scene)", parseName<lightChoices, &S::lights>,
-     writeName<lightChoices, &S::lights>},
+    {"lights", "scene|none|demo", "the file's lights, none, or four more (scene)",
+     parseName<lightChoices, &S::look, &frame::Look::lights>, writeName<lightChoices, &S::look, &frame::Look::lights>},
     {"diffuse", "NAME", "diffuse model: lambert, burley, frostbite, oren-nayar, eon, codww2 (lambert)",
-     parseName<diffuseModels, &S::diffuse>, writeName<diffuseModels, &S::diffuse>},
+     parseName<diffuseModels, &S::look, &frame::Look::models, &optics::Models::diffuse>,
+     writeName<diffuseModels, &S::look, &frame::Look::models, &optics::Models::diffuse>},
     {"fresnel", "NAME",
      "schlick; exact: of dielectrics, and of metals whose index is known; f82: of the latter. For lights (schlick)",
-     parseName<fresnelModels, &S::fresnel>, writeName<fresnelModels, &S::fresnel>},
+     parseName<fresnelModels, &S::look, &frame::Look::models, &optics::Models::fresnel>,
+     writeName<fresnelModels, &S::look, &frame::Look::models, &optics::Models::fresnel>},
     {"ndf", "NAME", "distribution of microfacets for lights: ggx, beckmann, blinn (ggx)",
-     parseName<distributions, &S::distribution>, writeName<distributions, &S::distribution>},
+     parseName<distributions, &S::look, &frame::Look::models, &optics::Models::distribution>,
+     writeName<distributions, &S::look, &frame::Look::models, &optics::Models::distribution>},
     {"masking", "NAME", "shadowing of microfacets for lights: smith, approximate, v-cavity (smith)",
-     parseName<maskings, &S::masking>, writeName<maskings, &S::masking>},
+     parseName<maskings, &S::look, &frame::Look::models, &optics::Models::masking>,
+     writeName<maskings, &S::look, &frame::Look::models, &optics::Models::masking>},
     {"image-light", "NAME",
      "specular light of the environment: mirror, shifted, mean, taps1, taps2, taps3, sampled; auto: taps3, above 4 "
      "samples sampled (auto)",
-     parseName<imageLights, &S::imageLight>, writeName<imageLights, &S::imageLight>},
+     parseName<imageLights, &S::look, &frame::Look::models, &optics::Models::imageLight>,
+     writeName<imageLights, &S::look, &frame::Look::models, &optics::Models::imageLight>},
     {"energy", "NAME",
      "light of further bounces in a rough lobe: none, fdez-aguera, kulla-conty, turquin; auto: fdez-aguera for the "
      "environment, turquin for lights; above 4 samples kulla-conty (auto)",
-     parseName<energyModels, &S::energy>, writeName<energyModels, &S::energy>},
+     parseName<energyModels, &S::look, &frame::Look::models, &optics::Models::energy>,
+     writeName<energyModels, &S::look, &frame::Look::models, &optics::Models::energy>},
     {"brdf", "FILE|NAME|builtin:NAME", "a measured BRDF (MERL, UTIA) in the place of all materials (their own)",
-     parseText<&S::brdf>, writeText<&S::brdf>, ',', true, true},
-    {"brdf-dir", "DIR", "looks for databases of measured BRDFs here first", parseText<&S::brdfDir>,
-     writeText<&S::brdfDir>, ',', true},
+     parseText<&S::sources, &frame::Sources::brdf>, writeText<&S::sources, &frame::Sources::brdf>, ',', true, true},
+    {"brdf-dir", "DIR", "looks for databases of measured BRDFs here first",
+     parseText<&S::sources, &frame::Sources::brdfDir>, writeText<&S::sources, &frame::Sources::brdfDir>, ',', true},
     {"brdf-lookup", "NAME", "between its cells: interpolated, nearest (interpolated)",
-     parseName<lookUps, &S::brdfLookUp>, writeName<lookUps, &S::brdfLookUp>},
+     parseName<lookUps, &S::look, &frame::Look::brdfLookUp>, writeName<lookUps, &S::look, &frame::Look::brdfLookUp>},
     {"brdf-samples", "N",
      "environment samples a pixel of measured BRDFs, in pictures of at most 4 --samples (by the BRDF's sharpness)",
-     parseNumberInto<&S::brdfSamples, 1, 1024>, writeBrdfSamples},
-    {"utia-decode", "NAME", "what UTIA's numbers are: raw, srgb, srgb140 (raw)", parseName<utiaDecodes, &S::utiaDecode>,
-     writeName<utiaDecodes, &S::utiaDecode>},
+     parseNumberInto<1, 1024, &S::look, &frame::Look::brdfSamples>, writeBrdfSamples},
+    {"utia-decode", "NAME", "what UTIA's numbers are: raw, srgb, srgb140 (raw)",
+     parseName<utiaDecodes, &S::sources, &frame::Sources::utiaDecode>,
+     writeName<utiaDecodes, &S::sources, &frame::Sources::utiaDecode>},
     {"brdf-compare", "NAME",
      "the model fitted to it, GGX over --diffuse: fit, in its place; split, at its right; difference, of what the "
      "screen shows of both (none)",
-     parseName<comparisons, &S::brdfCompare>, writeBrdfCompare},
+     parseName<comparisons, &S::display, &frame::Display::brdfCompare>, writeBrdfCompare},
     {"brdf-split", "0..1", "where the fitted model begins, in widths of the picture (0.5)",
-     parseNumberInto<&S::brdfSplit, 0, 1>, writeNumber<&S::brdfSplit>},
-    {"brdf-difference-scale", "X", "factor on that difference (4)", parseNumberInto<&S::brdfDifferenceScale, 0, 1000>,
-     writeNumber<&S::brdfDifferenceScale>},
-    {"occlusion", "0..1", "scales the occlusion textures' strength (1)", parseNumberInto<&S::occlusion, 0, 1>,
-     writeNumber<&S::occlusion>},
-    {"exposure", "STOPS", "factor 2^STOPS before tone mapping (0)", parseNumberInto<&S::exposureStops, -32, 32>,
-     writeNumber<&S::exposureStops>},
+     parseNumberInto<0, 1, &S::display, &frame::Display::brdfSplit>,
+     writeNumber<&S::display, &frame::Display::brdfSplit>},
+    {"brdf-difference-scale", "X", "factor on that difference (4)",
+     parseNumberInto<0, 1000, &S::display, &frame::Display::brdfDifferenceScale>,
+     writeNumber<&S::display, &frame::Display::brdfDifferenceScale>},
+    {"occlusion", "0..1", "scales the occlusion textures' strength (1)",
+     parseNumberInto<0, 1, &S::frame, &frame::FrameSettings::occlusion>,
+     writeNumber<&S::frame, &frame::FrameSettings::occlusion>},
+    {"exposure", "STOPS", "factor 2^STOPS before tone mapping (0)",
+     parseNumberInto<-32, 32, &S::display, &frame::Display::exposureStops>,
+     writeNumber<&S::display, &frame::Display::exposureStops>},
     {"tonemap", "NAME", "none, reinhard, uncharted2, aces, agx, neutral (neutral)",
-     parseName<toneMappers, &S::toneMapper>, writeName<toneMappers, &S::toneMapper>},
+     parseName<toneMappers, &S::display, &frame::Display::toneMapper>,
+     writeName<toneMappers, &S::display, &frame::Display::toneMapper>},
     {"samples", "N", "samples a pixel (4); above 4 the environment is sampled too, and the picture converges",
-     parseNumberInto<&S::samples, 1, 4096>, writeNumber<&S::samples>},
+     parseNumberInto<1, 4096, &S::quality, &frame::Quality::samples>,
+     writeNumber<&S::quality, &frame::Quality::samples>},
     {"max-error", "E",
      "takes as many samples as the picture's estimated error needs, --samples at most (4096): root mean square of what "
      "one sees, 0.01 or 1% of white; light tables keep to it, too (none: as many as --samples says, tables to 1%)",
-     parseMaxError, writeNumber<&S::maxError>},
+     parseMaxError, writeNumber<&S::quality, &frame::Quality::maxError>},
     {"channel", "NAME",
      "final, normal, geometryNormal, tangent, uv, baseColor, metallic, roughness, occlusion, emissive, alpha (final)",
-     parseName<channels, &S::channel>, writeName<channels, &S::channel>},
-    {"shader-dir", "DIR", "reads shaders from here instead of the embedded ones", parseText<&S::shaderDir>,
-     writeText<&S::shaderDir>, ',', true},
+     parseName<channels, &S::look, &frame::Look::channel>, writeName<channels, &S::look, &frame::Look::channel>},
+    {"shader-dir", "DIR", "reads shaders from here instead of the embedded ones",
+     parseText<&S::sources, &frame::Sources::shaderDir>, writeText<&S::sources, &frame::Sources::shaderDir>, ',', true},
 };
 
 std::vector<Text> optionNames() {
@@ -533,12 +564,12 @@ Result<void> apply(const nlohmann::json& object, std::span<const Text> others, c
 }
 
 Result<void> checkTogether(const PictureSettings& settings) {
-  if (settings.timeSeconds != 0 && settings.animation.empty())
+  if (settings.placement.timeSeconds != 0 && settings.placement.animation.empty())
     return fail({}, "--time", "nothing moves without an animation", "give --animation NAME, or --animation all");
-  if (settings.brdfCompare != frame::BrdfCompare::none && settings.brdf.empty())
+  if (settings.display.brdfCompare != frame::BrdfCompare::none && settings.sources.brdf.empty())
     return fail({}, "--brdf-compare", "there is no measured BRDF to compare", "give --brdf, too");
-  if (settings.camera.empty() || (!settings.orbit && !settings.target)) return {};
-  return fail({}, settings.orbit ? "--orbit" : "--target", "the camera of the file has its own place",
+  if (settings.viewpoint.camera.empty() || (!settings.viewpoint.orbit && !settings.viewpoint.target)) return {};
+  return fail({}, settings.viewpoint.orbit ? "--orbit" : "--target", "the camera of the file has its own place",
               "give either this or --camera");
 }
 

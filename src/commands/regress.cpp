@@ -275,7 +275,7 @@ int runRegress(const RegressArguments& arguments) {
   if (!arguments.worker) return runSuite(arguments);
   const Result<Suite> suite = chosenSuite(arguments);
   if (!suite) return badInput(suite.error());
-  const std::string shaders = suite->jobs.front().settings.shaderDir;
+  const std::string shaders = suite->jobs.front().settings.sources.shaderDir;
   return answerJobs(*suite, resultsFolder(arguments), {.shaderDir = shaders, .diskCache = !arguments.noCache});
 }
 

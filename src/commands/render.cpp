@@ -67,7 +67,7 @@ nlohmann::ordered_json statsJson(const Job& job, const frame::Session& session, 
     json attempts = json::array();
     for (const frame::Attempt& a : s.attempts)
       attempts.push_back({{"samples", a.samples}, {"error", a.error / 255}, {"ms", a.milliseconds}});
-    out["error"] = {{"wanted", *job.settings.maxError},
+    out["error"] = {{"wanted", *job.settings.quality.maxError},
                     {"estimated", s.attempts.back().error / 255},
                     {"samples", s.attempts.back().samples},
                     {"attempts", attempts}};
@@ -91,12 +91,12 @@ nlohmann::ordered_json statsJson(const Job& job, const frame::Session& session, 
                       {"ms", table.milliseconds},
                       {"gpuMs", table.gpuMilliseconds}});
   out["tables"] = tables;
-  if (job.settings.maxError) {
+  if (job.settings.quality.maxError) {
     json methods = json::object();
     constexpr std::pair<const char*, ibl::Part> parts[] = {
         {"irradiance", ibl::Part::irradiance}, {"layers", ibl::Part::layers}, {"dfg", ibl::Part::dfg}};
     for (const auto& [name, part] : parts) {
-      const ibl::Candidate& chosen = ibl::choose(part, *job.settings.maxError);
+      const ibl::Candidate& chosen = ibl::choose(part, *job.settings.quality.maxError);
       methods[name] = {{"method", chosen.name}, {"error", chosen.error}};
     }
     out["methods"] = methods;
@@ -148,10 +148,10 @@ std::string tellReached(const Job& job, const frame::Picture& picture, Notes& no
   if (picture.statistics.attempts.empty()) return {};
   const frame::Attempt& last = picture.statistics.attempts.back();
   const std::string samples = std::to_string(last.samples) + " samples";
-  if (last.error / 255 > *job.settings.maxError)
+  if (last.error / 255 > *job.settings.quality.maxError)
     notes.push_back({Note::Severity::warning, "",
                      "--max-error: after " + samples + " the error is about " + percent(last.error / 255) +
-                         "; give more --samples, or a larger error than " + percent(*job.settings.maxError)});
+                         "; give more --samples, or a larger error than " + percent(*job.settings.quality.maxError)});
   return ": " + samples + ", error about " + percent(last.error / 255);
 }
 
@@ -180,7 +180,7 @@ Result<JobResult> runJob(const Job& job, int repeat, bool last, frame::Session& 
 
 // Frame by frame from --time on.
 Result<std::vector<Job>> listFrames(const Job& first, const RenderArguments& arguments) {
-  if (first.settings.animation.empty())
+  if (first.settings.placement.animation.empty())
     return fail({}, "--frames", "nothing moves without an animation", "give --animation NAME, or --animation all");
   if (!first.stats.empty()) return fail({}, "--stats", "is for one picture", "leave out --frames");
   std::vector<Job> jobs;
@@ -189,7 +189,7 @@ Result<std::vector<Job>> listFrames(const Job& first, const RenderArguments& arg
     if (!output) return tl::unexpected(output.error());
     Job job = first;
     job.output = *output;
-    job.settings.timeSeconds += i / arguments.fps;
+    job.settings.placement.timeSeconds += i / arguments.fps;
     jobs.push_back(std::move(job));
   }
   return jobs;
@@ -219,9 +219,9 @@ int runRender(const RenderArguments& arguments) {
   Stages stages;
   const Result<std::vector<Job>> jobs = listJobs(arguments);
   if (!jobs) return badInput(jobs.error());
-  const std::string shaderDir = jobs->empty() ? "" : jobs->front().settings.shaderDir;
+  const std::string shaderDir = jobs->empty() ? "" : jobs->front().settings.sources.shaderDir;
   for (const Job& job : *jobs)
-    if (job.settings.shaderDir != shaderDir)
+    if (job.settings.sources.shaderDir != shaderDir)
       return badInput(
           {arguments.jobs, "shader-dir", "differs from job to job", "give one for all, on the command line"});
   Result<std::unique_ptr<frame::Session>> session =

@@ -132,7 +132,7 @@ Result<Suite> parseSuite(std::string_view text, const std::string& name, const s
     job->index = static_cast<int>(i);
     const auto [other, added] = places.emplace(job->name, pointer);
     if (!added) return fail(name, pointer + "/name", "is also that of " + other->second, "name each job differently");
-    if (i > 0 && job->settings.shaderDir != suite.jobs.front().settings.shaderDir)
+    if (i > 0 && job->settings.sources.shaderDir != suite.jobs.front().settings.sources.shaderDir)
       return fail(name, pointer + "/shader-dir", "differs from job to job", "give it to all, among the defaults");
     suite.jobs.push_back(std::move(*job));
   }

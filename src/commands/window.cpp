@@ -37,9 +37,9 @@ Result<void> sortSources(const std::vector<std::string>& sources, view::WindowOp
 
 int runViewer(const WindowArguments& arguments) {
   view::WindowOptions options;
-  options.settings.width = 1280;
-  options.settings.height = 800;
-  options.settings.samples = 256;  // a resting picture converges
+  options.settings.frame.width = 1280;
+  options.settings.frame.height = 800;
+  options.settings.quality.samples = 256;  // a resting picture converges
   if (Result<void> r = apply(arguments.picture, options.settings); !r) return badInput(r.error());
   options.sizeGiven = arguments.picture.contains("size");
   if (Result<void> r = sortSources(arguments.sources, options); !r) return badInput(r.error());

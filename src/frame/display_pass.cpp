@@ -12,9 +12,9 @@ DisplayParameters displayParameters(const FrameInput& in, float scale) {
   const PictureSettings& s = in.settings;
   const int channel = in.list.features.channel;
   const bool shaded = channel == 0;
-  return {{shaded ? std::exp2(s.exposureStops) : 1.0f, shaded ? static_cast<float>(s.toneMapper) : 0.0f,
+  return {{shaded ? std::exp2(s.display.exposureStops) : 1.0f, shaded ? static_cast<float>(s.display.toneMapper) : 0.0f,
            shading::channelIsColor(channel) ? 1.0f : 0.0f, scale},
-          {s.backgroundColor, s.background == Background::color ? 1.0f : 0.0f}};
+          {s.frame.backgroundColor, s.frame.background == Background::color ? 1.0f : 0.0f}};
 }
 
 void drawFullscreen(const gl::Framebuffer& target, const Targets& targets, const gl::Texture& source,
@@ -30,7 +30,7 @@ void drawFullscreen(const gl::Framebuffer& target, const Targets& targets, const
 }
 
 bool comparing(const FrameInput& in) {
-  const BrdfCompare compare = in.settings.brdfCompare;
+  const BrdfCompare compare = in.settings.display.brdfCompare;
   return in.list.compared && (compare == BrdfCompare::split || compare == BrdfCompare::difference);
 }
 
@@ -47,9 +47,9 @@ Result<void> showPicture(const FrameInput& in, const Targets& targets, float sca
   (*program)->set(0, display.parameters);
   (*program)->set(1, display.backdrop);
   if (comparing(in)) {
-    const float difference = in.settings.brdfCompare == BrdfCompare::difference ? 1 : 0;
-    (*program)->set(2, glm::vec4(in.settings.brdfSplit * static_cast<float>(in.settings.width),
-                                 in.settings.brdfDifferenceScale, difference, 0));
+    const float difference = in.settings.display.brdfCompare == BrdfCompare::difference ? 1 : 0;
+    (*program)->set(2, glm::vec4(in.settings.display.brdfSplit * static_cast<float>(in.settings.frame.width),
+                                 in.settings.display.brdfDifferenceScale, difference, 0));
     targets.fitted.bind(layout::comparedUnit);
   }
   drawFullscreen(shown.shown, targets, targets.sum ? targets.sum : targets.color, **program);
@@ -65,7 +65,7 @@ Result<ComparisonSums> sumComparison(const FrameInput& in, const Targets& target
   const DisplayParameters display = displayParameters(in, scale);
   (*program)->set(0, display.parameters);
   (*program)->set(1, display.backdrop);
-  const int rows = std::min(targets.height, in.settings.height - in.firstRow);
+  const int rows = std::min(targets.height, in.settings.frame.height - in.firstRow);
   (*program)->set(2, rows);
   const int across = (targets.width + tile - 1) / tile, up = (rows + tile - 1) / tile;
   ComparisonSums out;

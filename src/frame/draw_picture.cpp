@@ -24,9 +24,10 @@ int bandRows(const PictureSettings& settings, const DrawList& list, const gl::Co
       corners += std::max(draw.primitive->indices.size(), draw.primitive->positions.size()) * draw.instanceCount;
   size_t budget = corners < 300'000 ? size_t{4} << 20 : size_t{1} << 30;
   if (!list.transmitting.empty()) budget = size_t{4} << 30;
-  const int samples = std::min(settings.samples, context.maxSamples);
-  const size_t rows = budget / (static_cast<size_t>(settings.width) * static_cast<size_t>(samples) * 12) / 16 * 16;
-  return static_cast<int>(std::clamp<size_t>(rows, 16, static_cast<size_t>(std::max(16, settings.height))));
+  const int samples = std::min(settings.quality.samples, context.maxSamples);
+  const size_t rows =
+      budget / (static_cast<size_t>(settings.frame.width) * static_cast<size_t>(samples) * 12) / 16 * 16;
+  return static_cast<int>(std::clamp<size_t>(rows, 16, static_cast<size_t>(std::max(16, settings.frame.height))));
 }
 
 // A band's pixels into the picture; firstRow counts from the bottom, data from the top.
@@ -40,11 +41,11 @@ void placeBand(std::vector<T>& picture, const std::vector<T>& band, size_t rowLe
 
 // As compare.frag.glsl does it with display values; the difference is not scaled.
 void compareRadiance(io::RadianceImage& picture, const io::RadianceImage& fitted, const PictureSettings& settings) {
-  const float split = settings.brdfSplit * static_cast<float>(picture.width);
+  const float split = settings.display.brdfSplit * static_cast<float>(picture.width);
   for (size_t i = 0; i < picture.pixels.size(); ++i) {
     glm::vec4& p = picture.pixels[i];
     const glm::vec4& f = fitted.pixels[i];
-    if (settings.brdfCompare == BrdfCompare::difference)
+    if (settings.display.brdfCompare == BrdfCompare::difference)
       p = glm::vec4(glm::abs(glm::vec3(p) - glm::vec3(f)), 1);
     else if (static_cast<float>(i % static_cast<size_t>(picture.width)) + 0.5f >= split)
       p = f;
@@ -53,23 +54,23 @@ void compareRadiance(io::RadianceImage& picture, const io::RadianceImage& fitted
 
 void readBand(Picture& picture, const PictureRequest& request, const Targets& targets, const PictureSettings& settings,
               int firstRow) {
-  const auto width = static_cast<size_t>(settings.width), height = static_cast<size_t>(settings.height);
+  const auto width = static_cast<size_t>(settings.frame.width), height = static_cast<size_t>(settings.frame.height);
   if (request.radiance) {
     io::RadianceImage band = readRadiance(targets);
     if (targets.fitted) compareRadiance(band, readFitted(targets), settings);
-    if (settings.background == Background::color)
-      for (glm::vec4& p : band.pixels) p = glm::vec4(glm::vec3(p) + (1 - p.a) * settings.backgroundColor, 1);
-    picture.radiance.width = settings.width, picture.radiance.height = settings.height;
+    if (settings.frame.background == Background::color)
+      for (glm::vec4& p : band.pixels) p = glm::vec4(glm::vec3(p) + (1 - p.a) * settings.frame.backgroundColor, 1);
+    picture.radiance.width = settings.frame.width, picture.radiance.height = settings.frame.height;
     picture.radiance.pixels.resize(width * height);
-    placeBand(picture.radiance.pixels, band.pixels, width, settings.height, firstRow);
+    placeBand(picture.radiance.pixels, band.pixels, width, settings.frame.height, firstRow);
   }
   if (request.display) {
-    io::Pixels band = readDisplay(targets, settings.background == Background::transparent);
-    picture.display.width = settings.width, picture.display.height = settings.height;
+    io::Pixels band = readDisplay(targets, settings.frame.background == Background::transparent);
+    picture.display.width = settings.frame.width, picture.display.height = settings.frame.height;
     picture.display.channels = band.channels;
     const size_t rowLength = width * static_cast<size_t>(band.channels);
     picture.display.data.resize(rowLength * height);
-    placeBand(picture.display.data, band.data, rowLength, settings.height, firstRow);
+    placeBand(picture.display.data, band.data, rowLength, settings.frame.height, firstRow);
   }
 }
 
@@ -102,7 +103,7 @@ Result<DrawnFrame> drawBands(FrameInput in, const Targets& targets, shading::Pro
                              const ReadBand& read) {
   DrawnFrame frame;
   double squares = 0;
-  for (in.firstRow = 0; in.firstRow < in.settings.height; in.firstRow += targets.height) {
+  for (in.firstRow = 0; in.firstRow < in.settings.frame.height; in.firstRow += targets.height) {
     const auto start = std::chrono::steady_clock::now();
     Result<FrameStatistics> drawn = drawFrame(in, targets, programs);
     if (!drawn) return tl::unexpected(drawn.error());
@@ -110,10 +111,10 @@ Result<DrawnFrame> drawBands(FrameInput in, const Targets& targets, shading::Pro
     frame.milliseconds += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     frame.statistics = std::move(*drawn);
     const double error = frame.statistics.error;
-    squares += error * error * std::min(targets.height, in.settings.height - in.firstRow);
+    squares += error * error * std::min(targets.height, in.settings.frame.height - in.firstRow);
     if (Result<void> r = read ? read(in) : Result<void>(); !r) return tl::unexpected(r.error());
   }
-  if (targets.before) frame.statistics.error = std::sqrt(squares / in.settings.height);
+  if (targets.before) frame.statistics.error = std::sqrt(squares / in.settings.frame.height);
   return frame;
 }
 
@@ -121,16 +122,17 @@ Result<DrawnFrame> drawBands(FrameInput in, const Targets& targets, shading::Pro
 Targets pictureTargets(const PictureSettings& settings, const gl::ContextInfo& context, int rows, bool estimate) {
   Targets targets = createTargets(settings, context, rows);
   if (estimate)
-    targets.before = gl::Texture({.format = GL_RGBA32F, .width = settings.width, .height = rows}, "first samples");
+    targets.before =
+        gl::Texture({.format = GL_RGBA32F, .width = settings.frame.width, .height = rows}, "first samples");
   return targets;
 }
 
 }  // namespace
 
 Targets createTargets(const PictureSettings& settings, const gl::ContextInfo& context, int rows) {
-  const bool gather = settings.samples > convergedAbove;
-  return createTargets(settings.width, rows > 0 ? rows : settings.height,
-                       gather ? 1 : std::min(settings.samples, context.maxSamples), gather);
+  const bool gather = settings.quality.samples > convergedAbove;
+  return createTargets(settings.frame.width, rows > 0 ? rows : settings.frame.height,
+                       gather ? 1 : std::min(settings.quality.samples, context.maxSamples), gather);
 }
 
 Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& request, PreparedPicture prepared,
@@ -140,18 +142,18 @@ Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& 
   picture.statistics = std::move(prepared.statistics);
   PictureStatistics& statistics = picture.statistics;
   const DrawList& list = prepared.list;
-  PictureSettings settings = asked.maxError ? withSamples(asked, firstSamples(asked)) : asked;
+  PictureSettings settings = asked.quality.maxError ? withSamples(asked, firstSamples(asked)) : asked;
   const FrameInput input{*scene.model, list, scene.gpu, environment.tables, prepared.view, settings};
-  const int rows = std::min(bandRows(settings, list, context), settings.height);
-  Targets targets = pictureTargets(settings, context, rows, asked.maxError.has_value());
+  const int rows = std::min(bandRows(settings, list, context), settings.frame.height);
+  Targets targets = pictureTargets(settings, context, rows, asked.quality.maxError.has_value());
   prepareBehind(targets, list);
   prepareComparison(targets, list);
-  statistics.bands = (settings.height + rows - 1) / rows;
-  if (asked.maxError)
+  statistics.bands = (settings.frame.height + rows - 1) / rows;
+  if (asked.quality.maxError)
     if (Result<void> r = prepareGatherPrograms(programs); !r) return tl::unexpected(r.error());
 
-  for (int samples = settings.samples; samples > 0;) {
-    settings.samples = samples;
+  for (int samples = settings.quality.samples; samples > 0;) {
+    settings.quality.samples = samples;
     setTextureDetail(scene.gpu, gatheredDraws(settings, targets), context);
     std::vector<ComparisonSums> comparison;
     Result<DrawnFrame> drawn = drawBands(input, targets, programs, [&](const FrameInput& band) -> Result<void> {
@@ -170,9 +172,9 @@ Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& 
     statistics.frameMs = {drawn->milliseconds};
     if (!comparison.empty()) statistics.comparison = readComparison(comparison);
     samples = 0;
-    if (!asked.maxError) continue;
-    statistics.attempts.push_back({settings.samples, statistics.frame.error, drawn->milliseconds});
-    samples = nextSamples(asked, settings.samples, statistics.frame.error);
+    if (!asked.quality.maxError) continue;
+    statistics.attempts.push_back({settings.quality.samples, statistics.frame.error, drawn->milliseconds});
+    samples = nextSamples(asked, settings.quality.samples, statistics.frame.error);
   }
   for (int i = 0; i < request.repeat; ++i) {
     const Result<DrawnFrame> drawn = drawBands(input, targets, programs, {});

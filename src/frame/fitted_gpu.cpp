@@ -90,8 +90,9 @@ Result<std::shared_ptr<const FittedOnGpu>> findFit(MeasuredStore& store, const M
 }
 
 void setFitted(DrawOptions& options, const PictureSettings& settings) {
-  options.features.measuredFitted = settings.brdfCompare == BrdfCompare::fit;
-  options.compared = settings.brdfCompare == BrdfCompare::split || settings.brdfCompare == BrdfCompare::difference;
+  options.features.measuredFitted = settings.display.brdfCompare == BrdfCompare::fit;
+  options.compared =
+      settings.display.brdfCompare == BrdfCompare::split || settings.display.brdfCompare == BrdfCompare::difference;
 }
 
 }  // namespace facet::frame

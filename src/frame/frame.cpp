@@ -27,34 +27,35 @@ Result<const gl::Program*> skyProgram(ProgramStore& programs) {
   return programs.render("passes/fullscreen.vert.glsl", "passes/sky.frag.glsl");
 }
 bool skyVisible(const FrameInput& in) {
-  return in.settings.background == Background::environment && in.tables.background && in.list.features.channel == 0;
+  return in.settings.frame.background == Background::environment && in.tables.background &&
+         in.list.features.channel == 0;
 }
 
 layout::FrameUniforms frameUniforms(const FrameInput& in, int draw, int draws, const glm::dvec2& offsetPixels) {
   const scene::View& view = in.view;
-  const glm::dmat4 shift = glm::translate(
-      glm::dmat4(1), glm::dvec3(2 * offsetPixels.x / in.settings.width, 2 * offsetPixels.y / in.settings.height, 0));
+  const glm::dmat4 shift = glm::translate(glm::dmat4(1), glm::dvec3(2 * offsetPixels.x / in.settings.frame.width,
+                                                                    2 * offsetPixels.y / in.settings.frame.height, 0));
   layout::FrameUniforms u{};
   u.clipFromWorld = glm::mat4(shift * view.clipFromWorld * glm::translate(glm::dmat4(1), in.list.origin));
   const double tanX = view.orthographic ? 0 : 1 / view.clipFromView[0][0];
   const double tanY = view.orthographic ? 0 : 1 / view.clipFromView[1][1];
-  const glm::dvec3 skyForward = view.forward - view.right * (tanX * 2 * offsetPixels.x / in.settings.width) -
-                                view.up * (tanY * 2 * offsetPixels.y / in.settings.height);
+  const glm::dvec3 skyForward = view.forward - view.right * (tanX * 2 * offsetPixels.x / in.settings.frame.width) -
+                                view.up * (tanY * 2 * offsetPixels.y / in.settings.frame.height);
   u.worldFromClip = glm::mat4(glm::dmat4(glm::dvec4(view.right * tanX, 0), glm::dvec4(view.up * tanY, 0), glm::dvec4(0),
                                          glm::dvec4(skyForward, 0)));
   u.eye = glm::vec4(glm::vec3(view.eye - in.list.origin), view.orthographic ? 0.0f : 1.0f);
   u.towardsEye = glm::vec4(glm::vec3(-view.forward), 0);
-  const float angle = glm::radians(in.settings.environmentRotationDeg);
+  const float angle = glm::radians(in.settings.frame.environmentRotationDeg);
   u.environmentRotation = glm::vec4(std::cos(angle), std::sin(angle), 0, 0);
-  const float scale = in.tables.radianceScale * in.settings.environmentStrength;
-  u.environmentScale = glm::vec4(scale, scale, in.settings.environmentStrength, 0);
-  u.options = glm::vec4(in.settings.occlusion, static_cast<float>(draw), static_cast<float>(draws), 0);
-  u.picture = glm::vec4(in.settings.width, in.settings.height, in.firstRow,
-                        static_cast<float>(view.clipFromView[1][1] * in.settings.height / 2));
+  const float scale = in.tables.radianceScale * in.settings.frame.environmentStrength;
+  u.environmentScale = glm::vec4(scale, scale, in.settings.frame.environmentStrength, 0);
+  u.options = glm::vec4(in.settings.frame.occlusion, static_cast<float>(draw), static_cast<float>(draws), 0);
+  u.picture = glm::vec4(in.settings.frame.width, in.settings.frame.height, in.firstRow,
+                        static_cast<float>(view.clipFromView[1][1] * in.settings.frame.height / 2));
   const glm::dmat4& p = view.clipFromView;
   u.distanceFromDepth = glm::vec4(p[2][2], p[3][2], p[2][3], p[3][3]);
-  if (in.settings.background == Background::color)
-    u.backdrop = glm::vec4(in.settings.backgroundColor * std::exp2(-in.settings.exposureStops), 1);
+  if (in.settings.frame.background == Background::color)
+    u.backdrop = glm::vec4(in.settings.frame.backgroundColor * std::exp2(-in.settings.display.exposureStops), 1);
   return u;
 }
 
@@ -205,7 +206,7 @@ void bindMeasured(const FrameInput& in) {
 void clearTargets(const FrameInput& in, const Targets& targets) {
   glm::vec4 clear(0, 0, 0, 1);
   // A colour is put behind the finished picture, so that neither exposure nor tone mapping changes it.
-  if (in.settings.background != Background::environment) clear.a = 0;
+  if (in.settings.frame.background != Background::environment) clear.a = 0;
   const float far = 0;
   glDepthMask(GL_TRUE);
   glClearNamedFramebufferfv(targets.drawn.id(), GL_COLOR, 0, &clear.x);
@@ -220,7 +221,7 @@ Result<FrameStatistics> drawScene(const FrameInput& in, const VisibleDraws& visi
   const std::vector<layout::FrameUniforms> uniforms = {frameUniforms(in, draw, draws, offsetPixels)};
   const gl::Buffer frameBuffer = gl::Buffer::of(uniforms, "frame");
   glBindFramebuffer(GL_FRAMEBUFFER, targets.drawn.id());
-  glViewport(0, -in.firstRow, in.settings.width, in.settings.height);
+  glViewport(0, -in.firstRow, in.settings.frame.width, in.settings.frame.height);
   clearTargets(in, targets);
   glBindBufferBase(GL_UNIFORM_BUFFER, layout::frameBinding, frameBuffer.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::instanceBinding, in.gpu.instances.id());

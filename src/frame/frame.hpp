@@ -84,7 +84,7 @@ Result<void> preparePrograms(const FrameInput& in, shading::ProgramStore& progra
 // Compiles one of them at most. True where none was missing.
 Result<bool> prepareNextProgram(const FrameInput& in, shading::ProgramStore& programs);
 
-// Draws settings.samples samples a pixel into targets.color (or targets.sum) and the display picture into
+// Draws settings.quality.samples samples a pixel into targets.color (or targets.sum) and the display picture into
 // targets.display. All programs are ready (preparePrograms). Estimates the error where the targets have a `before`.
 Result<FrameStatistics> drawFrame(const FrameInput& in, const Targets& targets, shading::ProgramStore& programs);
 

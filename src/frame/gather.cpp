@@ -35,10 +35,10 @@ std::vector<glm::dvec2> jitter(int count) {
 
 // What lies in the rows that the targets hold.
 VisibleDraws visibleRows(const FrameInput& in, const Targets& targets) {
-  const auto clip = [&](int row) { return 2.0 * row / in.settings.height - 1; };
+  const auto clip = [&](int row) { return 2.0 * row / in.settings.frame.height - 1; };
   constexpr double marginPixels = 2;  // offsets within the pixel; lines and points are one pixel wide
   return visibleDraws(in.list, in.view, {clip(in.firstRow), clip(in.firstRow + targets.height)},
-                      2 * marginPixels / std::min(in.settings.width, in.settings.height));
+                      2 * marginPixels / std::min(in.settings.frame.width, in.settings.frame.height));
 }
 
 // Adds targets.color / draws to a sum.
@@ -85,7 +85,7 @@ float meanScale(const Gathering& gathering) {
 }
 
 int gatheredDraws(const PictureSettings& settings, const Targets& targets) {
-  return targets.sum ? settings.samples : 1;
+  return targets.sum ? settings.quality.samples : 1;
 }
 
 Gathering beginGathering(const FrameInput& in, const Targets& targets) {
@@ -154,7 +154,7 @@ Result<ErrorSums> sumErrors(const FrameInput& in, const Targets& targets, const 
   (*program)->set(0, display.parameters);
   (*program)->set(1, display.backdrop);
   const double before = gathering.before, after = gathering.done - gathering.before, all = gathering.done;
-  const int height = std::min(targets.height, in.settings.height - in.firstRow);  // of the picture
+  const int height = std::min(targets.height, in.settings.frame.height - in.firstRow);  // of the picture
   (*program)->set(2, glm::vec4(all / before, all / after, height, 0));
   const int columns = (targets.width + tile - 1) / tile, rows = (height + tile - 1) / tile;
   ErrorSums out;

@@ -11,15 +11,17 @@ namespace facet::frame {
 
 namespace {
 
-int most(const PictureSettings& settings) { return settings.samples > convergedAbove ? settings.samples : mostSamples; }
+int most(const PictureSettings& settings) {
+  return settings.quality.samples > convergedAbove ? settings.quality.samples : mostSamples;
+}
 
 }  // namespace
 
 int firstSamples(const PictureSettings& settings) { return std::min(2 * convergedAbove, most(settings)); }
 
 int nextSamples(const PictureSettings& settings, int samples, double error) {
-  assert(settings.maxError && samples > 0);
-  const double wanted = 255 * *settings.maxError;
+  assert(settings.quality.maxError && samples > 0);
+  const double wanted = 255 * *settings.quality.maxError;
   if (error <= wanted || samples >= most(settings)) return 0;
   // Errors fall by N^-1/2 where they are noise, and by up to N^-1 where they are edges: 0.7 rarely asks for too many,
   // and a further attempt makes up for too few.
@@ -30,8 +32,8 @@ int nextSamples(const PictureSettings& settings, int samples, double error) {
 
 PictureSettings withSamples(const PictureSettings& settings, int samples) {
   PictureSettings out = settings;
-  out.samples = samples;
-  out.maxError.reset();
+  out.quality.samples = samples;
+  out.quality.maxError.reset();
   return out;
 }
 

@@ -16,7 +16,7 @@ inline constexpr int mostSamples = 4096;  // a pixel
 int firstSamples(const PictureSettings& settings);
 
 // Of the next attempt, after one whose estimated error was that (PictureErrors::parts, in 1/255); 0: there is none, it
-// is within settings.maxError or as many as are allowed.
+// is within settings.quality.maxError or as many as are allowed.
 int nextSamples(const PictureSettings& settings, int samples, double error);
 
 // settings with that many samples, and no error to keep to.

@@ -101,7 +101,7 @@ optics::MeasuredBrdf unpackMeasured(const std::vector<glm::uvec2>& cells, const 
 }
 
 MeasuredSource measuredSource(const PictureSettings& settings) {
-  return {settings.brdf, settings.brdfDir, settings.utiaDecode};
+  return {settings.sources.brdf, settings.sources.brdfDir, settings.sources.utiaDecode};
 }
 
 Result<MeasuredBytes> readMeasuredBytes(const MeasuredSource& source) {
@@ -169,8 +169,8 @@ Result<std::shared_ptr<const MeasuredOnGpu>> findMeasured(MeasuredStore& store, 
 void setMeasured(shading::FrameFeatures& features, const PictureSettings& settings, optics::MeasuredKind kind,
                  const optics::MeasuredProxy& proxy) {
   features.measured = kind == optics::MeasuredKind::merl ? shading::Measured::merl : shading::Measured::utia;
-  features.measuredNearest = settings.brdfLookUp == optics::LookUp::nearest;
-  features.measuredLightSamples = settings.brdfSamples > 0 ? settings.brdfSamples : measuredSamples(proxy);
+  features.measuredNearest = settings.look.brdfLookUp == optics::LookUp::nearest;
+  features.measuredLightSamples = settings.look.brdfSamples > 0 ? settings.look.brdfSamples : measuredSamples(proxy);
 }
 
 }  // namespace facet::frame

@@ -45,7 +45,7 @@ void noteUnlit(const PictureSettings& settings, const DrawList& list, const ibl:
   const auto lit = [](const Draw& draw) { return !shading::usesFeature(draw.key, "UNLIT"); };
   const bool anyLit =
       std::ranges::any_of(list.classes(), [&](const auto* draws) { return std::ranges::any_of(*draws, lit); });
-  if (anyLit && !needs.irradiance && !needs.cube && list.lights.empty() && settings.channel.empty())
+  if (anyLit && !needs.irradiance && !needs.cube && list.lights.empty() && settings.look.channel.empty())
     notes.push_back({Note::Severity::warning, "",
                      "nothing lights the scene: it has no lights and --env is none; give --env or --lights demo"});
 }
@@ -78,14 +78,14 @@ void noteModels(const DrawList& list, Notes& notes) {
 // The measured BRDF onto the GPU and into the options, or out of both.
 Result<void> chooseMeasured(const PictureSettings& settings, SceneOnGpu& scene, DrawOptions& options, Notes& notes) {
   scene.gpu.measured.reset(), scene.gpu.fitted.reset();
-  if (settings.brdf.empty() || options.features.channel != 0) return {};
+  if (settings.sources.brdf.empty() || options.features.channel != 0) return {};
   if (!scene.measured) scene.measured = std::make_shared<MeasuredStore>();
   auto found = findMeasured(*scene.measured, measuredSource(settings), notes);
   if (!found) return tl::unexpected(found.error());
   scene.gpu.measured = *found;
   setMeasured(options.features, settings, (*found)->facts.kind, (*found)->facts.proxy);
-  if (settings.brdfCompare == BrdfCompare::none) return {};
-  auto fitted = findFit(*scene.measured, measuredSource(settings), settings.diffuse);
+  if (settings.display.brdfCompare == BrdfCompare::none) return {};
+  auto fitted = findFit(*scene.measured, measuredSource(settings), settings.look.models.diffuse);
   if (!fitted) return tl::unexpected(fitted.error());
   scene.gpu.fitted = *fitted;
   setFitted(options, settings);
@@ -111,51 +111,50 @@ void noteMeasured(const DrawList& list, Notes& notes) {
 
 DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment) {
   DrawOptions options;
-  options.features.environment = hasEnvironment && settings.environmentStrength > 0;
-  options.features.occlusion = settings.occlusion > 0;
-  options.features.channel = std::max(0, shading::channelIndex(settings.channel));
+  options.features.environment = hasEnvironment && settings.frame.environmentStrength > 0;
+  options.features.occlusion = settings.frame.occlusion > 0;
+  options.features.channel = std::max(0, shading::channelIndex(settings.look.channel));
   const bool converging = converges(settings);
   options.features.shadedOnce = !converging;
-  if (settings.imageLight == optics::ImageLight::sampled)
+  if (settings.look.models.imageLight == optics::ImageLight::sampled)
     options.features.imageLightSamples = converging ? convergedLightSamples : onceLightSamples;
-  else if (settings.imageLight == optics::ImageLight::automatic && converging)
+  else if (settings.look.models.imageLight == optics::ImageLight::automatic && converging)
     options.features.imageLightSamples = convergedLightSamples;
-  options.features.models = {settings.diffuse, settings.fresnel,    settings.distribution,
-                             settings.masking, settings.imageLight, settings.energy};
-  options.sceneLights = settings.lights != Lights::none;
-  options.demoLights = settings.lights == Lights::demo;
-  options.moving = !settings.animation.empty();
-  if (settings.material.on) options.material = overridingMaterial(settings.material);
+  options.features.models = settings.look.models;
+  options.sceneLights = settings.look.lights != Lights::none;
+  options.demoLights = settings.look.lights == Lights::demo;
+  options.moving = !settings.placement.animation.empty();
+  if (settings.look.material.on) options.material = overridingMaterial(settings.look.material);
   return options;
 }
 
 Result<int> chooseScene(const PictureSettings& settings, const scene::Model& model) {
-  const int scene = settings.scene < 0 ? model.defaultScene : settings.scene;
-  if (scene >= static_cast<int>(model.scenes.size()) && settings.scene >= 0)
+  const int scene = settings.placement.scene < 0 ? model.defaultScene : settings.placement.scene;
+  if (scene >= static_cast<int>(model.scenes.size()) && settings.placement.scene >= 0)
     return fail(model.name, "", "there is no scene " + std::to_string(scene),
                 "the file has " + std::to_string(model.scenes.size()));
   return scene;
 }
 
 Result<int> chooseVariant(const PictureSettings& settings, const scene::Model& model) {
-  if (settings.variant.empty()) return -1;
+  if (settings.look.variant.empty()) return -1;
   const int count = static_cast<int>(model.variants.size());
   std::string known;
   for (int i = 0; i < count; ++i) {
     const std::string& name = model.variants[static_cast<size_t>(i)];
-    if (name == settings.variant) return i;
+    if (name == settings.look.variant) return i;
     known += (i == 0 ? "" : ", ") + std::to_string(i) + (name.empty() ? "" : " (" + name + ")");
   }
-  if (const std::optional<int> index = wholeNumber(settings.variant); index && *index >= 0 && *index < count)
+  if (const std::optional<int> index = wholeNumber(settings.look.variant); index && *index >= 0 && *index < count)
     return *index;
-  return fail(model.name, "", "the file has no material variant '" + settings.variant + "'",
+  return fail(model.name, "", "the file has no material variant '" + settings.look.variant + "'",
               known.empty() ? "it has none at all: leave out --variant" : "it has " + known);
 }
 
 Result<scene::Pose> choosePose(const PictureSettings& settings, const scene::Model& model) {
-  const Result<std::vector<int>> animations = scene::chooseAnimations(model, settings.animation);
+  const Result<std::vector<int>> animations = scene::chooseAnimations(model, settings.placement.animation);
   if (!animations) return tl::unexpected(animations.error());
-  return scene::poseAt(model, *animations, settings.timeSeconds);
+  return scene::poseAt(model, *animations, settings.placement.timeSeconds);
 }
 
 namespace {
@@ -181,7 +180,7 @@ std::vector<double> framedMoments(const scene::Model& model, const std::vector<i
 
 scene::Bounds framingBounds(const PictureSettings& settings, const scene::Model& model, int scene,
                             const scene::Bounds& poseBounds) {
-  const Result<std::vector<int>> animations = scene::chooseAnimations(model, settings.animation);
+  const Result<std::vector<int>> animations = scene::chooseAnimations(model, settings.placement.animation);
   if (!animations || animations->empty()) return poseBounds;
   // Large scenes take few moments, because each is a walk through all that they draw.
   size_t work = 1 + model.nodes.size();
@@ -196,37 +195,39 @@ scene::Bounds framingBounds(const PictureSettings& settings, const scene::Model&
 
 scene::OrbitCamera chooseOrbit(const frame::PictureSettings& settings, const std::string& source,
                                const scene::Bounds& bounds) {
-  const double aspect = static_cast<double>(settings.width) / settings.height;
+  const double aspect = static_cast<double>(settings.frame.width) / settings.frame.height;
   const scene::BuiltinScene* builtin = builtinOf(source);
-  scene::OrbitCamera camera = scene::frameBounds(bounds, settings.fovYDeg.value_or(45.0), aspect);
-  if (builtin && !settings.fovYDeg) {
+  scene::OrbitCamera camera = scene::frameBounds(bounds, settings.viewpoint.fovYDeg.value_or(45.0), aspect);
+  if (builtin && !settings.viewpoint.fovYDeg) {
     camera = builtin->camera;
     camera.radius /= std::min(aspect, 1.0);  // it is made for square and wider pictures
   }
-  if (settings.target) camera.target = *settings.target;
-  if (settings.orbit) {
-    camera.theta = settings.orbit->thetaDeg;
-    camera.phi = settings.orbit->phiDeg;
-    if (settings.orbit->radius) camera.radius = *settings.orbit->radius;
+  if (settings.viewpoint.target) camera.target = *settings.viewpoint.target;
+  if (settings.viewpoint.orbit) {
+    camera.theta = settings.viewpoint.orbit->thetaDeg;
+    camera.phi = settings.viewpoint.orbit->phiDeg;
+    if (settings.viewpoint.orbit->radius) camera.radius = *settings.viewpoint.orbit->radius;
   }
   return camera;
 }
 
 Result<scene::View> chooseView(const PictureSettings& settings, const std::string& source, const scene::Model& model,
                                const DrawList& list, const scene::Bounds& framing) {
-  const double aspect = static_cast<double>(settings.width) / settings.height;
-  if (settings.camera.empty()) return scene::orbitView(chooseOrbit(settings, source, framing), aspect, list.bounds);
-  Result<FileCamera> camera = findCamera(settings.camera, model, list);
+  const double aspect = static_cast<double>(settings.frame.width) / settings.frame.height;
+  if (settings.viewpoint.camera.empty())
+    return scene::orbitView(chooseOrbit(settings, source, framing), aspect, list.bounds);
+  Result<FileCamera> camera = findCamera(settings.viewpoint.camera, model, list);
   if (!camera) return tl::unexpected(camera.error());
-  if (settings.fovYDeg) camera->lens.fovY = glm::radians(*settings.fovYDeg), camera->lens.aspectRatio = 0;
+  if (settings.viewpoint.fovYDeg)
+    camera->lens.fovY = glm::radians(*settings.viewpoint.fovYDeg), camera->lens.aspectRatio = 0;
   return scene::cameraView(camera->lens, camera->placed.worldFromNode, aspect, list.bounds);
 }
 
 std::string chooseEnvironment(const PictureSettings& settings, const std::string& source, const scene::Model& model,
                               int scene) {
-  if (!settings.environment.empty()) return settings.environment;
+  if (!settings.sources.environment.empty()) return settings.sources.environment;
   if (const scene::BuiltinScene* builtin = builtinOf(source)) return std::string(builtin->environment);
-  const bool shaded = drawOptions(settings, true).features.channel == 0 && settings.environmentStrength > 0;
+  const bool shaded = drawOptions(settings, true).features.channel == 0 && settings.frame.environmentStrength > 0;
   return shaded && scene::anythingLit(model, scene) ? "builtin:studio" : "none";
 }
 
@@ -240,7 +241,7 @@ void findSun(EnvironmentOnGpu& environment) {
 }
 
 bool chooseMethod(EnvironmentOnGpu& environment, const PictureSettings& settings) {
-  ibl::Method method = settings.maxError ? ibl::methodFor(*settings.maxError) : ibl::Method();
+  ibl::Method method = settings.quality.maxError ? ibl::methodFor(*settings.quality.maxError) : ibl::Method();
   method.takeSunOut = environment.method.takeSunOut;
   if (method == environment.method) return false;
   environment.method = method;
@@ -277,11 +278,12 @@ void decodeAndUpload(GpuScene& gpu, const scene::Model& model, const DrawList& l
 // Once for all frames of an animation.
 scene::Bounds framingOf(SceneOnGpu& scene, const PictureSettings& settings, int index,
                         const scene::Bounds& poseBounds) {
-  const bool viewGiven = !settings.camera.empty() || (settings.target && settings.orbit && settings.orbit->radius);
-  if (settings.animation.empty() || viewGiven) return poseBounds;
+  const bool viewGiven = !settings.viewpoint.camera.empty() ||
+                         (settings.viewpoint.target && settings.viewpoint.orbit && settings.viewpoint.orbit->radius);
+  if (settings.placement.animation.empty() || viewGiven) return poseBounds;
   std::optional<Framing>& known = scene.framing;
-  if (!known || known->scene != index || known->animation != settings.animation)
-    known = Framing{index, settings.animation, framingBounds(settings, *scene.model, index, poseBounds)};
+  if (!known || known->scene != index || known->animation != settings.placement.animation)
+    known = Framing{index, settings.placement.animation, framingBounds(settings, *scene.model, index, poseBounds)};
   return known->bounds;
 }
 
@@ -310,10 +312,10 @@ Result<PreparedPicture> preparePicture(const PictureSettings& settings, SceneOnG
       chooseView(settings, scene.source, model, list, framingOf(scene, settings, *sceneIndex, list.bounds));
   if (!view) return tl::unexpected(view.error());
   prepared.view = *view;
-  const bool skyVisible = settings.background == Background::environment && lit && list.features.channel == 0;
+  const bool skyVisible = settings.frame.background == Background::environment && lit && list.features.channel == 0;
   const ibl::Needs needs = list.needs(skyVisible);
   noteUnlit(settings, list, needs, notes);
-  if (!settings.brdf.empty())
+  if (!settings.sources.brdf.empty())
     noteMeasured(list, notes);
   else
     noteModels(list, notes);

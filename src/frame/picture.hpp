@@ -44,7 +44,7 @@ struct EnvironmentOnGpu {
 // The sun of what is prepared, else looks for one in the environment's texels.
 void findSun(EnvironmentOnGpu& environment);
 
-// The methods that settings.maxError asks for; the tables of others are dropped. True where they were.
+// The methods that settings.quality.maxError asks for; the tables of others are dropped. True where they were.
 bool chooseMethod(EnvironmentOnGpu& environment, const PictureSettings& settings);
 
 // What of them is not there yet, from the cache or computed.
@@ -53,7 +53,9 @@ Result<void> prepareTables(EnvironmentOnGpu& environment, const ibl::Needs& need
 // More samples a pixel than this: each is a draw of its own and samples the environment instead of reading the split
 // sum's tables, so that its specular part converges to the true integral, not to the approximation.
 inline constexpr int convergedAbove = 4;
-inline bool converges(const PictureSettings& s) { return s.maxError.has_value() || s.samples > convergedAbove; }
+inline bool converges(const PictureSettings& s) {
+  return s.quality.maxError.has_value() || s.quality.samples > convergedAbove;
+}
 inline constexpr int convergedLightSamples = 4;  // environment samples per draw
 inline constexpr int onceLightSamples = 32;      // the same where there is but one draw
 
@@ -90,7 +92,7 @@ Result<scene::View> chooseView(const PictureSettings& settings, const std::strin
 std::string chooseEnvironment(const PictureSettings& settings, const std::string& source, const scene::Model& model,
                               int scene);
 
-// Targets for one draw of settings.samples, or for gathering that many draws.
+// Targets for one draw of settings.quality.samples, or for gathering that many draws.
 // rows: of the picture that they hold at once; 0: all.
 Targets createTargets(const PictureSettings& settings, const gl::ContextInfo& context, int rows = 0);
 

@@ -64,7 +64,7 @@ Result<LoadedEnvironment*> Session::findEnvironment(const std::string& source, N
 
 Result<Picture> Session::render(const std::string& model, const PictureSettings& settings,
                                 const PictureRequest& request, Notes& notes, Stages& stages) {
-  if (Result<void> r = loadScene(model, {settings.bump, settings.bumpScale}, notes); !r)
+  if (Result<void> r = loadScene(model, {settings.sources.bump, settings.sources.bumpScale}, notes); !r)
     return tl::unexpected(r.error());
   stages.mark("read model");
   const Result<int> scene = chooseScene(settings, scene_->loaded.model);

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a picture is to look like: a plain struct, made from the command line, a job file or the panel by
-// commands/picture_options, read by every later step. A default that is "not given" leaves the choice to the reader.
+// What a picture is to look like: plain structs, one for each step that reads them, made from the command line, a job
+// file or the panel by commands/picture_options. A default that is "not given" leaves the choice to the reader.
 
 #include <glm/glm.hpp>
 #include <optional>
@@ -41,63 +41,98 @@ struct MaterialChoice {
   bool operator==(const MaterialChoice&) const = default;
 };
 
-struct PictureSettings {
-  int width = 1024, height = 1024;  // pixels, [1, 16384]
-
-  std::optional<Orbit> orbit;        // not given (and no camera): frames the scene's bounds
-  std::optional<glm::dvec3> target;  // metres; not given: the centre of the scene's bounds
-  std::optional<double> fovYDeg;     // vertical, [1, 179]; not given: the camera's, else 45
-  std::string camera;                // name or index of a camera in the file; empty: none. Excludes orbit and target.
-  int scene = -1;                    // index; -1: the file's default scene
-  std::string variant;               // KHR_materials_variants: name or index; empty: the file's own materials
-
-  MaterialChoice material;
-
+// What is read from outside, besides the model.
+struct Sources {
   std::string bump;         // grey height map for the materials of a built-in scene; empty: none
   double bumpScale = 0.02;  // height of white above black, in widths of the map
-
-  std::string animation;   // name or index of an animation in the file, "all"; empty: none, the model is at rest
-  double timeSeconds = 0;  // at which the animation stands, [0, 1e6]
-
-  std::string environment;           // "builtin:NAME", a path, "none"; empty: a built-in one is chosen
-  float environmentRotationDeg = 0;  // about +Y
-  float environmentStrength = 1;     // factor, [0, 1e6]
-  Background background = Background::environment;
-  glm::vec3 backgroundColor = glm::vec3(0);  // linear Rec. 709; Background::color only
-
-  Lights lights = Lights::scene;
-  // Models for comparison. Of the environment: diffuse and energy; Fresnel's terms only where it is sampled; the rest
-  // is GGX.
-  optics::DiffuseModel diffuse = optics::DiffuseModel::lambert;
-  optics::FresnelModel fresnel = optics::FresnelModel::schlick;
-  optics::NormalDistribution distribution = optics::NormalDistribution::ggx;
-  optics::Masking masking = optics::Masking::smith;
-  optics::ImageLight imageLight = optics::ImageLight::automatic;
-  optics::EnergyModel energy = optics::EnergyModel::automatic;
-
+  std::string environment;  // "builtin:NAME", a path, "none"; empty: a built-in one is chosen
   // A measured BRDF (a file, builtin:NAME or the name of a database) in the place of all materials but unlit ones:
   // their normal maps, occlusion, alpha and emission stay. Empty: the materials' own.
   std::string brdf;
   std::string brdfDir;  // where databases are looked for first
-  optics::LookUp brdfLookUp = optics::LookUp::interpolated;
   io::UtiaDecode utiaDecode = io::UtiaDecode::raw;
-  // Environment samples a pixel of pictures of at most 4 samples, [1, 1024]; 0: as many as frame/measured_samples.hpp
-  // says.
+  std::string shaderDir;  // shaders are read from here and reloaded on change; empty: the embedded ones
+
+  bool operator==(const Sources&) const = default;
+};
+
+// What of the model is shown, and in which pose.
+struct Placement {
+  int scene = -1;          // index; -1: the file's default scene
+  std::string animation;   // name or index of an animation in the file, "all"; empty: none, the model is at rest
+  double timeSeconds = 0;  // at which the animation stands, [0, 1e6]
+
+  bool operator==(const Placement&) const = default;
+};
+
+// From where it is seen.
+struct Viewpoint {
+  std::string camera;                // name or index of a camera in the file; empty: none. Excludes orbit and target.
+  std::optional<Orbit> orbit;        // not given (and no camera): frames the scene's bounds
+  std::optional<glm::dvec3> target;  // metres; not given: the centre of the scene's bounds
+  std::optional<double> fovYDeg;     // vertical, [1, 179]; not given: the camera's, else 45
+
+  bool operator==(const Viewpoint&) const = default;
+};
+
+// What its surfaces are and which lights there are: which programs draw it, with which materials.
+struct Look {
+  std::string variant;  // KHR_materials_variants: name or index; empty: the file's own materials
+  MaterialChoice material;
+  Lights lights = Lights::scene;
+  // Models for comparison. Of the environment: diffuse and energy; Fresnel's terms only where it is sampled; the rest
+  // is GGX.
+  optics::Models models;
+  optics::LookUp brdfLookUp = optics::LookUp::interpolated;
+  // Environment samples a pixel of measured BRDFs in pictures of at most 4 samples, [1, 1024]; 0: as many as
+  // frame/measured_samples.hpp says.
   int brdfSamples = 0;
-  BrdfCompare brdfCompare = BrdfCompare::none;  // with GGX over `diffuse`
+  std::string channel;  // a debug view's name (shading/features.hpp lists them); empty: the final picture
+
+  bool operator==(const Look&) const = default;
+};
+
+// The picture's size and what is the same for all of its pixels.
+struct FrameSettings {
+  int width = 1024, height = 1024;  // pixels, [1, 16384]
+  Background background = Background::environment;
+  glm::vec3 backgroundColor = glm::vec3(0);  // linear Rec. 709; Background::color only
+  float environmentRotationDeg = 0;          // about +Y
+  float environmentStrength = 1;             // factor, [0, 1e6]
+  float occlusion = 1;                       // scales every material's occlusion strength, [0, 1]
+
+  bool operator==(const FrameSettings&) const = default;
+};
+
+// What becomes of the picture's radiance on the screen.
+struct Display {
+  float exposureStops = 0;  // factor 2^stops before tone mapping, [-32, 32]
+  ToneMapper toneMapper = ToneMapper::neutral;
+  BrdfCompare brdfCompare = BrdfCompare::none;  // with GGX over models.diffuse
   float brdfSplit = 0.5f;                       // where the fitted model begins, in widths of the picture, [0, 1]
   float brdfDifferenceScale = 4;                // factor on the difference of display values, [0, 1000]
 
-  float occlusion = 1;  // scales every material's occlusion strength, [0, 1]
+  bool operator==(const Display&) const = default;
+};
 
-  float exposureStops = 0;  // factor 2^stops before tone mapping, [-32, 32]
-  ToneMapper toneMapper = ToneMapper::neutral;
+// How far the picture goes towards the converged one.
+struct Quality {
   int samples = 4;  // a pixel, [1, 4096]; 1: no antialiasing; above 4 the light converges too
   // The picture takes as many samples as its estimated error needs (frame/max_error.hpp), and the tables the cheapest
   // methods that keep to it (ibl/choice.hpp): relative, (0, 1]. Above 4, samples is the most that it may take.
   std::optional<double> maxError;
-  std::string channel;    // a debug view's name (commands/picture_options.cpp lists them); empty: the final picture
-  std::string shaderDir;  // shaders are read from here and reloaded on change; empty: the embedded ones
+
+  bool operator==(const Quality&) const = default;
+};
+
+struct PictureSettings {
+  Sources sources;
+  Placement placement;
+  Viewpoint viewpoint;
+  Look look;
+  FrameSettings frame;
+  Display display;
+  Quality quality;
 
   bool operator==(const PictureSettings&) const = default;
 };

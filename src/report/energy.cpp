@@ -169,12 +169,12 @@ Result<Table> pictureTable(const ReportInput& input) {
     for (const NamedEnergy& energy : models) {
       input.progress(std::string("pictures: ") + way.name + ", " + energy.name);
       frame::PictureSettings settings;
-      settings.width = settings.height = pictureSize;
-      settings.environment = way.lights ? "none" : input.environment;
-      settings.lights = way.lights ? frame::Lights::demo : frame::Lights::none;
-      settings.background = frame::Background::transparent;
-      settings.samples = way.samples;
-      settings.energy = energy.model;
+      settings.frame.width = settings.frame.height = pictureSize;
+      settings.sources.environment = way.lights ? "none" : input.environment;
+      settings.look.lights = way.lights ? frame::Lights::demo : frame::Lights::none;
+      settings.frame.background = frame::Background::transparent;
+      settings.quality.samples = way.samples;
+      settings.look.models.energy = energy.model;
       Notes notes;
       Stages stages;
       const int repeat = way.samples > 4 ? 0 : timedFrames;

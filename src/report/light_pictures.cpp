@@ -22,10 +22,10 @@ struct Way {
 
 frame::PictureSettings common(const ReportInput& input) {
   frame::PictureSettings settings;
-  settings.width = settings.height = pictureSize;
-  settings.environment = input.environment;
-  settings.background = frame::Background::transparent;  // only surfaces are judged
-  settings.lights = frame::Lights::none;                 // and only the environment's light
+  settings.frame.width = settings.frame.height = pictureSize;
+  settings.sources.environment = input.environment;
+  settings.frame.background = frame::Background::transparent;  // only surfaces are judged
+  settings.look.lights = frame::Lights::none;                  // and only the environment's light
   return settings;
 }
 
@@ -33,16 +33,16 @@ std::vector<Way> ways(const ReportInput& input) {
   std::vector<Way> list;
   const auto add = [&](const std::string& name, int samples) -> frame::PictureSettings& {
     list.push_back({name, common(input)});
-    list.back().settings.samples = samples;
+    list.back().settings.quality.samples = samples;
     return list.back().settings;
   };
   using optics::ImageLight;
-  add("mirror direction", 4).imageLight = ImageLight::mirror;
-  add("shifted direction", 4).imageLight = ImageLight::shifted;
-  add("mean direction", 4).imageLight = ImageLight::mean;
-  add("1 fitted tap", 4).imageLight = ImageLight::taps1;
-  add("2 fitted taps", 4).imageLight = ImageLight::taps2;
-  add("3 fitted taps (default)", 4).imageLight = ImageLight::taps3;
+  add("mirror direction", 4).look.models.imageLight = ImageLight::mirror;
+  add("shifted direction", 4).look.models.imageLight = ImageLight::shifted;
+  add("mean direction", 4).look.models.imageLight = ImageLight::mean;
+  add("1 fitted tap", 4).look.models.imageLight = ImageLight::taps1;
+  add("2 fitted taps", 4).look.models.imageLight = ImageLight::taps2;
+  add("3 fitted taps (default)", 4).look.models.imageLight = ImageLight::taps3;
   for (const int samples : {8, 16, 32, 64, 256}) add("sampled", samples);
   return list;
 }
@@ -62,11 +62,11 @@ Result<frame::Picture> draw(const ReportInput& input, const frame::PictureSettin
 
 Result<Report> lightPictures(const ReportInput& input) {
   frame::PictureSettings converged = common(input);
-  converged.samples = referenceSamples / 2;
+  converged.quality.samples = referenceSamples / 2;
   input.progress("pictures: the converged one");
   const Result<frame::Picture> half = draw(input, converged, 0);
   if (!half) return tl::unexpected(half.error());
-  converged.samples = referenceSamples;
+  converged.quality.samples = referenceSamples;
   const Result<frame::Picture> reference = draw(input, converged, 0);
   if (!reference) return tl::unexpected(reference.error());
   const CompareOptions options{.maskFromAlpha = true};
@@ -85,7 +85,7 @@ Result<Report> lightPictures(const ReportInput& input) {
               {}};
   std::vector<CostAndError> figures;
   for (const Way& way : ways(input)) {
-    input.progress("pictures: " + way.name + ", " + std::to_string(way.settings.samples) + " samples");
+    input.progress("pictures: " + way.name + ", " + std::to_string(way.settings.quality.samples) + " samples");
     const Result<frame::Picture> picture = draw(input, way.settings, timedFrames);
     if (!picture) return tl::unexpected(picture.error());
     const Result<Comparison> c = compare(reference->radiance, picture->radiance, options);
@@ -93,8 +93,8 @@ Result<Report> lightPictures(const ReportInput& input) {
     const std::vector<double>& times = picture->statistics.frameMs;
     const double ms = median({times.begin() + 1, times.end()});
     const double bias = *std::ranges::max_element(c->bias, {}, [](double b) { return std::abs(b); });
-    table.rows.push_back(
-        {way.name, static_cast<double>(way.settings.samples), c->displayRmse, c->relRmse, bias, ms, std::string()});
+    table.rows.push_back({way.name, static_cast<double>(way.settings.quality.samples), c->displayRmse, c->relRmse, bias,
+                          ms, std::string()});
     figures.push_back({ms, c->displayRmse});
   }
   const std::vector<bool> front = paretoFront(figures);

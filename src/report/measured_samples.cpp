@@ -181,13 +181,13 @@ Values plus(Values a, const Values& b) {
 // Median of the further frames of the picture of one sphere.
 Result<double> frameTime(const ReportInput& input, std::string_view database, int samples) {
   frame::PictureSettings settings;
-  settings.width = settings.height = timedSize;
-  settings.environment = input.environment;
-  settings.background = frame::Background::transparent;
-  settings.brdf = "builtin:" + std::string(database);
-  settings.brdfSamples = samples;
-  settings.samples = 1;
-  settings.shaderDir = input.shaderDir;
+  settings.frame.width = settings.frame.height = timedSize;
+  settings.sources.environment = input.environment;
+  settings.frame.background = frame::Background::transparent;
+  settings.sources.brdf = "builtin:" + std::string(database);
+  settings.look.brdfSamples = samples;
+  settings.quality.samples = 1;
+  settings.sources.shaderDir = input.shaderDir;
   Notes notes;
   Stages stages;
   const auto picture = input.session->render("builtin:metals", settings, {.repeat = timedFrames}, notes, stages);

@@ -73,16 +73,17 @@ void show(Viewport& viewport, ViewerState& state, EnvironmentSlot* environment, 
   describeShown(viewport, state);
   offerEnvironment(state, environment->source);
   if (otherScene || newScene) state.selection = {}, state.inspection = {};
-  if (otherScene && state.settings.camera.empty()) {
+  if (otherScene && state.settings.viewpoint.camera.empty()) {
     const scene::Bounds framing =
         frame::framingBounds(state.settings, viewport.scene->loaded->model, request.scene, state.shown.bounds);
     state.camera = state.startCamera = frame::chooseOrbit(state.settings, state.shown.model, framing);
-    state.settings.orbit.reset();
-    state.settings.target.reset();
-    state.settings.fovYDeg.reset();
+    state.settings.viewpoint.orbit.reset();
+    state.settings.viewpoint.target.reset();
+    state.settings.viewpoint.fovYDeg.reset();
   } else if (otherScene) {
-    state.startCamera = scene::frameBounds(state.shown.bounds, state.camera.fovY,
-                                           static_cast<double>(state.settings.width) / state.settings.height);
+    state.startCamera =
+        scene::frameBounds(state.shown.bounds, state.camera.fovY,
+                           static_cast<double>(state.settings.frame.width) / state.settings.frame.height);
     state.camera = state.startCamera;
   }
   if (otherEnvironment) say(state, (sameSource ? "reloaded: " : "environment: ") + environment->source);
@@ -101,28 +102,28 @@ void show(Viewport& viewport, ViewerState& state, EnvironmentSlot* environment, 
 
 // What the file no longer has is chosen anew.
 void keepWhatFits(frame::PictureSettings& settings, const scene::Model& model) {
-  if (!frame::chooseScene(settings, model)) settings.scene = -1;
-  if (!frame::chooseVariant(settings, model)) settings.variant.clear();
-  if (!frame::choosePose(settings, model)) settings.animation.clear();
+  if (!frame::chooseScene(settings, model)) settings.placement.scene = -1;
+  if (!frame::chooseVariant(settings, model)) settings.look.variant.clear();
+  if (!frame::choosePose(settings, model)) settings.placement.animation.clear();
 }
 
 void returnToShownBrdf(const Viewport& viewport, ViewerState& state) {
-  state.settings.brdf = viewport.built.brdf.name;
-  if (state.settings.brdf.empty()) return;
-  state.settings.brdfDir = viewport.built.brdf.folder;
-  state.settings.utiaDecode = viewport.built.brdf.decode;
+  state.settings.sources.brdf = viewport.built.brdf.name;
+  if (state.settings.sources.brdf.empty()) return;
+  state.settings.sources.brdfDir = viewport.built.brdf.folder;
+  state.settings.sources.utiaDecode = viewport.built.brdf.decode;
 }
 
 void returnToShown(Viewport& viewport, ViewerState& state, const std::optional<ListRequest>& request) {
   viewport.failed = request;
   viewport.next.reset();
-  if (viewport.environments.shown && !state.settings.environment.empty())
-    state.settings.environment = viewport.environments.shown->source;
+  if (viewport.environments.shown && !state.settings.sources.environment.empty())
+    state.settings.sources.environment = viewport.environments.shown->source;
   if (!viewport.scene) return;
   // What is wanted of it now may be a debug view, which has none.
-  if (!state.settings.brdf.empty() && state.settings.channel.empty()) returnToShownBrdf(viewport, state);
-  state.settings.scene = viewport.built.scene;
-  state.settings.variant = viewport.built.variant < 0 ? "" : std::to_string(viewport.built.variant);
+  if (!state.settings.sources.brdf.empty() && state.settings.look.channel.empty()) returnToShownBrdf(viewport, state);
+  state.settings.placement.scene = viewport.built.scene;
+  state.settings.look.variant = viewport.built.variant < 0 ? "" : std::to_string(viewport.built.variant);
 }
 
 // Gives up what cannot be drawn and returns to what is shown.
@@ -139,7 +140,7 @@ Result<void> checkNames(const frame::PictureSettings& settings, const std::strin
   if (const Result<scene::Pose> pose = frame::choosePose(settings, model); !pose) return tl::unexpected(pose.error());
   if (const Result<int> variant = frame::chooseVariant(settings, model); !variant)
     return tl::unexpected(variant.error());
-  if (settings.camera.empty()) return {};
+  if (settings.viewpoint.camera.empty()) return {};
   const frame::DrawList list = frame::buildDrawList(model, *index, frame::drawOptions(settings, false));
   if (Result<scene::View> view = frame::chooseView(settings, source, model, list, list.bounds); !view)
     return tl::unexpected(view.error());
@@ -148,12 +149,12 @@ Result<void> checkNames(const frame::PictureSettings& settings, const std::strin
 
 // What means nothing in another model; of the view only what was not yet used.
 void forgetNames(frame::PictureSettings& settings) {
-  settings.camera.clear();
-  settings.scene = -1;
-  settings.animation.clear();
-  settings.variant.clear();
-  settings.orbit.reset();
-  settings.target.reset();
+  settings.viewpoint.camera.clear();
+  settings.placement.scene = -1;
+  settings.placement.animation.clear();
+  settings.look.variant.clear();
+  settings.viewpoint.orbit.reset();
+  settings.viewpoint.target.reset();
 }
 
 }  // namespace
@@ -182,7 +183,7 @@ void takeModel(Viewport& viewport, ViewerState& state, ModelLoaded loaded) {
   slot->onGpu.source = loaded.source;
   slot->onGpu.model = &slot->loaded->model;
   slot->notes = slot->loaded->notes;
-  state.settings.animation = animationOption(slot->loaded->model, state.settings.animation);
+  state.settings.placement.animation = animationOption(slot->loaded->model, state.settings.placement.animation);
   viewport.next = std::move(slot);
   viewport.failed.reset();
   viewport.asked.reset();
@@ -193,8 +194,9 @@ void takeEnvironment(Viewport& viewport, ViewerState& state, EnvironmentLoaded l
     complain(state, loaded.environment.error());
     if (loaded.again) return;
     std::erase(state.environments, loaded.source);
-    if (state.settings.environment == loaded.source)
-      state.settings.environment = viewport.environments.shown ? viewport.environments.shown->source : std::string();
+    if (state.settings.sources.environment == loaded.source)
+      state.settings.sources.environment =
+          viewport.environments.shown ? viewport.environments.shown->source : std::string();
     return;
   }
   EnvironmentSlot* before = findEnvironment(viewport.environments, loaded.source);
@@ -270,7 +272,7 @@ bool bringUp(Viewport& viewport, ViewerState& state, Loader& loader) {
   const Result<scene::Pose> pose = frame::choosePose(state.settings, model);
   if (!pose) {
     complain(state, pose.error());
-    state.settings.animation.clear();
+    state.settings.placement.animation.clear();
     return false;
   }
   frame::DrawOptions options = drawOptions(state, *variant, source != "none");

@@ -98,7 +98,7 @@ void open(Drawing& drawing, const Entry& entry) {
     drawing.result.model = entry.source;
   } else if (entry.kind == FileKind::environment) {
     offerEnvironment(drawing.state, entry.source);
-    drawing.state.settings.environment = entry.source;
+    drawing.state.settings.sources.environment = entry.source;
   } else {
     chooseBrdf(drawing.state, entry.source);
   }

@@ -6,7 +6,7 @@
 namespace facet::view {
 
 ComparisonShown comparisonOf(const frame::PictureSettings& settings) {
-  return {settings.brdfCompare, settings.brdfSplit, settings.brdfDifferenceScale};
+  return {settings.display.brdfCompare, settings.display.brdfSplit, settings.display.brdfDifferenceScale};
 }
 
 Result<void> compare(Viewport& viewport, const frame::FrameInput& in, const frame::Targets& targets, float scale,

@@ -46,7 +46,7 @@ void lookAlong(const KeyPress& press, ViewFrom side, ViewFrom opposite, const st
 }
 
 void takeKey(const KeyPress& press, const std::optional<scene::View>& view, ViewerState& state, Actions& actions) {
-  const double aspect = static_cast<double>(state.settings.width) / state.settings.height;
+  const double aspect = static_cast<double>(state.settings.frame.width) / state.settings.frame.height;
   switch (press.key) {
     case GLFW_KEY_F:
       if (state.selection.node >= 0 && !press.shift) {
@@ -83,11 +83,11 @@ void takeKey(const KeyPress& press, const std::optional<scene::View>& view, View
         state.browserVisible = state.panelVisible = state.searchAsked = true;
       break;
     case GLFW_KEY_R:
-      state.settings.camera.clear();
+      state.settings.viewpoint.camera.clear();
       state.camera = state.startCamera;
       break;
     case GLFW_KEY_E:
-      state.settings.environment = nextEnvironment(state.shown.environment);
+      state.settings.sources.environment = nextEnvironment(state.shown.environment);
       break;
     case GLFW_KEY_SPACE:
       togglePlaying(state);
@@ -131,7 +131,7 @@ void takeFile(const std::string& path, ViewerState& state, Actions& actions) {
     actions.model = path;
   } else if (*kind == FileKind::environment) {
     offerEnvironment(state, path);
-    state.settings.environment = path;
+    state.settings.sources.environment = path;
   } else if (*kind == FileKind::folder) {
     actions.folders.push_back(path);
     state.browserVisible = state.panelVisible = true;

@@ -20,8 +20,8 @@ const scene::Model& modelOf(const Viewport& viewport) { return viewport.scene->l
 // The pose of what is shown, which the settings may have left already.
 Result<scene::Pose> shownPose(const Viewport& viewport) {
   frame::PictureSettings settings;
-  settings.animation = viewport.built.animation;
-  settings.timeSeconds = viewport.built.timeSeconds;
+  settings.placement.animation = viewport.built.animation;
+  settings.placement.timeSeconds = viewport.built.timeSeconds;
   return frame::choosePose(settings, modelOf(viewport));
 }
 
@@ -50,14 +50,14 @@ Result<std::optional<glm::vec4>> valueAt(Viewport& viewport, const Inspection& a
       viewport.list, [&](int node, const scene::Primitive& p) { return node == hit.node && &p == primitive; }, channel);
   if (part.opaque.empty() || !frame::isOnGpu(model, part, viewport.scene->onGpu.gpu)) return std::nullopt;
   frame::PictureSettings settings = shown;
-  settings.channel = shading::channelNames[channel];
-  settings.samples = 1;
-  settings.background = frame::Background::transparent;
+  settings.look.channel = shading::channelNames[channel];
+  settings.quality.samples = 1;
+  settings.frame.background = frame::Background::transparent;
   const frame::FrameInput in{
       model,    part,           viewport.scene->onGpu.gpu, viewport.environments.shown->onGpu.tables, at.view,
       settings, at.pixel.y & ~1};
   if (Result<void> r = frame::preparePrograms(in, viewport.programs); !r) return tl::unexpected(r.error());
-  const frame::Targets targets = frame::createValueTargets(settings.width, 2, GL_RGBA32F);
+  const frame::Targets targets = frame::createValueTargets(settings.frame.width, 2, GL_RGBA32F);
   frame::setTextureDetail(in.gpu, 1, viewport.context);
   frame::Gathering gathering = frame::beginGathering(in, targets);
   glEnable(GL_SCISSOR_TEST);
@@ -85,8 +85,8 @@ bool hasChannel(const scene::Primitive& primitive, const scene::Material& materi
 
 glm::ivec2 pixelOf(const frame::PictureSettings& settings, const glm::dvec2& at, const glm::dvec2& windowSize) {
   const glm::dvec2 share = at / windowSize;
-  return {std::clamp(static_cast<int>(share.x * settings.width), 0, settings.width - 1),
-          std::clamp(static_cast<int>((1 - share.y) * settings.height), 0, settings.height - 1)};
+  return {std::clamp(static_cast<int>(share.x * settings.frame.width), 0, settings.frame.width - 1),
+          std::clamp(static_cast<int>((1 - share.y) * settings.frame.height), 0, settings.frame.height - 1)};
 }
 
 // The first hit that is drawn.
@@ -113,11 +113,11 @@ struct Click {
 // As seen by the view, in pixels from the lower left.
 glm::dvec2 pictureOf(const scene::View& view, const frame::PictureSettings& settings, const glm::dvec3& world) {
   const glm::dvec4 clip = view.clipFromWorld * glm::dvec4(world, 1);
-  return (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * glm::dvec2(settings.width, settings.height);
+  return (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * glm::dvec2(settings.frame.width, settings.frame.height);
 }
 
 PixelRay rayThroughPicture(const scene::View& view, const frame::PictureSettings& settings, const glm::dvec2& pixel) {
-  const glm::dvec2 size(settings.width, settings.height);
+  const glm::dvec2 size(settings.frame.width, settings.frame.height);
   return rayThrough(view, {pixel.x, size.y - pixel.y}, size);
 }
 
@@ -125,13 +125,13 @@ PixelRay rayThroughPicture(const scene::View& view, const frame::PictureSettings
 double riseAt(const scene::View& view, const frame::PictureSettings& settings, double tolerance,
               const glm::dvec3& world) {
   const double depth = view.orthographic ? 1 : glm::dot(world - view.eye, view.forward);
-  return 2 * tolerance * 2 * depth / (view.clipFromView[1][1] * settings.height);
+  return 2 * tolerance * 2 * depth / (view.clipFromView[1][1] * settings.frame.height);
 }
 
 // Of the pixels around the place, the nearest one that the line or point covers: how it is rasterised is the driver's.
 glm::ivec2 coveredPixel(Viewport& viewport, const ViewerState& state, Inspection at, const scene::Hit& hit,
                         const glm::dvec2& place) {
-  const glm::ivec2 last(state.settings.width - 1, state.settings.height - 1);
+  const glm::ivec2 last(state.settings.frame.width - 1, state.settings.frame.height - 1);
   const glm::ivec2 middle = glm::clamp(glm::ivec2(glm::floor(place)), glm::ivec2(0), last);
   std::vector<glm::ivec2> around;
   for (int y = -1; y <= 1; ++y)
@@ -156,14 +156,15 @@ std::optional<scene::Hit> thinSeen(Viewport& viewport, const ViewerState& state,
   const PixelRay ray = rayThroughPicture(at.view, s, centre);
   std::vector<scene::Hit> hits =
       scene::pickThin(model, click.flat, click.pose, {ray.origin, ray.direction},
-                      {at.view.clipFromWorld, centre, glm::dvec2(s.width, s.height), click.tolerance});
+                      {at.view.clipFromWorld, centre, glm::dvec2(s.frame.width, s.frame.height), click.tolerance});
   if (hits.size() > tried) hits.resize(tried);
   for (const scene::Hit& hit : hits) {
     const double rise = riseAt(at.view, s, click.tolerance, hit.position);
     if (surface && surface->distance < hit.distance - rise) continue;
     Inspection there = at;
     const glm::dvec2 pixel = pictureOf(at.view, s, hit.position);
-    there.pixel = glm::clamp(glm::ivec2(glm::floor(pixel)), glm::ivec2(0), glm::ivec2(s.width - 1, s.height - 1));
+    there.pixel =
+        glm::clamp(glm::ivec2(glm::floor(pixel)), glm::ivec2(0), glm::ivec2(s.frame.width - 1, s.frame.height - 1));
     if (!firstSeen(viewport, state, there, {hit})) continue;
     const PixelRay through = rayThroughPicture(at.view, s, pixel);
     const std::vector<scene::Hit> before =
@@ -297,7 +298,7 @@ void clickAt(Viewport& viewport, ViewerState& state, const glm::dvec2& at, const
   const scene::FlatScene flat = scene::flatten(model, viewport.built.scene, *pose);
   const std::vector<scene::Hit> hits = scene::pick(model, flat, *pose, {through.origin, through.direction});
   const scene::Hit* surface = firstSeen(viewport, state, inspection, hits);
-  const Click click{flat, *pose, thinTolerance * state.settings.height / windowSize.y};
+  const Click click{flat, *pose, thinTolerance * state.settings.frame.height / windowSize.y};
   const std::optional<scene::Hit> thin = thinSeen(viewport, state, click, inspection, surface);
   const scene::Hit* hit = thin ? &*thin : surface;
   if (!hit) return;
@@ -315,7 +316,7 @@ void clickAt(Viewport& viewport, ViewerState& state, const glm::dvec2& at, const
   inspection.measured = shading::isMeasured(draw->key) && state.shown.measured;
   if (inspection.measured) {
     inspection.materialName += ", replaced";
-    inspection.materialDetails = measuredDetails(*state.shown.measured, state.settings.brdfLookUp);
+    inspection.materialDetails = measuredDetails(*state.shown.measured, state.settings.look.brdfLookUp);
     if (state.shown.fit)
       std::ranges::move(fitDetails(*state.shown.fit), std::back_inserter(inspection.materialDetails));
   }
@@ -328,7 +329,7 @@ void readRadianceThere(const Viewport& viewport, ViewerState& state) {
   Inspection& at = state.inspection;
   if (!at.on || !viewport.targets.color || at.listNumber != viewport.listNumber || !viewport.drawn) return;
   const std::optional<scene::View> view = currentView(viewport, state);
-  if (!view || view->clipFromWorld != at.view.clipFromWorld || !viewport.drawn->settings.channel.empty()) return;
+  if (!view || view->clipFromWorld != at.view.clipFromWorld || !viewport.drawn->settings.look.channel.empty()) return;
   const frame::Targets& targets = viewport.targets;
   if (at.pixel.x >= targets.width || at.pixel.y >= targets.height) return;
   glm::vec4 value(0);

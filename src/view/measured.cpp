@@ -14,10 +14,10 @@ bool provideMeasured(MeasuredView& measured, const ListRequest& built, Loader& l
 }
 
 void provideFit(MeasuredView& measured, const frame::PictureSettings& settings, Loader& loader, ListRequest& request) {
-  if (settings.brdfCompare == frame::BrdfCompare::none) return;
-  request.fitted = frame::keptFit(measured.store, request.brdf, settings.diffuse);
-  request.compared = request.fitted && settings.brdfCompare != frame::BrdfCompare::fit;
-  const FitAsked wanted{request.brdf, settings.diffuse};
+  if (settings.display.brdfCompare == frame::BrdfCompare::none) return;
+  request.fitted = frame::keptFit(measured.store, request.brdf, settings.look.models.diffuse);
+  request.compared = request.fitted && settings.display.brdfCompare != frame::BrdfCompare::fit;
+  const FitAsked wanted{request.brdf, settings.look.models.diffuse};
   if (request.fitted || measured.fitAsked == wanted) return;
   startFit(loader, wanted.source, wanted.diffuse);
   measured.fitAsked = wanted;

@@ -26,8 +26,8 @@ std::string number(const char* format, double value) {
 
 // Its name, and at the right where it is.
 void databaseRow(ViewerState& state, const Entry& entry) {
-  const bool chosen =
-      state.settings.brdf == entry.source || (state.shown.measured && state.shown.measured->path == entry.source);
+  const bool chosen = state.settings.sources.brdf == entry.source ||
+                      (state.shown.measured && state.shown.measured->path == entry.source);
   ImGui::PushID(entry.source.c_str());
   if (ImGui::Selectable("##row", chosen)) chooseBrdf(state, entry.source);
   hint(entry.source.starts_with("builtin:") ? entry.source + "\n" + entry.place : entry.source);
@@ -123,14 +123,15 @@ void comparisonChoice(ViewerState& state) {
        "compensation for multiple scattering"},
       {"split", "measured at the left, fitted at the right of a divider, which can be dragged"},
       {"difference", "absolute, of what the screen shows of both"}};
-  chooseEnum("picture of", settings.brdfCompare, compares, BrdfCompare::none,
+  chooseEnum("picture of", settings.display.brdfCompare, compares, BrdfCompare::none,
              "the table, the analytic model that comes closest to it, or both");
-  if (settings.brdfCompare == BrdfCompare::none) return;
+  if (settings.display.brdfCompare == BrdfCompare::none) return;
   diffuseChoice(settings);
-  if (settings.brdfCompare == BrdfCompare::split)
-    slider("divider", settings.brdfSplit, 0, 1, "%.3f", 0.5f, "in widths of the picture; can be dragged there, too");
-  if (settings.brdfCompare == BrdfCompare::difference)
-    slider("factor", settings.brdfDifferenceScale, 0, 100, "%.1f", 4, "on the difference of display values",
+  if (settings.display.brdfCompare == BrdfCompare::split)
+    slider("divider", settings.display.brdfSplit, 0, 1, "%.3f", 0.5f,
+           "in widths of the picture; can be dragged there, too");
+  if (settings.display.brdfCompare == BrdfCompare::difference)
+    slider("factor", settings.display.brdfDifferenceScale, 0, 100, "%.1f", 4, "on the difference of display values",
            ImGuiSliderFlags_Logarithmic);
   if (state.fitting) ImGui::TextDisabled("fitting ...");
 }
@@ -154,18 +155,18 @@ void measuredChoice(ViewerState& state) {
   frame::PictureSettings& settings = state.settings;
   static constexpr Choice lookUps[] = {{"nearest", "the cell that a pair of directions lies in"},
                                        {"interpolated", "between the cells"}};
-  chooseEnum("look-up", settings.brdfLookUp, lookUps, optics::LookUp::interpolated, "in the table");
+  chooseEnum("look-up", settings.look.brdfLookUp, lookUps, optics::LookUp::interpolated, "in the table");
   const std::optional<frame::MeasuredFacts>& shown = state.shown.measured;
   if (shown && shown->kind == optics::MeasuredKind::utia && !shown->path.starts_with("builtin:")) {
     static constexpr Choice decodings[] = {{"raw", "linear, as stored"},
                                            {"srgb", "an sRGB curve is undone"},
                                            {"srgb140", "an sRGB curve is undone on v / 140; counts a hundredfold"}};
-    chooseEnum("UTIA's numbers", settings.utiaDecode, decodings, io::UtiaDecode::raw,
+    chooseEnum("UTIA's numbers", settings.sources.utiaDecode, decodings, io::UtiaDecode::raw,
                "what they are is disputed: an albedo above 1 (facet brdf) is wrong");
   }
   comparisonChoice(state);
   if (!shown || !beginDetails("measured")) return;
-  for (const Detail& row : measuredDetails(*shown, settings.brdfLookUp)) {
+  for (const Detail& row : measuredDetails(*shown, settings.look.brdfLookUp)) {
     detail(row.name, row.value);
     if (row.name == "lobe") hint("that samples of the environment are drawn from; fitted to the table");
   }

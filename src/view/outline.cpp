@@ -42,8 +42,8 @@ void createLine(Outline& outline, int width, int height) {
 Result<void> drawMask(Viewport& viewport, const ViewerState& state, const scene::View& view,
                       const frame::DrawList& part) {
   frame::PictureSettings settings = state.settings;
-  settings.samples = 1;
-  settings.background = frame::Background::transparent;
+  settings.quality.samples = 1;
+  settings.frame.background = frame::Background::transparent;
   const frame::FrameInput in{viewport.scene->loaded->model,
                              part,
                              viewport.scene->onGpu.gpu,
@@ -52,7 +52,7 @@ Result<void> drawMask(Viewport& viewport, const ViewerState& state, const scene:
                              settings};
   if (Result<void> r = frame::preparePrograms(in, viewport.programs); !r) return r;
   frame::Gathering gathering = frame::beginGathering(in, viewport.outline.mask);
-  return frame::gatherRows(in, viewport.outline.mask, gathering, settings.height, viewport.programs);
+  return frame::gatherRows(in, viewport.outline.mask, gathering, settings.frame.height, viewport.programs);
 }
 
 Result<void> drawLine(Viewport& viewport, const Rectangle& where, float scale) {
@@ -89,7 +89,7 @@ bool updateOutline(Viewport& viewport, ViewerState& state, float scale) {
   }
   const std::optional<scene::View> view = currentView(viewport, state);
   const int width = viewport.targets.width, height = viewport.targets.height;
-  if (!view || width < 1 || width != state.settings.width || height != state.settings.height) return false;
+  if (!view || width < 1 || width != state.settings.frame.width || height != state.settings.frame.height) return false;
   const bool same = outline.node == selected && outline.listNumber == viewport.listNumber && outline.width == width &&
                     outline.height == height && outline.clipFromWorld == view->clipFromWorld;
   if (same) return false;

@@ -41,7 +41,7 @@ void drawOverChecks(const frame::Targets& targets) {
 }  // namespace
 
 void present(GLFWwindow* window, const Viewport& viewport, const ViewerState& state) {
-  const bool transparent = state.settings.background == frame::Background::transparent;
+  const bool transparent = state.settings.frame.background == frame::Background::transparent;
   if (viewport.targets.shown && transparent) drawOverChecks(viewport.targets);
   if (viewport.outline.shown) layOver(viewport.outline.line);
   ImGui::Render();

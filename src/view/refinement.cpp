@@ -26,7 +26,7 @@ frame::FrameInput frameInput(const Viewport& viewport, const scene::View& view) 
 
 // As many samples as are gathered at first.
 int firstAttempt(const frame::PictureSettings& settings) {
-  return settings.maxError ? frame::firstSamples(settings) : settings.samples;
+  return settings.quality.maxError ? frame::firstSamples(settings) : settings.quality.samples;
 }
 
 void giveUp(Refinement& refinement, ViewerState& state, const Error& error) {
@@ -63,18 +63,18 @@ Result<bool> prepare(Viewport& viewport, const ViewerState& state, const scene::
 void begin(Viewport& viewport, ViewerState& state, const scene::View& view) {
   Refinement& r = viewport.refinement;
   const frame::PictureSettings& s = r.settings;
-  if (r.targets.width != s.width || r.targets.height != s.height) {
+  if (r.targets.width != s.frame.width || r.targets.height != s.frame.height) {
     r.targets = {};  // the old ones go first
-    r.targets = frame::createGatherTargets(s.width, s.height);
+    r.targets = frame::createGatherTargets(s.frame.width, s.frame.height);
   }
   frame::prepareBehind(r.targets, viewport.list);
   frame::prepareComparison(r.targets, viewport.list);
   r.gathering = frame::beginGathering(frameInput(viewport, view), r.targets);
   r.estimateAt = 1;
-  state.refinement.wanted = s.samples;
+  state.refinement.wanted = s.quality.samples;
   // A guess from the cheap frame: a sampled draw takes about as long per coverage sample. The steps adapt.
   const double guessMs = state.shown.statistics.gpuMs;
-  r.rows = guessMs > 0 ? static_cast<int64_t>(s.height * stepMs / (2 * guessMs)) : s.height / 8;
+  r.rows = guessMs > 0 ? static_cast<int64_t>(s.frame.height * stepMs / (2 * guessMs)) : s.frame.height / 8;
   r.rows = std::max(r.rows, fewestRows);
 }
 
@@ -113,9 +113,9 @@ bool takeErrors(Refinement& r, bool compared, ViewerState& state) {
 
 // The picture is complete: true where its error asks for more samples, which then are gathered anew.
 bool again(Refinement& r, const ViewerState& state) {
-  if (!state.settings.maxError || state.refinement.error < 0) return false;
+  if (!state.settings.quality.maxError || state.refinement.error < 0) return false;
   const int samples = frame::nextSamples(state.settings, r.samples, state.refinement.error);
-  if (samples > 0) r.samples = r.settings.samples = samples;
+  if (samples > 0) r.samples = r.settings.quality.samples = samples;
   return samples > 0;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// A resting picture converges: what settings.samples asks for beyond a few samples is gathered in small steps, while
-// the window goes on answering. Any change starts with the cheap picture anew.
+// A resting picture converges: what settings.quality.samples asks for beyond a few samples is gathered in small steps,
+// while the window goes on answering. Any change starts with the cheap picture anew.
 
 #include <chrono>
 #include <optional>

@@ -19,7 +19,7 @@ Result<std::string> writeScreenshot(const frame::Targets& targets, const frame::
   std::tm local{};
   localtime_r(&now, &local);
   const std::string name = screenshotName(local, {}).string();
-  const bool withAlpha = settings.background == frame::Background::transparent;
+  const bool withAlpha = settings.frame.background == frame::Background::transparent;
   if (Result<void> written = io::writePng(name, frame::readDisplay(targets, withAlpha)); !written)
     return tl::unexpected(written.error());
   return name;

@@ -23,7 +23,7 @@ const frame::PictureSettings usual;
 // ---- Camera ---------------------------------------------------------------------------------------------------------
 
 void cameraChoice(ViewerState& state, PanelResult& result) {
-  std::string& chosen = state.settings.camera;
+  std::string& chosen = state.settings.viewpoint.camera;
   if (state.shown.cameras.empty()) return;
   if (!beginList("camera", chosen.empty() ? "orbit" : chosen)) {
     hint("orbit: yours; the others are the file's and stand where it puts them, until you move");
@@ -46,8 +46,8 @@ void sceneChoice(ViewerState& state) {
   for (size_t i = 0; i < scenes.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
     if (ImGui::Selectable(scenes[i].c_str(), i == current)) {
-      state.settings.scene = static_cast<int>(i);
-      state.settings.camera.clear();
+      state.settings.placement.scene = static_cast<int>(i);
+      state.settings.viewpoint.camera.clear();
     }
     ImGui::PopID();
   }
@@ -85,7 +85,7 @@ void cameraSection(ViewerState& state, PanelResult& result) {
   sceneChoice(state);
   cameraChoice(state, result);
   viewButtons(result);
-  if (state.settings.camera.empty()) {
+  if (state.settings.viewpoint.camera.empty()) {
     auto fovY = static_cast<float>(state.camera.fovY);
     if (slider("field of view", fovY, 5, 120, "%.0f\xc2\xb0", 45, "vertical"))
       state.camera.fovY = static_cast<double>(fovY);
@@ -97,7 +97,7 @@ void cameraSection(ViewerState& state, PanelResult& result) {
     if (slider("speed", speed, -180, 180, "%.0f\xc2\xb0/s", 24, "negative: the other way"))
       state.turntable.degreesPerSecond = static_cast<double>(speed);
   }
-  if (state.settings.camera.empty())
+  if (state.settings.viewpoint.camera.empty())
     ImGui::TextDisabled("theta %.0f\xc2\xb0  phi %.0f\xc2\xb0  radius %.3g m", state.camera.theta, state.camera.phi,
                         state.camera.radius);
 }
@@ -107,11 +107,12 @@ void cameraSection(ViewerState& state, PanelResult& result) {
 void environmentSection(ViewerState& state) {
   if (!section("Environment and lights")) return;
   frame::PictureSettings& settings = state.settings;
-  const std::string& wanted = settings.environment.empty() ? state.shown.environment : settings.environment;
+  const std::string& wanted =
+      settings.sources.environment.empty() ? state.shown.environment : settings.sources.environment;
   if (beginList("map", shortName(wanted))) {
     for (const std::string& source : state.environments) {
       ImGui::PushID(source.c_str());
-      if (ImGui::Selectable(shortName(source).c_str(), source == wanted)) settings.environment = source;
+      if (ImGui::Selectable(shortName(source).c_str(), source == wanted)) settings.sources.environment = source;
       hint(source);
       ImGui::PopID();
     }
@@ -119,22 +120,22 @@ void environmentSection(ViewerState& state) {
   } else {
     hint("what lights the scene from afar: E takes the next built-in one; drop a .hdr or .exr");
   }
-  slider("rotation", settings.environmentRotationDeg, -180, 180, "%.0f\xc2\xb0", usual.environmentRotationDeg,
-         "of the environment, about +Y");
-  slider("strength", settings.environmentStrength, 0, 10, "%.2f", usual.environmentStrength,
+  slider("rotation", settings.frame.environmentRotationDeg, -180, 180, "%.0f\xc2\xb0",
+         usual.frame.environmentRotationDeg, "of the environment, about +Y");
+  slider("strength", settings.frame.environmentStrength, 0, 10, "%.2f", usual.frame.environmentStrength,
          "factor on the environment's radiance", ImGuiSliderFlags_Logarithmic);
   static constexpr Choice backgrounds[] = {
       {"environment", nullptr}, {"transparent", "screenshots get an alpha channel"}, {"colour", nullptr}};
-  chooseEnum("background", settings.background, backgrounds, usual.background, "what is behind the model");
-  if (settings.background == frame::Background::color)
-    editColor("background colour", settings.backgroundColor, usual.backgroundColor, "as it is shown");
+  chooseEnum("background", settings.frame.background, backgrounds, usual.frame.background, "what is behind the model");
+  if (settings.frame.background == frame::Background::color)
+    editColor("background colour", settings.frame.backgroundColor, usual.frame.backgroundColor, "as it is shown");
   static constexpr Choice lights[] = {{"the file's", "KHR_lights_punctual"},
                                       {"none", nullptr},
                                       {"the file's and four", "four point lights on a ring above the scene"}};
-  chooseEnum("lights", settings.lights, lights, usual.lights, "point, spot and directional lights");
+  chooseEnum("lights", settings.look.lights, lights, usual.look.lights, "point, spot and directional lights");
   ImGui::TextDisabled(state.shown.sceneLights == 1 ? "the file has %d light" : "the file has %d lights",
                       state.shown.sceneLights);
-  slider("occlusion", settings.occlusion, 0, 1, "%.2f", usual.occlusion,
+  slider("occlusion", settings.frame.occlusion, 0, 1, "%.2f", usual.frame.occlusion,
          "strength of the materials' occlusion textures");
 }
 
@@ -150,12 +151,13 @@ void variantChoice(ViewerState& state) {
     hint("KHR_materials_variants");
     return;
   }
-  if (ImGui::Selectable(own, state.shown.variant < 0)) state.settings.variant.clear();
+  if (ImGui::Selectable(own, state.shown.variant < 0)) state.settings.look.variant.clear();
   for (size_t i = 0; i < variants.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
     const bool first = std::ranges::find(variants, variants[i]) == variants.begin() + static_cast<ptrdiff_t>(i);
     if (ImGui::Selectable(variants[i].c_str(), i == current))
-      state.settings.variant = first && variants[i] != "variant " + std::to_string(i) ? variants[i] : std::to_string(i);
+      state.settings.look.variant =
+          first && variants[i] != "variant " + std::to_string(i) ? variants[i] : std::to_string(i);
     ImGui::PopID();
   }
   ImGui::EndCombo();
@@ -184,7 +186,7 @@ void presetChoice(MaterialChoice& material) {
 }
 
 void materialSection(ViewerState& state) {
-  MaterialChoice& material = state.settings.material;
+  MaterialChoice& material = state.settings.look.material;
   MaterialSource source = materialSource(state.settings);
   if (!section("Material", source != MaterialSource::file || !state.shown.variants.empty())) return;
   variantChoice(state);
@@ -207,33 +209,34 @@ void materialSection(ViewerState& state) {
 // ---- Rendering ------------------------------------------------------------------------------------------------------
 
 void channelChoice(frame::PictureSettings& settings) {
-  const int channel = std::max(0, shading::channelIndex(settings.channel));
+  const int channel = std::max(0, shading::channelIndex(settings.look.channel));
   const auto label = [](int i) { return i == 0 ? "final picture" : shading::channelNames[i]; };
   if (beginList("show", label(channel))) {
     for (int i = 0; i < static_cast<int>(std::size(shading::channelNames)); ++i)
-      if (ImGui::Selectable(label(i), i == channel)) settings.channel = shading::channelNames[i];
+      if (ImGui::Selectable(label(i), i == channel)) settings.look.channel = shading::channelNames[i];
     ImGui::EndCombo();
     return;
   }
-  if (resetAsked()) settings.channel.clear();
+  if (resetAsked()) settings.look.channel.clear();
   hint("the picture, or what goes into it\nright click: reset");
 }
 
 void samplesChoice(frame::PictureSettings& settings) {
-  if (beginList("samples", std::to_string(settings.samples))) {
+  if (beginList("samples", std::to_string(settings.quality.samples))) {
     for (const int samples : {1, 2, 4, 16, 64, 256, 1024})
-      if (ImGui::Selectable(std::to_string(samples).c_str(), samples == settings.samples)) settings.samples = samples;
+      if (ImGui::Selectable(std::to_string(samples).c_str(), samples == settings.quality.samples))
+        settings.quality.samples = samples;
     ImGui::EndCombo();
     return;
   }
-  if (resetAsked()) settings.samples = 256;
+  if (resetAsked()) settings.quality.samples = 256;
   hint("a pixel; more than 4 are gathered while the picture rests, until it has converged\nright click: reset");
 }
 
 void pictureSection(ViewerState& state) {
   if (!section("Picture")) return;
   frame::PictureSettings& settings = state.settings;
-  slider("exposure", settings.exposureStops, -8, 8, "%+.1f stops", usual.exposureStops,
+  slider("exposure", settings.display.exposureStops, -8, 8, "%+.1f stops", usual.display.exposureStops,
          "each stop doubles the light, before tone mapping");
   static constexpr Choice toneMappers[] = {{"none (clamp)", "what is brighter than white is white"},
                                            {"Reinhard", nullptr},
@@ -241,7 +244,7 @@ void pictureSection(ViewerState& state) {
                                            {"ACES fit", nullptr},
                                            {"AgX", nullptr},
                                            {"Khronos PBR Neutral", "keeps base colours as they are"}};
-  chooseEnum("tone mapper", settings.toneMapper, toneMappers, usual.toneMapper,
+  chooseEnum("tone mapper", settings.display.toneMapper, toneMappers, usual.display.toneMapper,
              "how radiance becomes what a screen can show");
   channelChoice(settings);
   samplesChoice(settings);
@@ -270,31 +273,33 @@ void modelsSection(ViewerState& state) {
       {"Kulla and Conty", "reciprocal; what is missing leaves as it came, by the albedo's complement"},
       {"Turquin", "the lobe itself is made brighter"}};
   diffuseChoice(settings);
-  chooseEnum("environment", settings.imageLight, imageLights, usual.imageLight,
+  chooseEnum("environment", settings.look.models.imageLight, imageLights, usual.look.models.imageLight,
              "how a pixel looks the environment's reflection up");
-  chooseEnum("energy", settings.energy, energies, usual.energy, "light that leaves a rough surface after many bounces");
+  chooseEnum("energy", settings.look.models.energy, energies, usual.look.models.energy,
+             "light that leaves a rough surface after many bounces");
   ImGui::TextDisabled("of the lights:");
-  chooseEnum("Fresnel", settings.fresnel, fresnel, usual.fresnel,
+  chooseEnum("Fresnel", settings.look.models.fresnel, fresnel, usual.look.models.fresnel,
              "what an interface reflects by angle; of the environment only with more than 4 samples");
-  chooseEnum("microfacets", settings.distribution, distributions, usual.distribution,
+  chooseEnum("microfacets", settings.look.models.distribution, distributions, usual.look.models.distribution,
              "their distribution; the environment is reflected by GGX");
-  chooseEnum("masking", settings.masking, maskings, usual.masking, "how microfacets hide each other");
+  chooseEnum("masking", settings.look.models.masking, maskings, usual.look.models.masking,
+             "how microfacets hide each other");
 }
 
 // ---- Accuracy -------------------------------------------------------------------------------------------------------
 
 // An error to keep to, or as many samples as are chosen.
 void budgetChoice(frame::PictureSettings& settings) {
-  bool kept = settings.maxError.has_value();
-  if (ImGui::Checkbox("keep to an error", &kept)) settings.maxError = kept ? std::optional(0.01) : std::nullopt;
+  bool kept = settings.quality.maxError.has_value();
+  if (ImGui::Checkbox("keep to an error", &kept)) settings.quality.maxError = kept ? std::optional(0.01) : std::nullopt;
   hint(
       "the resting picture takes as many samples as its estimated error needs, the chosen number at most; the light "
       "tables are made to that error, too");
-  if (!settings.maxError) return;
-  auto percent = static_cast<float>(100 * *settings.maxError);
+  if (!settings.quality.maxError) return;
+  auto percent = static_cast<float>(100 * *settings.quality.maxError);
   ImGui::SetNextItemWidth(-FLT_MIN);
   if (ImGui::SliderFloat("##error", &percent, 0.1f, 10, "%.2g %%", ImGuiSliderFlags_Logarithmic))
-    settings.maxError = std::clamp(std::round(static_cast<double>(percent) * 100) / 1e4, 1e-4, 1.0);
+    settings.quality.maxError = std::clamp(std::round(static_cast<double>(percent) * 100) / 1e4, 1e-4, 1.0);
   hint("root mean square of what one sees, in per cent of white");
 }
 
@@ -304,19 +309,20 @@ void accuracySection(ViewerState& state) {
   if (!beginDetails("accuracy")) return;
   const RefinementStatus& r = state.refinement;
   const bool shows = r.shown > 0;
-  detail("picture", shows ? std::to_string(r.shown) + " samples a pixel, environment sampled"
-                          : std::to_string(std::min(state.settings.samples, 4)) + " samples a pixel, light tables");
+  detail("picture",
+         shows ? std::to_string(r.shown) + " samples a pixel, environment sampled"
+               : std::to_string(std::min(state.settings.quality.samples, 4)) + " samples a pixel, light tables");
   if (r.wanted > 0) detail("gathered", std::to_string(r.gathered) + " of " + std::to_string(r.wanted));
   char error[48] = "not known";
   if (r.error >= 0) std::snprintf(error, sizeof error, "about %.2f/255", r.error);
   detail("its error", error);
   hint("root mean square of the colours on the screen: the first half of the samples against the second");
   detail("light tables", byteText(state.shown.statistics.tableBytes));
-  if (state.settings.maxError) {
+  if (state.settings.quality.maxError) {
     constexpr std::pair<const char*, ibl::Part> parts[] = {
         {"irradiance", ibl::Part::irradiance}, {"reflections", ibl::Part::layers}, {"DFG", ibl::Part::dfg}};
     for (const auto& [name, part] : parts) {
-      const ibl::Candidate& chosen = ibl::choose(part, *state.settings.maxError);
+      const ibl::Candidate& chosen = ibl::choose(part, *state.settings.quality.maxError);
       char text[96];
       std::snprintf(text, sizeof text, "%s: %.2g %%", chosen.name.data(), 100 * chosen.error);
       detail(name, text);
@@ -381,7 +387,8 @@ void diffuseChoice(frame::PictureSettings& settings) {
   static constexpr Choice diffuse[] = {{"Lambert", "glTF's"},   {"Burley", nullptr},
                                        {"Frostbite", nullptr},  {"Oren-Nayar", nullptr},
                                        {"EON", "keeps energy"}, {"Call of Duty WWII", nullptr}};
-  chooseEnum("diffuse", settings.diffuse, diffuse, usual.diffuse, "of lights and environment, and of fitted models");
+  chooseEnum("diffuse", settings.look.models.diffuse, diffuse, usual.look.models.diffuse,
+             "of lights and environment, and of fitted models");
 }
 
 void settingsPanel(ViewerState& state, PanelResult& result) {

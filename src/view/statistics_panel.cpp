@@ -58,7 +58,7 @@ void statisticsSection(const ViewerState& state) {
   const ViewerStatistics& s = state.shown.statistics;
   row("GPU time", s.gpuMs > 0 ? milliseconds(s.gpuMs) : "\xe2\x80\x93");
   row("CPU time", milliseconds(s.cpuMs));
-  row("picture", std::to_string(state.settings.width) + " x " + std::to_string(state.settings.height));
+  row("picture", std::to_string(state.settings.frame.width) + " x " + std::to_string(state.settings.frame.height));
   row("triangles", grouped(s.frame.triangles));
   row("draws", grouped(static_cast<uint64_t>(s.frame.draws)) + " of " + grouped(s.frame.instances) +
                    (s.frame.instances == 1 ? " instance" : " instances"));

@@ -34,11 +34,11 @@ void drawTimeline(ViewerState& state, PanelResult& result) {
     ImGui::SameLine();
     animationCombo(state);
     ImGui::SameLine();
-    auto time = static_cast<float>(state.settings.timeSeconds);
+    auto time = static_cast<float>(state.settings.placement.timeSeconds);
     const auto end = static_cast<float>(chosenDuration(state));
     ImGui::SetNextItemWidth(-16 * ImGui::GetFontSize());
     if (ImGui::SliderFloat("##time", &time, 0, end, "%.2f s", ImGuiSliderFlags_AlwaysClamp) && end > 0)
-      state.settings.timeSeconds = static_cast<double>(time), state.playback.playing = false;
+      state.settings.placement.timeSeconds = static_cast<double>(time), state.playback.playing = false;
     ImGui::SameLine();
     ImGui::Checkbox("loop", &state.playback.loop);
     ImGui::SameLine();

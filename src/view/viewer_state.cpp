@@ -63,8 +63,8 @@ void noteProblem(ViewerState& state) {
 
 frame::PictureSettings movingSettings(const frame::PictureSettings& settings) {
   frame::PictureSettings moving = settings;
-  moving.samples = std::min(settings.samples, frame::convergedAbove);
-  moving.maxError.reset();
+  moving.quality.samples = std::min(settings.quality.samples, frame::convergedAbove);
+  moving.quality.maxError.reset();
   return moving;
 }
 
@@ -84,37 +84,37 @@ ListRequest listRequest(const ViewerState& state, int scene, int variant, bool h
   request.channel = options.features.channel;
   request.imageLightSamples = options.features.imageLightSamples;
   request.models = options.features.models;
-  request.maxError = state.settings.maxError;
+  request.maxError = state.settings.quality.maxError;
   request.sceneLights = options.sceneLights;
   request.demoLights = options.demoLights;
   request.skyVisible =
-      hasEnvironment && request.channel == 0 && state.settings.background == frame::Background::environment;
-  if (state.settings.material.on) request.material = state.settings.material;
-  if (!state.settings.brdf.empty() && request.channel == 0) {
+      hasEnvironment && request.channel == 0 && state.settings.frame.background == frame::Background::environment;
+  if (state.settings.look.material.on) request.material = state.settings.look.material;
+  if (!state.settings.sources.brdf.empty() && request.channel == 0) {
     request.brdf = frame::measuredSource(state.settings);
-    request.brdfNearest = state.settings.brdfLookUp == optics::LookUp::nearest;
+    request.brdfNearest = state.settings.look.brdfLookUp == optics::LookUp::nearest;
     // What will be refined begins with few samples, by the program that refines it.
     if (frame::converges(state.settings)) request.imageLightSamples = frame::convergedLightSamples;
   }
-  request.animation = state.settings.animation;
-  if (!request.animation.empty()) request.timeSeconds = state.settings.timeSeconds;
+  request.animation = state.settings.placement.animation;
+  if (!request.animation.empty()) request.timeSeconds = state.settings.placement.timeSeconds;
   return request;
 }
 
 MaterialSource materialSource(const frame::PictureSettings& settings) {
-  if (!settings.brdf.empty()) return MaterialSource::measured;
-  return settings.material.on ? MaterialSource::one : MaterialSource::file;
+  if (!settings.sources.brdf.empty()) return MaterialSource::measured;
+  return settings.look.material.on ? MaterialSource::one : MaterialSource::file;
 }
 
 void chooseBrdf(ViewerState& state, const std::string& source) {
-  state.settings.brdf = state.lastBrdf = source;
-  state.settings.material.on = false;
+  state.settings.sources.brdf = state.lastBrdf = source;
+  state.settings.look.material.on = false;
 }
 
 void chooseMaterialSource(ViewerState& state, MaterialSource source) {
-  if (!state.settings.brdf.empty()) state.lastBrdf = state.settings.brdf;
-  state.settings.brdf.clear();
-  state.settings.material.on = source == MaterialSource::one;
+  if (!state.settings.sources.brdf.empty()) state.lastBrdf = state.settings.sources.brdf;
+  state.settings.sources.brdf.clear();
+  state.settings.look.material.on = source == MaterialSource::one;
   if (source != MaterialSource::measured) return;
   if (!state.lastBrdf.empty()) return chooseBrdf(state, state.lastBrdf);
   chooseBrdf(state, state.databases.empty() ? "builtin:plastic-0.2" : state.databases.front().source);
@@ -141,29 +141,30 @@ bool differsInTimeOnly(ListRequest a, const ListRequest& b) {
 
 frame::PictureSettings commandSettings(const ViewerState& state) {
   frame::PictureSettings settings = state.settings;
-  settings.environment = state.shown.environment;
-  if (settings.channel.empty()) {
+  settings.sources.environment = state.shown.environment;
+  if (settings.look.channel.empty()) {
     const std::optional<frame::MeasuredFacts>& measured = state.shown.measured;
-    settings.brdf = measured ? measured->source.name : std::string();
-    if (measured) settings.brdfDir = measured->source.folder, settings.utiaDecode = measured->source.decode;
+    settings.sources.brdf = measured ? measured->source.name : std::string();
+    if (measured)
+      settings.sources.brdfDir = measured->source.folder, settings.sources.utiaDecode = measured->source.decode;
   }
-  if (!settings.camera.empty()) return settings;
-  settings.orbit = frame::Orbit{state.camera.theta, state.camera.phi, state.camera.radius};
-  settings.target = state.camera.target;
-  settings.fovYDeg = state.camera.fovY;
+  if (!settings.viewpoint.camera.empty()) return settings;
+  settings.viewpoint.orbit = frame::Orbit{state.camera.theta, state.camera.phi, state.camera.radius};
+  settings.viewpoint.target = state.camera.target;
+  settings.viewpoint.fovYDeg = state.camera.fovY;
   return settings;
 }
 
 Result<scene::View> viewOf(const ViewerState& state, const scene::Model& model, const frame::DrawList& list) {
-  if (!state.settings.camera.empty())
+  if (!state.settings.viewpoint.camera.empty())
     return frame::chooseView(state.settings, state.shown.model, model, list, list.bounds);
-  const double aspect = static_cast<double>(state.settings.width) / state.settings.height;
+  const double aspect = static_cast<double>(state.settings.frame.width) / state.settings.frame.height;
   return scene::orbitView(state.camera, aspect, list.bounds);
 }
 
 void freeCamera(ViewerState& state, const scene::View& view) {
-  if (state.settings.camera.empty()) return;
-  state.settings.camera.clear();
+  if (state.settings.viewpoint.camera.empty()) return;
+  state.settings.viewpoint.camera.clear();
   // An orthographic camera has no field of view: the orbit keeps its own and shows as much at the target's depth.
   const double halfHeight = 1 / view.clipFromView[1][1];
   const double fovY = view.orthographic ? state.camera.fovY : glm::degrees(2 * std::atan(halfHeight));

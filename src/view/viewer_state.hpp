@@ -126,8 +126,8 @@ struct ShownScene {
 };
 
 struct ViewerState {
-  // width and height are the framebuffer's. Orbit and target are unused: `camera` holds them, unless settings.camera
-  // names one of the file's. An empty environment is chosen by the model.
+  // width and height are the framebuffer's. Orbit and target are unused: `camera` holds them, unless
+  // settings.viewpoint.camera names one of the file's. An empty environment is chosen by the model.
   frame::PictureSettings settings;
   scene::OrbitCamera camera;
   scene::OrbitCamera startCamera;  // what reset returns to

@@ -14,7 +14,7 @@ std::optional<scene::View> currentView(const Viewport& viewport, ViewerState& st
   const Result<scene::View> view = viewOf(state, viewport.scene->loaded->model, viewport.list);
   if (view) return *view;
   complain(state, view.error());
-  state.settings.camera.clear();
+  state.settings.viewpoint.camera.clear();
   return viewOf(state, viewport.scene->loaded->model, viewport.list).value();
 }
 
@@ -67,11 +67,11 @@ namespace {
 DrawnFrame wantedFrame(const Viewport& viewport, const ViewerState& state) {
   DrawnFrame wanted{state.settings, state.camera, viewport.listNumber};
   frame::PictureSettings& s = wanted.settings;
-  s.environment.clear(), s.variant.clear(), s.brdf.clear(), s.brdfDir.clear();
-  s.scene = -1;
-  s.material = {};
-  s.utiaDecode = {}, s.brdfLookUp = {}, s.brdfCompare = {};
-  s.brdfSplit = s.brdfDifferenceScale = 0;
+  s.sources.environment.clear(), s.look.variant.clear(), s.sources.brdf.clear(), s.sources.brdfDir.clear();
+  s.placement.scene = -1;
+  s.look.material = {};
+  s.sources.utiaDecode = {}, s.look.brdfLookUp = {}, s.display.brdfCompare = {};
+  s.display.brdfSplit = s.display.brdfDifferenceScale = 0;
   return wanted;
 }
 
@@ -90,9 +90,9 @@ int64_t cornerCount(const Viewport& viewport) {
 Result<void> drawMoving(Viewport& viewport, ViewerState& state, const scene::View& view) {
   frame::PictureSettings s = movingSettings(state.settings);
   const bool sketch = std::exchange(viewport.sketch, false) && !viewport.list.compared;
-  if (sketch && frame::converges(state.settings) && cornerCount(viewport) > manyCorners) s.samples = 1;
+  if (sketch && frame::converges(state.settings) && cornerCount(viewport) > manyCorners) s.quality.samples = 1;
   frame::Targets& targets = viewport.targets;
-  if (targets.width != s.width || targets.height != s.height || targets.samples != s.samples) {
+  if (targets.width != s.frame.width || targets.height != s.frame.height || targets.samples != s.quality.samples) {
     targets = {};  // the old ones go first
     targets = frame::createTargets(s, viewport.context);
   }

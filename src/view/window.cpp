@@ -94,20 +94,20 @@ void followFramebuffer(GLFWwindow* window, frame::PictureSettings& settings) {
   int width = 0, height = 0;
   glfwGetFramebufferSize(window, &width, &height);
   if (width < 1 || height < 1) return;  // minimised
-  settings.width = std::min(width, 16384);
-  settings.height = std::min(height, 16384);
+  settings.frame.width = std::min(width, 16384);
+  settings.frame.height = std::min(height, 16384);
 }
 
 void applyPanel(const PanelResult& panel, Viewport& viewport, ViewerState& state, Input& input, Actions& actions) {
   const std::optional<scene::View> view = currentView(viewport, state);
-  const double aspect = static_cast<double>(state.settings.width) / state.settings.height;
+  const double aspect = static_cast<double>(state.settings.frame.width) / state.settings.frame.height;
   if ((panel.leaveFileCamera || panel.frameAll) && view) freeCamera(state, *view);
   if (panel.viewFrom && view) freeCamera(state, *view), state.camera = seenFrom(state.camera, *panel.viewFrom);
   if (panel.describeMaterial && viewport.scene)
     state.inspection.materialDetails = materialDetails(viewport, state.selection.material);
   actions.frameSelection |= panel.frameSelection;
   if (panel.frameAll) state.camera = framedAll(state.camera, state.shown.bounds, aspect);
-  if (panel.resetCamera) state.settings.camera.clear(), state.camera = state.startCamera;
+  if (panel.resetCamera) state.settings.viewpoint.camera.clear(), state.camera = state.startCamera;
   actions.screenshot |= panel.screenshot;
   if (!panel.model.empty()) actions.model = panel.model;
   input.panels = panel.areas;
@@ -156,7 +156,8 @@ void followSelection(Loop& loop, const Input& input, const Actions& actions, Vie
     const std::optional<scene::View> view = currentView(viewport, state);
     if (view && !bounds.empty()) {
       freeCamera(state, *view);
-      state.camera = framedAll(state.camera, bounds, static_cast<double>(state.settings.width) / state.settings.height);
+      state.camera = framedAll(state.camera, bounds,
+                               static_cast<double>(state.settings.frame.width) / state.settings.frame.height);
     }
   }
   const int before = state.inspection.nextChannel;
@@ -220,7 +221,7 @@ bool turn(Loop& loop, ImGuiSession& imgui, Viewport& viewport, ViewerState& stat
   }
   loop.input.keyboardTaken |= state.searchAsked || loop.browser.focusing > 0;
   if (!actions.model.empty()) {
-    state.settings.bump.clear();  // it belonged to the scene before
+    state.settings.sources.bump.clear();  // it belonged to the scene before
     startModel(loader, loop.model = actions.model);
   }
   if (actions.cancel) cancelLoading(viewport, state, loader);
@@ -253,19 +254,22 @@ std::string openGLText(const gl::ContextInfo& info) {
 Viewport createViewport(const gl::ContextInfo& info, const WindowOptions& options) {
   const bool cached = options.diskCache && info.programBinaries;
   const std::string driver = info.vendor + "\n" + info.renderer + "\n" + info.version;
-  Viewport viewport(info, shading::ProgramStore(shading::shaderReader(options.settings.shaderDir),
+  Viewport viewport(info, shading::ProgramStore(shading::shaderReader(options.settings.sources.shaderDir),
                                                 cached ? userCacheFolder() : std::filesystem::path(), driver));
   // Shaders of the user's may make other tables.
-  if (options.diskCache && options.settings.shaderDir.empty()) viewport.tableCache = ibl::userTableCache(driver);
+  if (options.diskCache && options.settings.sources.shaderDir.empty())
+    viewport.tableCache = ibl::userTableCache(driver);
   return viewport;
 }
 
 // What the options name, read beside the window.
 void loadFirst(const WindowOptions& options, Loop& loop, Viewport& viewport, ViewerState& state, Loader& loader) {
   const frame::PictureSettings& settings = options.settings;
-  startModel(loader, loop.model = options.model, Opening::first, {settings.bump, settings.bumpScale});
-  if (!settings.environment.empty()) startEnvironment(loader, viewport.loadingEnvironment = settings.environment);
-  if (!settings.brdf.empty()) startMeasured(loader, viewport.measured.loading = frame::measuredSource(settings));
+  startModel(loader, loop.model = options.model, Opening::first, {settings.sources.bump, settings.sources.bumpScale});
+  if (!settings.sources.environment.empty())
+    startEnvironment(loader, viewport.loadingEnvironment = settings.sources.environment);
+  if (!settings.sources.brdf.empty())
+    startMeasured(loader, viewport.measured.loading = frame::measuredSource(settings));
   nameWhatLoads(loader, viewport, loop.model, state);
 }
 
@@ -273,12 +277,13 @@ void loadFirst(const WindowOptions& options, Loop& loop, Viewport& viewport, Vie
 
 Result<void> checkStart(const WindowOptions& options) {
   const frame::PictureSettings& settings = options.settings;
-  if (Result<void> r = io::checkModelSource(options.model, {}, {settings.bump, settings.bumpScale}); !r) return r;
-  const std::string& environment = settings.environment;
+  if (Result<void> r = io::checkModelSource(options.model, {}, {settings.sources.bump, settings.sources.bumpScale}); !r)
+    return r;
+  const std::string& environment = settings.sources.environment;
   if (!environment.empty() && environment != "none")
     if (Result<void> r = io::checkEnvironmentSource(environment); !r) return r;
-  if (!settings.brdf.empty())
-    if (Result<std::string> path = io::resolveMeasured(settings.brdf, settings.brdfDir); !path)
+  if (!settings.sources.brdf.empty())
+    if (Result<std::string> path = io::resolveMeasured(settings.sources.brdf, settings.sources.brdfDir); !path)
       return tl::unexpected(path.error());
   return {};
 }
@@ -293,22 +298,22 @@ Result<bool> runWindow(const WindowOptions& options) {
   const Preferences before = state.preferences;
   const bool sized = !options.sizeGiven && before.width > 0 && before.height > 0;
   Result<gl::WindowContext> context =
-      gl::WindowContext::create(sized ? before.width : options.settings.width,
-                                sized ? before.height : options.settings.height, "facet", options.glDebug);
+      gl::WindowContext::create(sized ? before.width : options.settings.frame.width,
+                                sized ? before.height : options.settings.frame.height, "facet", options.glDebug);
   if (!context) return tl::unexpected(context.error());
   glfwSwapInterval(1);
   Loop loop;
   loop.window = context->window();
-  loop.shaders = watchShaders(options.settings.shaderDir);
+  loop.shaders = watchShaders(options.settings.sources.shaderDir);
   listen(loop.window, loop.input);
   ImGuiSession imgui(loop.window, state);
   state.settings = options.settings;
-  state.playback.playing = !state.settings.animation.empty();
+  state.playback.playing = !state.settings.placement.animation.empty();
   state.environments = builtinEnvironmentSources();
   state.openGL = openGLText(context->info());
   Viewport viewport = createViewport(context->info(), options);
   std::vector<std::string> folders = options.folders;
-  for (const std::filesystem::path& folder : io::brdfFolders(state.settings.brdfDir)) folders.push_back(folder);
+  for (const std::filesystem::path& folder : io::brdfFolders(state.settings.sources.brdfDir)) folders.push_back(folder);
   openBrowser(loop.browser, folders, options.diskCache ? thumbnailCache() : DiskCache{}, glfwPostEmptyEvent);
   loadFirst(options, loop, viewport, state, loader);
   std::string title;

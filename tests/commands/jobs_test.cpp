@@ -25,22 +25,22 @@ TEST_CASE("jobs: an object with a list or the list itself") {
   CHECK((*jobs)[0].model == "dir/a.glb");
   CHECK((*jobs)[0].output == "dir/out/a.png");
   CHECK((*jobs)[0].stats.empty());
-  CHECK((*jobs)[0].settings.width == 1024);
+  CHECK((*jobs)[0].settings.frame.width == 1024);
   CHECK((*jobs)[1].model == "builtin:spheres");
   CHECK((*jobs)[1].output == "/tmp/b.EXR");
   CHECK((*jobs)[1].stats == "dir/b.json");
-  CHECK((*jobs)[1].settings.width == 64);
-  CHECK((*jobs)[1].settings.height == 32);
-  CHECK((*jobs)[1].settings.environment == "dir/m.hdr");
+  CHECK((*jobs)[1].settings.frame.width == 64);
+  CHECK((*jobs)[1].settings.frame.height == 32);
+  CHECK((*jobs)[1].settings.sources.environment == "dir/m.hdr");
 }
 
 TEST_CASE("jobs: the command line wins over the file, which wins over the defaults") {
   const Result<std::vector<Job>> jobs =
       parse(R"([{"model": "a", "output": "a.png", "samples": 8, "exposure": 1}])", {{"exposure", "-2"}});
   REQUIRE(jobs);
-  CHECK((*jobs)[0].settings.exposureStops == -2);
-  CHECK((*jobs)[0].settings.samples == 8);
-  CHECK((*jobs)[0].settings.occlusion == 1);
+  CHECK((*jobs)[0].settings.display.exposureStops == -2);
+  CHECK((*jobs)[0].settings.quality.samples == 8);
+  CHECK((*jobs)[0].settings.frame.occlusion == 1);
   CHECK(describe(parse(R"([{"model": "a", "output": "a.png", "camera": 1}])", {{"orbit", "0,90"}}).error()) ==
         "--orbit: the camera of the file has its own place; give either this or --camera.");
 }
@@ -114,13 +114,13 @@ TEST_CASE("jobs: a measured BRDF is a file below the folder or a database's name
     {"model": "m", "output": "5.png", "brdf": "builtin:lambert"}, {"model": "m", "output": "6.png", "brdf": "/a/gold.bin"}])");
   const Result<std::vector<Job>> jobs = commands::readJobs(folder.path() / "jobs.json");
   REQUIRE(jobs);
-  CHECK((*jobs)[0].settings.brdf == "gold.paint-2");
-  CHECK((*jobs)[0].settings.brdfDir == folder.file("dbs"));
-  CHECK((*jobs)[1].settings.brdf == folder.file("dbs/gold"));
-  CHECK((*jobs)[2].settings.brdf == folder.file("local"));
-  CHECK((*jobs)[3].settings.brdf == folder.file("gold.binary"));
-  CHECK((*jobs)[4].settings.brdf == "builtin:lambert");
-  CHECK((*jobs)[5].settings.brdf == "/a/gold.bin");
+  CHECK((*jobs)[0].settings.sources.brdf == "gold.paint-2");
+  CHECK((*jobs)[0].settings.sources.brdfDir == folder.file("dbs"));
+  CHECK((*jobs)[1].settings.sources.brdf == folder.file("dbs/gold"));
+  CHECK((*jobs)[2].settings.sources.brdf == folder.file("local"));
+  CHECK((*jobs)[3].settings.sources.brdf == folder.file("gold.binary"));
+  CHECK((*jobs)[4].settings.sources.brdf == "builtin:lambert");
+  CHECK((*jobs)[5].settings.sources.brdf == "/a/gold.bin");
 }
 
 TEST_CASE("jobs: a frame's number goes where the pattern says") {

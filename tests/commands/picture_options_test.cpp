@@ -50,33 +50,35 @@ void checkEqual(const PictureSettings& a, const PictureSettings& b) {
 // Everything away from its default.
 PictureSettings unusual() {
   PictureSettings s;
-  s.width = 640, s.height = 1;
-  s.orbit = frame::Orbit{.thetaDeg = -30.25, .phiDeg = 0.1, .radius = 0.0105};
-  s.target = glm::dvec3(0.0027, -1e-7, 12345678.9);
-  s.fovYDeg = 33.3;
-  s.scene = 3;
-  s.variant = "night & day";
-  s.material = {true, {0.1f, 1.0f / 3, 0.7f}, 0.25f, 0.05f, 2.125f, "diamond"};
-  s.bump = "h.png", s.bumpScale = -0.125;
-  s.diffuse = optics::DiffuseModel::callOfDuty, s.fresnel = optics::FresnelModel::f82Tint;
-  s.distribution = optics::NormalDistribution::blinn, s.masking = optics::Masking::cavity;
-  s.imageLight = optics::ImageLight::taps2, s.energy = optics::EnergyModel::kullaConty;
-  s.brdf = "steel", s.brdfDir = "/brdf", s.brdfLookUp = optics::LookUp::nearest, s.utiaDecode = io::UtiaDecode::srgb;
-  s.brdfSamples = 128;
-  s.brdfCompare = frame::BrdfCompare::difference, s.brdfSplit = 0.1f, s.brdfDifferenceScale = 12.5f;
-  s.animation = "run's", s.timeSeconds = 1.25;
-  s.environment = "it's here/a b.hdr";
-  s.environmentRotationDeg = -0.1f, s.environmentStrength = 1e-3f;
-  s.background = frame::Background::color;
-  s.backgroundColor = {0.3f, static_cast<float>(linearFromSrgb(7 / 255.0)), 1e-5f};
-  s.lights = frame::Lights::demo;
-  s.occlusion = 0;
-  s.exposureStops = -2.5f;
-  s.toneMapper = frame::ToneMapper::uncharted2;
-  s.samples = 16;
-  s.maxError = 0.02;
-  s.channel = "geometryNormal";
-  s.shaderDir = "my $HOME";
+  s.frame.width = 640, s.frame.height = 1;
+  s.viewpoint.orbit = frame::Orbit{.thetaDeg = -30.25, .phiDeg = 0.1, .radius = 0.0105};
+  s.viewpoint.target = glm::dvec3(0.0027, -1e-7, 12345678.9);
+  s.viewpoint.fovYDeg = 33.3;
+  s.placement.scene = 3;
+  s.look.variant = "night & day";
+  s.look.material = {true, {0.1f, 1.0f / 3, 0.7f}, 0.25f, 0.05f, 2.125f, "diamond"};
+  s.sources.bump = "h.png", s.sources.bumpScale = -0.125;
+  s.look.models.diffuse = optics::DiffuseModel::callOfDuty, s.look.models.fresnel = optics::FresnelModel::f82Tint;
+  s.look.models.distribution = optics::NormalDistribution::blinn, s.look.models.masking = optics::Masking::cavity;
+  s.look.models.imageLight = optics::ImageLight::taps2, s.look.models.energy = optics::EnergyModel::kullaConty;
+  s.sources.brdf = "steel", s.sources.brdfDir = "/brdf", s.look.brdfLookUp = optics::LookUp::nearest,
+  s.sources.utiaDecode = io::UtiaDecode::srgb;
+  s.look.brdfSamples = 128;
+  s.display.brdfCompare = frame::BrdfCompare::difference, s.display.brdfSplit = 0.1f,
+  s.display.brdfDifferenceScale = 12.5f;
+  s.placement.animation = "run's", s.placement.timeSeconds = 1.25;
+  s.sources.environment = "it's here/a b.hdr";
+  s.frame.environmentRotationDeg = -0.1f, s.frame.environmentStrength = 1e-3f;
+  s.frame.background = frame::Background::color;
+  s.frame.backgroundColor = {0.3f, static_cast<float>(linearFromSrgb(7 / 255.0)), 1e-5f};
+  s.look.lights = frame::Lights::demo;
+  s.frame.occlusion = 0;
+  s.display.exposureStops = -2.5f;
+  s.display.toneMapper = frame::ToneMapper::uncharted2;
+  s.quality.samples = 16;
+  s.quality.maxError = 0.02;
+  s.look.channel = "geometryNormal";
+  s.sources.shaderDir = "my $HOME";
   return s;
 }
 
@@ -89,8 +91,8 @@ TEST_CASE("a time needs an animation") {
         "--time: nothing moves without an animation; give --animation NAME, or --animation all.");
   const auto both = fromArguments({{"time", "1.5"}, {"animation", "all"}});
   REQUIRE(both);
-  CHECK(both->timeSeconds == 1.5);
-  CHECK(both->animation == "all");
+  CHECK(both->placement.timeSeconds == 1.5);
+  CHECK(both->placement.animation == "all");
 }
 
 TEST_CASE("a comparison needs a measured BRDF") {
@@ -98,13 +100,13 @@ TEST_CASE("a comparison needs a measured BRDF") {
         "--brdf-compare: there is no measured BRDF to compare; give --brdf, too.");
   const auto both = fromArguments({{"brdf-compare", "fit"}, {"brdf", "gold"}});
   REQUIRE(both);
-  CHECK(both->brdfCompare == frame::BrdfCompare::fit);
+  CHECK(both->display.brdfCompare == frame::BrdfCompare::fit);
   CHECK(commands::commandLine(*both, "a.glb") == "facet a.glb --brdf gold --brdf-compare fit");
   PictureSettings measured = *both;
-  measured.brdfCompare = frame::BrdfCompare::none;
+  measured.display.brdfCompare = frame::BrdfCompare::none;
   CHECK(commands::commandLine(measured, "a.glb") == "facet a.glb --brdf gold");
   PictureSettings without = *both;
-  without.brdf.clear();  // as the panel leaves it
+  without.sources.brdf.clear();  // as the panel leaves it
   CHECK(commands::commandLine(without, "a.glb") == "facet a.glb");
 }
 
@@ -115,49 +117,49 @@ TEST_CASE("each option sets its own field") {
     REQUIRE(settings);
     return *settings;
   };
-  CHECK(set("size", "640x480").width == 640);
-  CHECK(set("size", "640x480").height == 480);
-  CHECK(set("orbit", "-25,75.5,0.4").orbit->thetaDeg == -25);
-  CHECK(set("orbit", "-25,75.5,0.4").orbit->phiDeg == 75.5);
-  CHECK(set("orbit", "-25,75.5,0.4").orbit->radius == 0.4);
-  CHECK_FALSE(set("orbit", "+90,180").orbit->radius);
-  CHECK(set("target", "1,-2.5,3e2").target == glm::dvec3(1, -2.5, 300));
-  CHECK(set("fov-y", "30").fovYDeg == 30);
-  CHECK(set("camera", "Main camera").camera == "Main camera");
-  CHECK(set("scene", "2").scene == 2);
-  CHECK(set("variant", "beach").variant == "beach");
-  CHECK(set("env", "builtin:sky").environment == "builtin:sky");
-  CHECK(set("env-rotation", "-90").environmentRotationDeg == -90);
-  CHECK(set("env-strength", "0").environmentStrength == 0);
-  CHECK(set("background", "transparent").background == frame::Background::transparent);
-  CHECK(set("background", "env").background == frame::Background::environment);
-  CHECK(set("background", "#ff0080").background == frame::Background::color);
-  CHECK(set("background", "#ff0080").backgroundColor ==
+  CHECK(set("size", "640x480").frame.width == 640);
+  CHECK(set("size", "640x480").frame.height == 480);
+  CHECK(set("orbit", "-25,75.5,0.4").viewpoint.orbit->thetaDeg == -25);
+  CHECK(set("orbit", "-25,75.5,0.4").viewpoint.orbit->phiDeg == 75.5);
+  CHECK(set("orbit", "-25,75.5,0.4").viewpoint.orbit->radius == 0.4);
+  CHECK_FALSE(set("orbit", "+90,180").viewpoint.orbit->radius);
+  CHECK(set("target", "1,-2.5,3e2").viewpoint.target == glm::dvec3(1, -2.5, 300));
+  CHECK(set("fov-y", "30").viewpoint.fovYDeg == 30);
+  CHECK(set("camera", "Main camera").viewpoint.camera == "Main camera");
+  CHECK(set("scene", "2").placement.scene == 2);
+  CHECK(set("variant", "beach").look.variant == "beach");
+  CHECK(set("env", "builtin:sky").sources.environment == "builtin:sky");
+  CHECK(set("env-rotation", "-90").frame.environmentRotationDeg == -90);
+  CHECK(set("env-strength", "0").frame.environmentStrength == 0);
+  CHECK(set("background", "transparent").frame.background == frame::Background::transparent);
+  CHECK(set("background", "env").frame.background == frame::Background::environment);
+  CHECK(set("background", "#ff0080").frame.background == frame::Background::color);
+  CHECK(set("background", "#ff0080").frame.backgroundColor ==
         glm::vec3(1, 0, static_cast<float>(linearFromSrgb(128 / 255.0))));
-  CHECK(set("background", "0.5,0,1").backgroundColor == glm::vec3(0.5f, 0, 1));
-  CHECK(set("material", "plain").material.on);
-  CHECK(set("material", "gold").material.preset == "gold");
-  CHECK(set("material", "gold").material.metallic == 1);
-  CHECK(set("material", "water").material.ior == Approx(1.333).margin(0.001));
-  CHECK(set("material-color", "#ffffff").material.baseColor == glm::vec3(1));
-  CHECK(set("material-color", "0.25,0,1").material.baseColor == glm::vec3(0.25f, 0, 1));
-  CHECK(set("material-color", "0.25,0,1").material.on);
-  CHECK(set("material-metallic", "0.5").material.metallic == 0.5f);
-  CHECK(set("material-roughness", "0").material.perceptualRoughness == 0);
-  CHECK(set("material-ior", "2").material.ior == 2);
-  CHECK(set("energy", "turquin").energy == optics::EnergyModel::turquin);
-  CHECK(set("lights", "none").lights == frame::Lights::none);
-  CHECK(set("brdf-split", "0.25").brdfSplit == 0.25f);
-  CHECK(set("brdf-difference-scale", "10").brdfDifferenceScale == 10);
-  CHECK(set("occlusion", "0.5").occlusion == 0.5f);
-  CHECK(set("exposure", "-1.5").exposureStops == -1.5f);
-  CHECK(set("tonemap", "agx").toneMapper == frame::ToneMapper::agx);
-  CHECK(set("samples", "1").samples == 1);
-  CHECK(set("max-error", "0.5%").maxError == 0.005);
-  CHECK(set("max-error", "0.02").maxError == 0.02);
-  CHECK(set("channel", "baseColor").channel == "baseColor");
-  CHECK(set("channel", "final").channel == "");
-  CHECK(set("shader-dir", "shaders").shaderDir == "shaders");
+  CHECK(set("background", "0.5,0,1").frame.backgroundColor == glm::vec3(0.5f, 0, 1));
+  CHECK(set("material", "plain").look.material.on);
+  CHECK(set("material", "gold").look.material.preset == "gold");
+  CHECK(set("material", "gold").look.material.metallic == 1);
+  CHECK(set("material", "water").look.material.ior == Approx(1.333).margin(0.001));
+  CHECK(set("material-color", "#ffffff").look.material.baseColor == glm::vec3(1));
+  CHECK(set("material-color", "0.25,0,1").look.material.baseColor == glm::vec3(0.25f, 0, 1));
+  CHECK(set("material-color", "0.25,0,1").look.material.on);
+  CHECK(set("material-metallic", "0.5").look.material.metallic == 0.5f);
+  CHECK(set("material-roughness", "0").look.material.perceptualRoughness == 0);
+  CHECK(set("material-ior", "2").look.material.ior == 2);
+  CHECK(set("energy", "turquin").look.models.energy == optics::EnergyModel::turquin);
+  CHECK(set("lights", "none").look.lights == frame::Lights::none);
+  CHECK(set("brdf-split", "0.25").display.brdfSplit == 0.25f);
+  CHECK(set("brdf-difference-scale", "10").display.brdfDifferenceScale == 10);
+  CHECK(set("occlusion", "0.5").frame.occlusion == 0.5f);
+  CHECK(set("exposure", "-1.5").display.exposureStops == -1.5f);
+  CHECK(set("tonemap", "agx").display.toneMapper == frame::ToneMapper::agx);
+  CHECK(set("samples", "1").quality.samples == 1);
+  CHECK(set("max-error", "0.5%").quality.maxError == 0.005);
+  CHECK(set("max-error", "0.02").quality.maxError == 0.02);
+  CHECK(set("channel", "baseColor").look.channel == "baseColor");
+  CHECK(set("channel", "final").look.channel == "");
+  CHECK(set("shader-dir", "shaders").sources.shaderDir == "shaders");
 }
 
 TEST_CASE("every way to be wrong has its sentence") {
@@ -241,12 +243,12 @@ TEST_CASE("a substance comes before what differs from it, in whatever order both
   const Result<PictureSettings> job = fromJson({{"material-metallic", 0.5}, {"material", "gold"}});
   for (const Result<PictureSettings>& settings : {words, job}) {
     REQUIRE(settings);
-    CHECK(settings->material.metallic == 0.5f);
-    CHECK(settings->material.preset == "gold");
+    CHECK(settings->look.material.metallic == 0.5f);
+    CHECK(settings->look.material.preset == "gold");
     CHECK(commands::commandLine(*settings, "a.glb") == "facet a.glb --material gold --material-metallic 0.5");
   }
   PictureSettings off = *words;
-  off.material.on = false;
+  off.look.material.on = false;
   CHECK(commands::commandLine(off, "a.glb") == "facet a.glb");
 }
 
@@ -270,11 +272,11 @@ TEST_CASE("what write gives, parse reads back") {
     REQUIRE(option.parse(text, read));
     CHECK(option.write(read) == text);
   }
-  CHECK(read.target == settings.target);
-  CHECK(read.material == settings.material);
-  CHECK(read.backgroundColor == settings.backgroundColor);
-  CHECK(read.environmentRotationDeg == settings.environmentRotationDeg);
-  CHECK(read.orbit->radius == settings.orbit->radius);
+  CHECK(read.viewpoint.target == settings.viewpoint.target);
+  CHECK(read.look.material == settings.look.material);
+  CHECK(read.frame.backgroundColor == settings.frame.backgroundColor);
+  CHECK(read.frame.environmentRotationDeg == settings.frame.environmentRotationDeg);
+  CHECK(read.viewpoint.orbit->radius == settings.viewpoint.orbit->radius);
 }
 
 TEST_CASE("the command line names only what differs from the defaults") {
@@ -282,7 +284,8 @@ TEST_CASE("the command line names only what differs from the defaults") {
   CHECK(commands::commandLine({}, "") == "facet");
   CHECK(commands::commandLine({}, "a b.glb", "o'c.png") == "facet render 'a b.glb' -o 'o'\\''c.png'");
   PictureSettings settings;
-  settings.exposureStops = 1.5f, settings.width = 640, settings.background = frame::Background::transparent;
+  settings.display.exposureStops = 1.5f, settings.frame.width = 640,
+  settings.frame.background = frame::Background::transparent;
   CHECK(commands::commandLine(settings, "a.glb") ==
         "facet a.glb --size 640x1024 --background transparent --exposure 1.5");
 }
@@ -290,7 +293,9 @@ TEST_CASE("the command line names only what differs from the defaults") {
 TEST_CASE("a command line goes through a shell and the parser and comes back the same") {
   PictureSettings settings = GENERATE(PictureSettings(), unusual());
   const bool ofTheFile = GENERATE(false, true);
-  if (ofTheFile) settings.orbit.reset(), settings.target.reset(), settings.camera = "-- $(date) \"Kamera\" 1;2 `x`";
+  if (ofTheFile)
+    settings.viewpoint.orbit.reset(), settings.viewpoint.target.reset(),
+        settings.viewpoint.camera = "-- $(date) \"Kamera\" 1;2 `x`";
   const std::string model = "dir with space/it's.glb";
   const std::string line = commands::commandLine(settings, model);
   CAPTURE(line);
@@ -311,9 +316,9 @@ TEST_CASE("negative values and equals signs pass through the command line") {
   const Result<PictureSettings> settings =
       fromWords({"--exposure", "-2", "--orbit=-25,75,0.4", "--target", "-1,-2,-3"});
   REQUIRE(settings);
-  CHECK(settings->exposureStops == -2);
-  CHECK(settings->orbit->thetaDeg == -25);
-  CHECK(settings->target == glm::dvec3(-1, -2, -3));
+  CHECK(settings->display.exposureStops == -2);
+  CHECK(settings->viewpoint.orbit->thetaDeg == -25);
+  CHECK(settings->viewpoint.target == glm::dvec3(-1, -2, -3));
 }
 
 TEST_CASE("JSON: numbers, arrays and texts mean the same") {
@@ -334,23 +339,23 @@ TEST_CASE("JSON: numbers, arrays and texts mean the same") {
                                                   {"camera", 2}});
   REQUIRE(numbers);
   REQUIRE(texts);
-  CHECK(numbers->width == 640);
-  CHECK(numbers->height == 480);
-  CHECK(numbers->orbit->radius == 0.4);
-  CHECK(numbers->target == glm::dvec3(0.5, 0, -1));
-  CHECK(numbers->exposureStops == -1.5f);
-  CHECK(numbers->samples == 8);
-  CHECK(numbers->camera == "2");
+  CHECK(numbers->frame.width == 640);
+  CHECK(numbers->frame.height == 480);
+  CHECK(numbers->viewpoint.orbit->radius == 0.4);
+  CHECK(numbers->viewpoint.target == glm::dvec3(0.5, 0, -1));
+  CHECK(numbers->display.exposureStops == -1.5f);
+  CHECK(numbers->quality.samples == 8);
+  CHECK(numbers->viewpoint.camera == "2");
   checkEqual(*numbers, *texts);
 }
 
 TEST_CASE("JSON: paths are taken below the folder, names are not") {
-  CHECK(fromJson({{"env", "maps/a.hdr"}})->environment == "folder/maps/a.hdr");
-  CHECK(fromJson({{"env", "/maps/a.hdr"}})->environment == "/maps/a.hdr");
-  CHECK(fromJson({{"env", "builtin:sky"}})->environment == "builtin:sky");
-  CHECK(fromJson({{"env", "none"}})->environment == "none");
-  CHECK(fromJson({{"shader-dir", "s"}})->shaderDir == "folder/s");
-  CHECK(fromJson({{"env", "a.hdr"}}, "")->environment == "a.hdr");
+  CHECK(fromJson({{"env", "maps/a.hdr"}})->sources.environment == "folder/maps/a.hdr");
+  CHECK(fromJson({{"env", "/maps/a.hdr"}})->sources.environment == "/maps/a.hdr");
+  CHECK(fromJson({{"env", "builtin:sky"}})->sources.environment == "builtin:sky");
+  CHECK(fromJson({{"env", "none"}})->sources.environment == "none");
+  CHECK(fromJson({{"shader-dir", "s"}})->sources.shaderDir == "folder/s");
+  CHECK(fromJson({{"env", "a.hdr"}}, "")->sources.environment == "a.hdr");
 }
 
 TEST_CASE("JSON: an error leads with file and pointer") {

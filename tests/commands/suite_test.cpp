@@ -33,16 +33,16 @@ TEST_CASE("suite: defaults, what jobs change of them, and paths") {
   CHECK(suite->name == "dir");
   CHECK(suite->baseline("a") == "dir/baselines/a.png");
   CHECK(a.model == "dir/m/a.glb");
-  CHECK(a.settings.width == 64);
-  CHECK(a.settings.samples == 8);
-  CHECK(a.settings.shaderDir == "s");
+  CHECK(a.settings.frame.width == 64);
+  CHECK(a.settings.quality.samples == 8);
+  CHECK(a.settings.sources.shaderDir == "s");
   CHECK(limit(a, "flip") == 0.01);
   CHECK(limit(a, "ssim") == 0.1);
   CHECK(b.index == 1);
   CHECK(b.model == "builtin:spheres");
-  CHECK(b.settings.samples == 1);
-  CHECK(b.settings.height == 32);
-  CHECK(b.settings.environment == "dir/e.hdr");
+  CHECK(b.settings.quality.samples == 1);
+  CHECK(b.settings.frame.height == 32);
+  CHECK(b.settings.sources.environment == "dir/e.hdr");
   CHECK(limit(b, "flip") == 0.5);
   CHECK(limit(b, "ssim") == -1);
 }

@@ -57,7 +57,7 @@ io::LoadedModel modelOf(scene::Primitive primitive) {
 
 frame::PictureSettings settings() {
   frame::PictureSettings s = test::bareSettings(size, size);
-  s.camera = "0";
+  s.viewpoint.camera = "0";
   return s;
 }
 
@@ -139,9 +139,9 @@ TEST_CASE("Deformation: an arm of two joints bends as in double precision, weigh
   test::Studio studio;
   frame::PictureSettings s = settings();
   checkQuads(loaded, studio.render(loaded, s), {});
-  s.animation = "turn";
+  s.placement.animation = "turn";
   for (const double time : {0.0, 1.0, 2.0, 99.0}) {
-    s.timeSeconds = time;
+    s.placement.timeSeconds = time;
     checkQuads(loaded, studio.render(loaded, s), scene::poseAt(loaded.model, std::vector{0}, time));
   }
   // In closed form: at the end the outer quad, half a metre beyond the elbow, stands above it.
@@ -202,7 +202,7 @@ TEST_CASE("Deformation: weights move colours and normals, and flat triangles sta
   Notes notes;
   scene::completeGeometry(loaded.model, notes);
   frame::PictureSettings s = settings();
-  s.channel = "normal";
+  s.look.channel = "normal";
   const float half = std::sqrt(0.5f);
   test::checkPixel(test::pixel(studio.render(loaded, s).radiance, size / 2, size / 2),
                    {-half * 0.5f + 0.5f, 0.5f, half * 0.5f + 0.5f, 1}, 2e-3f);
@@ -225,7 +225,7 @@ TEST_CASE("Deformation: a draw that reads less than the buffer holds finds its n
   frame::PictureSettings s = settings();
   // All attributes first, then a view that does not read the colours.
   test::checkPixel(test::pixel(studio.render(loaded, s, onGpu).radiance, size * 3 / 4, size / 2), {0.5f, 1, 1, 1});
-  s.channel = "uv";
+  s.look.channel = "uv";
   CHECK(test::pixel(studio.render(loaded, s, onGpu).radiance, size * 3 / 4, size / 2).w == 1);
   CHECK(test::pixel(studio.render(loaded, s, onGpu).radiance, size / 2, size / 2).w == 0);
 }

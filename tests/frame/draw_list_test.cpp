@@ -256,7 +256,7 @@ TEST_CASE("Draw list: a variant's materials take the place of the primitives' ow
   const scene::Model model = load(builder);
   const auto shown = [&](const std::string& variant) {
     frame::PictureSettings settings;
-    settings.variant = variant;
+    settings.look.variant = variant;
     const Result<int> index = frame::chooseVariant(settings, model);
     if (!index) return describe(index.error());
     const frame::DrawList list = frame::buildDrawList(model, 0, {.variant = *index});
@@ -272,7 +272,7 @@ TEST_CASE("Draw list: a variant's materials take the place of the primitives' ow
   CHECK(shown("3") == "m: the file has no material variant '3'; it has 0 (day), 1 (night), 2 (1).");
   CHECK(shown("-1") == "m: the file has no material variant '-1'; it has 0 (day), 1 (night), 2 (1).");
   frame::PictureSettings settings;
-  settings.variant = "night";
+  settings.look.variant = "night";
   CHECK(describe(frame::chooseVariant(settings, {}).error()) ==
         "the file has no material variant 'night'; it has none at all: leave out --variant.");
 }
@@ -303,6 +303,6 @@ TEST_CASE("Framing takes in what moves far for a moment only") {
   sampler.width = 3;
   model.animations = {{"jump", {sampler}, {{0, scene::AnimatedProperty::translation, 0, {}}}}};
   frame::PictureSettings settings;
-  settings.animation = "jump";
+  settings.placement.animation = "jump";
   CHECK(frame::framingBounds(settings, model, 0, {}).max.x == Approx(21));
 }

@@ -53,8 +53,8 @@ io::LoadedModel still(const json& root, double geometryScale = 1) {
 
 PictureSettings stillSettings() {
   PictureSettings settings = test::bareSettings(64, 64);
-  settings.environment = "builtin:studio";
-  settings.lights = frame::Lights::demo;
+  settings.sources.environment = "builtin:studio";
+  settings.look.lights = frame::Lights::demo;
   return settings;
 }
 
@@ -120,8 +120,8 @@ TEST_CASE("A normal map on a mirrored node bends the way its picture is turned")
   test::addMeshNode(builder, quad, 0, mirror);
   test::addOrthographicCamera(builder, 1, 0.5);
   PictureSettings settings = test::bareSettings(8, 4);
-  settings.camera = "0";
-  settings.channel = "normal";
+  settings.viewpoint.camera = "0";
+  settings.look.channel = "normal";
   const frame::Picture picture = test::Studio().render(test::loadBuilt(builder), settings);
   const glm::vec3 n = glm::normalize(glm::vec3(204, 166, 217) / 255.0f * 2.0f - 1.0f);
   checkPixel(test::pixel(picture.radiance, 2, 2), glm::vec4(n * 0.5f + 0.5f, 1));

@@ -17,9 +17,9 @@ std::shared_ptr<const frame::FittedOnGpu> uploaded(const optics::AnalyticBrdf& m
 
 frame::PictureSettings plainSettings(const std::string& brdf, frame::BrdfCompare compare) {
   frame::PictureSettings settings = bareSettings(48, 32);
-  settings.environment = "builtin:studio";
-  settings.brdf = brdf;
-  settings.brdfCompare = compare;
+  settings.sources.environment = "builtin:studio";
+  settings.sources.brdf = brdf;
+  settings.display.brdfCompare = compare;
   return settings;
 }
 
@@ -66,7 +66,7 @@ TEST_CASE("What is fitted to a table of the same model makes its picture, anothe
   const io::LoadedModel spheres = loadBuiltin("builtin:spheres");
   frame::PictureSettings settings = plainSettings("builtin:plastic-0.5", frame::BrdfCompare::difference);
   const auto same = studio.render(spheres, settings).statistics.comparison;
-  settings.diffuse = optics::DiffuseModel::orenNayar;
+  settings.look.models.diffuse = optics::DiffuseModel::orenNayar;
   const auto other = studio.render(spheres, settings).statistics.comparison;
   REQUIRE(same);
   REQUIRE(other);
@@ -82,11 +82,11 @@ TEST_CASE("Side by side a measured BRDF and its fit are what each is alone, thei
   Studio studio;
   const io::LoadedModel spheres = loadBuiltin("builtin:spheres");
   frame::PictureSettings settings = plainSettings("builtin:utia-brushed", frame::BrdfCompare::none);
-  settings.samples = GENERATE(1, 4, 6);
-  settings.diffuse = optics::DiffuseModel::eon;
-  settings.brdfSplit = 0.375f, settings.brdfDifferenceScale = 2;
+  settings.quality.samples = GENERATE(1, 4, 6);
+  settings.look.models.diffuse = optics::DiffuseModel::eon;
+  settings.display.brdfSplit = 0.375f, settings.display.brdfDifferenceScale = 2;
   const auto picture = [&](frame::BrdfCompare compare) {
-    settings.brdfCompare = compare;
+    settings.display.brdfCompare = compare;
     return studio.render(spheres, settings);
   };
   const frame::Picture measured = picture(frame::BrdfCompare::none), fitted = picture(frame::BrdfCompare::fit),

@@ -48,8 +48,8 @@ void eachPixel(const F& f) {
 
 PictureSettings pictureSettings(const char* environment) {
   PictureSettings settings = test::bareSettings(cell, cell);
-  settings.camera = "0";
-  settings.environment = environment;
+  settings.viewpoint.camera = "0";
+  settings.sources.environment = environment;
   return settings;
 }
 

@@ -87,8 +87,8 @@ io::LoadedModel sphereRow(const Extension& extension) {
 
 PictureSettings rowSettings(const char* environment) {
   PictureSettings settings = test::bareSettings(columns * cell, cell);
-  settings.camera = "0";
-  settings.environment = environment;
+  settings.viewpoint.camera = "0";
+  settings.sources.environment = environment;
   return settings;
 }
 
@@ -128,7 +128,7 @@ TEST_CASE("Layers: no furnace gains, by any extension or sum of them") {
     const io::LoadedModel model = sphereRow(extension);
     PictureSettings settings = rowSettings("builtin:white");
     const frame::Picture split = studio.render(model, settings);
-    settings.samples = 8;
+    settings.quality.samples = 8;
     const frame::Picture sampled = studio.render(model, settings);
     const Range a = rangeOf(split.radiance), b = rangeOf(sampled.radiance);
     std::printf("%-34s %8.4f %8.4f   %8.4f %8.4f\n", extension.name, a.low, a.high, b.low, b.high);

@@ -11,9 +11,9 @@ namespace {
 
 frame::PictureSettings poster(int samples) {
   frame::PictureSettings settings;
-  settings.width = settings.height = 96;
-  settings.environment = "builtin:studio";
-  settings.samples = samples;
+  settings.frame.width = settings.frame.height = 96;
+  settings.sources.environment = "builtin:studio";
+  settings.quality.samples = samples;
   return settings;
 }
 
@@ -21,17 +21,17 @@ frame::PictureSettings poster(int samples) {
 
 TEST_CASE("max error: powers of two, at least twice as many, up to what is allowed") {
   frame::PictureSettings settings;
-  settings.maxError = 0.01;  // 2.55 / 255
+  settings.quality.maxError = 0.01;  // 2.55 / 255
   CHECK(frame::firstSamples(settings) == 8);
   CHECK(frame::nextSamples(settings, 8, 2.5) == 0);
   CHECK(frame::nextSamples(settings, 8, 2.6) == 16);
   CHECK(frame::nextSamples(settings, 8, 10.2) == 64);  // 8 * 4^(1 / 0.7) = 58
   CHECK(frame::nextSamples(settings, 8, 1e9) == 4096);
   CHECK(frame::nextSamples(settings, 4096, 3) == 0);
-  settings.samples = 100;
+  settings.quality.samples = 100;
   CHECK(frame::nextSamples(settings, 8, 1e9) == 100);
   CHECK(frame::nextSamples(settings, 100, 3) == 0);
-  settings.samples = 6;
+  settings.quality.samples = 6;
   CHECK(frame::firstSamples(settings) == 6);
 }
 
@@ -41,7 +41,7 @@ TEST_CASE("max error: the picture of that many samples, within the error, agains
   frame::PictureSettings settings = poster(4);
   const auto truth = studio.render(model, poster(1024)).display;
   for (const double wanted : {0.03, 0.008}) {
-    settings.maxError = wanted;
+    settings.quality.maxError = wanted;
     const frame::Picture picture = studio.render(model, settings);
     const std::vector<frame::Attempt>& attempts = picture.statistics.attempts;
     REQUIRE_FALSE(attempts.empty());
@@ -62,7 +62,7 @@ TEST_CASE("max error: the same bytes as --samples with the number that was chose
   test::Studio studio;
   const io::LoadedModel model = test::loadBuiltin("builtin:poster");
   frame::PictureSettings settings = poster(4);
-  settings.maxError = 0.01;
+  settings.quality.maxError = 0.01;
   const frame::Picture kept = studio.render(model, settings);
   // Sampled pictures read irradiance and DFG only; at 1 % the former is the default's, so that a scene of metals, whose
   // DFG table is coarser, differs by less than the table's error.
@@ -77,7 +77,7 @@ TEST_CASE("max error: the same bytes as --samples with the number that was chose
 TEST_CASE("max error: what cannot be reached is drawn with as many samples as are allowed", "[gl]") {
   test::Studio studio;
   frame::PictureSettings settings = poster(12);
-  settings.maxError = 1e-4;
+  settings.quality.maxError = 1e-4;
   const frame::Picture picture = studio.render(test::loadBuiltin("builtin:poster"), settings);
   REQUIRE(picture.statistics.attempts.size() == 2);
   CHECK(picture.statistics.attempts[0].samples == 8);

@@ -112,9 +112,9 @@ TEST_CASE("Look-ups of measured BRDFs on the GPU agree with double precision", "
 TEST_CASE("A measured Lambertian returns its albedo in the furnace", "[gl]") {
   Studio studio;
   frame::PictureSettings settings = bareSettings(32, 32);
-  settings.environment = "builtin:white";
-  settings.brdf = "builtin:lambert";
-  settings.lights = frame::Lights::none;
+  settings.sources.environment = "builtin:white";
+  settings.sources.brdf = "builtin:lambert";
+  settings.look.lights = frame::Lights::none;
   const frame::Picture picture = studio.render(loadBuiltin("builtin:spheres"), settings);
   size_t seen = 0;
   for (const glm::vec4& p : picture.radiance.pixels) {

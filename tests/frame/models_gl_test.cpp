@@ -47,10 +47,10 @@ double worstError(test::Studio& studio, const optics::Models& chosen, const opti
   const glm::dvec3 light(0.7, -0.6, 0.4),
       color = conductor ? optics::findMetal("gold")->f0() : glm::dvec3(0.8, 0.5, 0.1);
   PictureSettings settings = test::bareSettings(16, 16);
-  settings.camera = "0";
-  settings.diffuse = chosen.diffuse, settings.fresnel = chosen.fresnel;
-  settings.distribution = chosen.distribution, settings.masking = chosen.masking;
-  settings.energy = chosen.energy;
+  settings.viewpoint.camera = "0";
+  settings.look.models.diffuse = chosen.diffuse, settings.look.models.fresnel = chosen.fresnel;
+  settings.look.models.distribution = chosen.distribution, settings.look.models.masking = chosen.masking;
+  settings.look.models.energy = chosen.energy;
   const GltfBuilder builder = litPlane(light, std::move(extension), glm::vec3(color), metallic);
   const frame::Picture picture = studio.render(test::loadBuilt(builder), settings);
   optics::Surface surface{color, metallic, roughness};
@@ -116,9 +116,9 @@ TEST_CASE("EON keeps a white furnace white, in default and in sampled pictures, 
   const io::LoadedModel model = test::loadBuiltin("builtin:furnace");
   test::Studio studio;
   PictureSettings settings = test::bareSettings(220, 44);
-  settings.environment = "builtin:white";
-  settings.orbit = frame::Orbit{0, 90, 32.2};
-  settings.fovYDeg = 4;
+  settings.sources.environment = "builtin:white";
+  settings.viewpoint.orbit = frame::Orbit{0, 90, 32.2};
+  settings.viewpoint.fovYDeg = 4;
   const auto range = [&] {
     glm::vec2 ends(9, 0);
     const frame::Picture picture = studio.render(model, settings);
@@ -129,16 +129,16 @@ TEST_CASE("EON keeps a white furnace white, in default and in sampled pictures, 
       }
     return ends;
   };
-  settings.diffuse = DiffuseModel::eon;
+  settings.look.models.diffuse = DiffuseModel::eon;
   const glm::vec2 eon = range();
   CHECK(eon.x > 0.985f);
   CHECK(eon.y < 1.015f);
-  settings.diffuse = DiffuseModel::burley;
+  settings.look.models.diffuse = DiffuseModel::burley;
   const glm::vec2 burley = range();
   CHECK(burley.x < 0.93f);
   CHECK(burley.y > 1.02f);
-  settings.samples = 16;
-  settings.diffuse = DiffuseModel::eon;
+  settings.quality.samples = 16;
+  settings.look.models.diffuse = DiffuseModel::eon;
   const glm::vec2 sampled = range();
   std::cout << "white dielectrics: EON " << eon.x << " to " << eon.y << ", sampled " << sampled.x << " to " << sampled.y
             << "; Burley " << burley.x << " to " << burley.y << "\n";
@@ -156,9 +156,9 @@ TEST_CASE("Sampled pictures shade with the diffuse model itself: against the sum
   test::addOrthographicCamera(builder, 0.1, 0.1);
   const io::LoadedModel model = test::loadBuilt(builder);
   PictureSettings settings = test::bareSettings(4, 4);
-  settings.camera = "0";
-  settings.environment = "builtin:studio";
-  settings.samples = 256;
+  settings.viewpoint.camera = "0";
+  settings.sources.environment = "builtin:studio";
+  settings.quality.samples = 256;
   test::Studio studio;
   const glm::dvec3 lambert(test::pixel(studio.render(model, settings).radiance, 2, 2));
 
@@ -180,7 +180,7 @@ TEST_CASE("Sampled pictures shade with the diffuse model itself: against the sum
                     (NoL * optics::equirectTexelSolidAngle(row, studioMap.width, studioMap.height));
       }
     expected *= left;
-    settings.diffuse = model_;
+    settings.look.models.diffuse = model_;
     const glm::dvec3 got = glm::dvec3(test::pixel(studio.render(model, settings).radiance, 2, 2)) - lambert;
     std::cout << "sampled diffuse model " << int(model_) << ": difference to Lambert " << got.x << ", expected "
               << expected.x << " of " << lambert.x << "\n";
@@ -192,12 +192,12 @@ TEST_CASE("Energy models in a white furnace, in default and in sampled pictures"
   const io::LoadedModel model = test::loadBuiltin("builtin:furnace");
   test::Studio studio;
   PictureSettings settings = test::bareSettings(220, 44);
-  settings.environment = "builtin:white";
-  settings.orbit = frame::Orbit{0, 90, 32.2};
-  settings.fovYDeg = 4;
+  settings.sources.environment = "builtin:white";
+  settings.viewpoint.orbit = frame::Orbit{0, 90, 32.2};
+  settings.viewpoint.fovYDeg = 4;
   const auto check = [&](const char* name, EnergyModel energy, int samples, float within) {
-    settings.energy = energy;
-    settings.samples = samples;
+    settings.look.models.energy = energy;
+    settings.quality.samples = samples;
     const frame::Picture picture = studio.render(model, settings);
     glm::vec2 ends[2] = {{9, 0}, {9, 0}};  // metal above, dielectric below
     for (int y = 0; y < 44; ++y)
@@ -235,13 +235,13 @@ TEST_CASE("Sampled pictures: Kulla and Conty's further bounces against the sum o
   test::addOrthographicCamera(builder, 0.1, 0.1);
   const io::LoadedModel model = test::loadBuilt(builder);
   PictureSettings settings = test::bareSettings(4, 4);
-  settings.camera = "0";
-  settings.environment = "builtin:studio";
-  settings.samples = 256;
+  settings.viewpoint.camera = "0";
+  settings.sources.environment = "builtin:studio";
+  settings.quality.samples = 256;
   test::Studio studio;
-  settings.energy = EnergyModel::none;
+  settings.look.models.energy = EnergyModel::none;
   const glm::dvec3 single(test::pixel(studio.render(model, settings).radiance, 2, 2));
-  settings.energy = EnergyModel::kullaConty;
+  settings.look.models.energy = EnergyModel::kullaConty;
   const glm::dvec3 got = glm::dvec3(test::pixel(studio.render(model, settings).radiance, 2, 2)) - single;
 
   const scene::Environment studioMap = *scene::builtinEnvironment("studio");
@@ -270,15 +270,15 @@ TEST_CASE("Models that a picture cannot show are told") {
   test::Studio studio;
   const auto notesOf = [&](const std::string& source, const std::string& environment, const auto& choose) {
     PictureSettings settings = test::bareSettings(8, 8);
-    settings.environment = environment;
+    settings.sources.environment = environment;
     choose(settings);
     studio.render(test::loadBuiltin(source), settings);
     std::string all;
     for (const Note& note : studio.notes) all += note.text + "\n";
     return all;
   };
-  const auto beckmann = [](PictureSettings& s) { s.distribution = NormalDistribution::beckmann; };
-  const auto exact = [](PictureSettings& s) { s.fresnel = FresnelModel::exact; };
+  const auto beckmann = [](PictureSettings& s) { s.look.models.distribution = NormalDistribution::beckmann; };
+  const auto exact = [](PictureSettings& s) { s.look.models.fresnel = FresnelModel::exact; };
   CHECK(notesOf("builtin:furnace", "builtin:white", beckmann).find("--ndf and --masking change nothing") == 0);
   CHECK(notesOf("builtin:spheres", "builtin:white", beckmann).find("GGX reflects the environment") !=
         std::string::npos);

@@ -29,9 +29,9 @@ using Names = std::vector<std::string>;
 TEST_CASE("White furnace: white metal and white dielectric of any roughness cannot be seen") {
   const io::LoadedModel model = test::loadBuiltin("builtin:furnace");
   PictureSettings settings = test::bareSettings(220, 44);
-  settings.environment = "builtin:white";
-  settings.orbit = frame::Orbit{0, 90, 32.2};  // nearly parallel: 11.2 m wide
-  settings.fovYDeg = 4;
+  settings.sources.environment = "builtin:white";
+  settings.viewpoint.orbit = frame::Orbit{0, 90, 32.2};  // nearly parallel: 11.2 m wide
+  settings.viewpoint.fovYDeg = 4;
   const frame::Picture picture = test::Studio().render(model, settings);
   CHECK(picture.statistics.nonFinitePixels == 0);
   float worst[2] = {0, 0};  // metal above, dielectric below
@@ -53,10 +53,10 @@ TEST_CASE("White furnace: white metal and white dielectric of any roughness cann
 TEST_CASE("White furnace: the converging picture keeps the energy too") {
   const io::LoadedModel model = test::loadBuiltin("builtin:furnace");
   PictureSettings settings = test::bareSettings(220, 44);
-  settings.environment = "builtin:white";
-  settings.orbit = frame::Orbit{0, 90, 32.2};
-  settings.fovYDeg = 4;
-  settings.samples = 16;
+  settings.sources.environment = "builtin:white";
+  settings.viewpoint.orbit = frame::Orbit{0, 90, 32.2};
+  settings.viewpoint.fovYDeg = 4;
+  settings.quality.samples = 16;
   const frame::Picture picture = test::Studio().render(model, settings);
   float worst = 0;
   double sum = 0;
@@ -76,7 +76,7 @@ TEST_CASE("A half-metallic white sphere keeps the furnace's energy too") {
   const int half = builder.append("materials", material({1, 1, 1, 1}, 0.5, 0.7));
   test::addMeshNode(builder, test::addSphere(builder, 1), half);
   PictureSettings settings = test::bareSettings(40, 40);
-  settings.environment = "builtin:white";
+  settings.sources.environment = "builtin:white";
   const frame::Picture picture = test::Studio().render(test::loadBuilt(builder), settings);
   float worst = 0;
   for (const glm::vec4& p : picture.radiance.pixels)
@@ -98,7 +98,7 @@ TEST_CASE("A point light on a plane, against the double-precision surface") {
   builder.json["scenes"][0]["nodes"].push_back(builder.append("nodes", node));
   test::addOrthographicCamera(builder, 1, 1);
   PictureSettings settings = test::bareSettings(16, 16);
-  settings.camera = "0";
+  settings.viewpoint.camera = "0";
   const frame::Picture picture = test::Studio().render(test::loadBuilt(builder), settings);
 
   const optics::Surface surface{color, metallic, roughness};
@@ -134,7 +134,7 @@ TEST_CASE("Alpha modes: opaque ignores alpha, mask cuts, blend mixes from back t
   quad(unlit({1, 1, 1, 0.9}, blend), at(2, 0, -1));  // hidden
   test::addOrthographicCamera(builder, 2.5, 0.5);
   PictureSettings settings = test::bareSettings(20, 4);
-  settings.camera = "0";
+  settings.viewpoint.camera = "0";
   test::Studio studio;
   const frame::Picture picture = studio.render(test::loadBuilt(builder), settings);
   const auto column = [&](int x) { return test::pixel(picture.radiance, 4 * x + 1, 2); };
@@ -162,8 +162,8 @@ TEST_CASE("Back faces show only where the material is double-sided, and then fac
                     right);
   test::addOrthographicCamera(builder, 1, 0.5);
   PictureSettings settings = test::bareSettings(8, 4);
-  settings.camera = "0";
-  settings.channel = "normal";
+  settings.viewpoint.camera = "0";
+  settings.look.channel = "normal";
   const frame::Picture picture = test::Studio().render(test::loadBuilt(builder), settings);
   CHECK(test::pixel(picture.radiance, 1, 2).w == 0);
   checkPixel(test::pixel(picture.radiance, 6, 2), {0.5, 0.5, 1, 1});
@@ -188,8 +188,8 @@ TEST_CASE("A double-sided back face has the reversed shading normal, bumps inclu
                     back ? json{{"rotation", {0, 1, 0, 0}}} : json::object());
   test::addOrthographicCamera(builder, 1, 1);
   PictureSettings settings = test::bareSettings(4, 4);
-  settings.camera = "0";
-  settings.channel = "normal";
+  settings.viewpoint.camera = "0";
+  settings.look.channel = "normal";
   const frame::Picture picture = test::Studio().render(test::loadBuilt(builder), settings);
   // The front's normal is (a, 0, a); turned about +Y the surface has (-a, 0, -a) outside, so (a, 0, a) towards the
   // viewer.
@@ -203,9 +203,9 @@ TEST_CASE("The sky is drawn where nothing else is, and an empty scene still is a
     test::addMeshNode(builder, test::addQuad(builder, {-1, -1}, {1, 1}),
                       builder.append("materials", unlit({1, 0, 0, 0.5}, {{"alphaMode", "BLEND"}})));
   PictureSettings settings = test::bareSettings(8, 8);
-  settings.environment = "builtin:white";
-  settings.background = frame::Background::environment;
-  settings.orbit = frame::Orbit{0, 90, 20.0};
+  settings.sources.environment = "builtin:white";
+  settings.frame.background = frame::Background::environment;
+  settings.viewpoint.orbit = frame::Orbit{0, 90, 20.0};
   const frame::Picture picture = test::Studio().render(test::loadBuilt(builder), settings);
   checkPixel(test::pixel(picture.radiance, 0, 0), {1, 1, 1, 1});
 }
@@ -213,9 +213,9 @@ TEST_CASE("The sky is drawn where nothing else is, and an empty scene still is a
 TEST_CASE("A background colour is that colour in the PNG, whatever exposure and tone mapper") {
   GltfBuilder builder = emptyScene();
   PictureSettings settings = test::bareSettings(4, 4);
-  settings.background = frame::Background::color;
-  settings.backgroundColor = {1, 0.21404114f, 0};  // #ff8000 in linear light
-  settings.exposureStops = 2;
+  settings.frame.background = frame::Background::color;
+  settings.frame.backgroundColor = {1, 0.21404114f, 0};  // #ff8000 in linear light
+  settings.display.exposureStops = 2;
   const frame::Picture picture = test::Studio().render(test::loadBuilt(builder), settings);
   REQUIRE(picture.display.channels == 3);
   CHECK(picture.display.data[0] == 255);
@@ -232,12 +232,12 @@ TEST_CASE("Tone mapping end to end: exposure, mapper, sRGB, 8 bits") {
   test::addOrthographicCamera(builder, 1, 1);
   const io::LoadedModel model = test::loadBuilt(builder);
   PictureSettings settings = test::bareSettings(2, 2);
-  settings.camera = "0";
+  settings.viewpoint.camera = "0";
   test::Studio studio;
   for (const optics::ToneMapper mapper : optics::toneMappers)
     for (const float stops : {-2.0f, 0.0f, 3.0f}) {
-      settings.toneMapper = static_cast<frame::ToneMapper>(mapper);
-      settings.exposureStops = stops;
+      settings.display.toneMapper = static_cast<frame::ToneMapper>(mapper);
+      settings.display.exposureStops = stops;
       const frame::Picture picture = studio.render(model, settings);
       const glm::dvec3 expected = optics::encodeSRGB(optics::toneMap(mapper, color * std::exp2(double(stops)))) * 255.0;
       INFO(optics::nameOf(mapper) << ", " << stops << " stops");
@@ -250,7 +250,7 @@ TEST_CASE("Tone mapping end to end: exposure, mapper, sRGB, 8 bits") {
 TEST_CASE("The same picture twice is the same bytes") {
   const io::LoadedModel model = test::loadBuiltin("builtin:spheres");
   PictureSettings settings;
-  settings.width = settings.height = 64;
+  settings.frame.width = settings.frame.height = 64;
   const frame::Picture a = test::Studio().render(model, settings), b = test::Studio().render(model, settings);
   CHECK(std::memcmp(a.radiance.pixels.data(), b.radiance.pixels.data(), a.radiance.pixels.size() * sizeof(glm::vec4)) ==
         0);
@@ -279,8 +279,8 @@ TEST_CASE("Frugality: an unlit scene decodes one image, compiles one mesh progra
   quad["attributes"]["TEXCOORD_0"] = builder.add(std::vector<float>(8, 0.5f), test::floatType, "VEC2");
   test::addMeshNode(builder, quad, 0);
   PictureSettings settings = test::bareSettings(8, 8);
-  settings.environment = "";  // none is chosen, for nothing could be lit
-  settings.background = frame::Background::environment;
+  settings.sources.environment = "";  // none is chosen, for nothing could be lit
+  settings.frame.background = frame::Background::environment;
   const frame::Picture picture = test::Studio().render(test::loadBuilt(builder), settings);
   const frame::PictureStatistics& s = picture.statistics;
   CHECK(s.imagesDecoded == 1);
@@ -298,7 +298,7 @@ TEST_CASE("Frugality: lights alone need the DFG table, an environment all tables
   test::addMeshNode(builder, test::addQuad(builder, {-1, -1}, {1, 1}), 0);
   const io::LoadedModel model = test::loadBuilt(builder);
   PictureSettings settings = test::bareSettings(8, 8);
-  settings.lights = frame::Lights::demo;
+  settings.look.lights = frame::Lights::demo;
   {
     const frame::Picture picture = test::Studio().render(model, settings);
     CHECK(tableNames(picture) == Names{"DFG"});
@@ -307,8 +307,8 @@ TEST_CASE("Frugality: lights alone need the DFG table, an environment all tables
     CHECK(picture.statistics.tableBytes == 64 * 64 * 8);
     CHECK(test::pixel(picture.radiance, 4, 4).x > 0.1f);
   }
-  settings.lights = frame::Lights::scene;
-  settings.environment = "builtin:white";
+  settings.look.lights = frame::Lights::scene;
+  settings.sources.environment = "builtin:white";
   test::Studio studio;
   const frame::Picture hidden = studio.render(model, settings);
   CHECK(tableNames(hidden) == Names{"DFG", "taps", "environment cube", "irradiance", "LD layers"});
@@ -316,15 +316,15 @@ TEST_CASE("Frugality: lights alone need the DFG table, an environment all tables
   CHECK(hidden.statistics.programsCompiled == 9);
   CHECK(hidden.statistics.frame.passes == Names{"opaque", "display"});
   // Then the sky: one more program, no table computed anew.
-  settings.background = frame::Background::environment;
-  settings.samples = 4;
+  settings.frame.background = frame::Background::environment;
+  settings.quality.samples = 4;
   const frame::Picture seen = studio.render(model, settings);
   CHECK(tableNames(seen) == Names{"background"});
   CHECK(seen.statistics.programsCompiled == 1);
   CHECK(seen.statistics.frame.passes == Names{"opaque", "sky", "resolve", "display"});
   // An environment without strength is none.
-  settings.environmentStrength = 0;
-  settings.background = frame::Background::transparent;
+  settings.frame.environmentStrength = 0;
+  settings.frame.background = frame::Background::transparent;
   const frame::Picture dark = test::Studio().render(model, settings);
   CHECK(dark.statistics.tables.empty());
 }

@@ -31,8 +31,8 @@ TEST_CASE("Specular-glossiness: a white furnace shows what the surface in double
     }
   test::addOrthographicCamera(builder, 2, 2);
   PictureSettings settings = test::bareSettings(96, 96);
-  settings.camera = "0";
-  settings.environment = "builtin:white";
+  settings.viewpoint.camera = "0";
+  settings.sources.environment = "builtin:white";
   const frame::Picture picture = test::Studio().render(test::loadBuilt(builder), settings);
   float largest = 0, off = 0;
   for (const glm::vec4& p : picture.radiance.pixels)
@@ -65,17 +65,17 @@ TEST_CASE("Specular-glossiness: the texture's alpha is linear, its colour is not
   test::addOrthographicCamera(builder, 1, 1);
   const io::LoadedModel model = test::loadBuilt(builder);
   PictureSettings settings = test::bareSettings(2, 2);
-  settings.camera = "0";
+  settings.viewpoint.camera = "0";
   test::Studio studio;
   const auto shown = [&](const char* channel) {
-    settings.channel = channel;
+    settings.look.channel = channel;
     return test::pixel(studio.render(model, settings).radiance, 1, 1);
   };
   const float rough = 1 - 0.5f * 64 / 255;
   checkPixel(shown("roughness"), {rough, rough, rough, 1});
   checkPixel(shown("metallic"), {0, 0, 0, 1});
   checkPixel(shown("baseColor"), {0.25, 0.5, 0.75, 1});
-  settings.environment = "builtin:white";
+  settings.sources.environment = "builtin:white";
   const double f0 = linearFromSrgb(188 / 255.0);
   const optics::Surface surface = optics::specularGlossinessSurface({0.25, 0.5, 0.75}, glm::dvec3(f0), 0.5 * 64 / 255);
   const optics::DistantWeights weights = optics::distantWeights(surface, optics::dfgOf(surface, 1));

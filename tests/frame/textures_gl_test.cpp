@@ -29,7 +29,7 @@ TEST_CASE("Textures: transform, sampler and vertex colour reach the pixel") {
   }
   test::addOrthographicCamera(builder, 1, 0.5);
   PictureSettings settings = test::bareSettings(8, 4);
-  settings.camera = "0";
+  settings.viewpoint.camera = "0";
   const frame::Picture picture = test::Studio().render(test::loadBuilt(builder), settings);
   checkPixel(test::pixel(picture.radiance, 1, 2), {1, 0, 0, 1});
   checkPixel(test::pixel(picture.radiance, 3, 2), {0, 0.5, 0, 1});
@@ -62,16 +62,16 @@ TEST_CASE("Every set of texture coordinates reaches its texture") {
   test::addOrthographicCamera(builder, 1, 1);
   const io::LoadedModel model = test::loadBuilt(builder);
   PictureSettings settings = test::bareSettings(2, 2);
-  settings.camera = "0";
+  settings.viewpoint.camera = "0";
   test::Studio studio;
   for (const char* channel : {"roughness", "occlusion"}) {
-    settings.channel = channel;
+    settings.look.channel = channel;
     const int expected = channel[0] == 'r' ? set : 7 - set;
     const float value = static_cast<float>((expected + 1) * 25) / 255;
     checkPixel(test::pixel(studio.render(model, settings).radiance, 1, 1), {value, value, value, 1});
   }
   // Two sets in one program. Nothing lights it, so that only emission is left.
-  settings.channel = "";
+  settings.look.channel = "";
   const auto linear = static_cast<float>(linearFromSrgb(static_cast<float>((8 - set) * 25) / 255));
   // Drivers may decode sRGB with a few bits less; the texels are 0.02 apart at least.
   checkPixel(test::pixel(studio.render(model, settings).radiance, 1, 1), {linear, linear, linear, 1}, 3e-3f);
@@ -92,8 +92,8 @@ frame::Picture textured(const std::vector<uint8_t>& png, int side, const json& s
   test::addMeshNode(builder, quad, builder.append("materials", m));
   test::addOrthographicCamera(builder, 1, 1);
   PictureSettings settings = test::bareSettings(side, side);
-  settings.camera = "0";
-  settings.channel = "occlusion";
+  settings.viewpoint.camera = "0";
+  settings.look.channel = "occlusion";
   return test::Studio().render(test::loadBuilt(builder), settings);
 }
 

@@ -42,7 +42,7 @@ struct Glass {
 
 PictureSettings frontSettings(int width, int height) {
   PictureSettings settings = test::bareSettings(width, height);
-  settings.camera = "0";
+  settings.viewpoint.camera = "0";
   return settings;
 }
 
@@ -70,7 +70,7 @@ TEST_CASE("A thin sheet of glass shows what is behind times its tint, and nothin
   const float T = float(entering(0));
   for (const int samples : {1, 4}) {
     PictureSettings settings = frontSettings(8, 8);
-    settings.samples = samples;
+    settings.quality.samples = samples;
     const frame::Picture picture = studio.render(model, settings);
     checkPixel(test::pixel(picture.radiance, 1, 1), {0.5f, 0.25f, 1, 1});
     checkPixel(test::pixel(picture.radiance, 1, 6), {0.9f * 0.5f * T, 0.5f * 0.25f * T, 0.2f * T, 1}, 2e-3f);
@@ -88,10 +88,10 @@ TEST_CASE("Glass before nothing stays see-through: by its mean transmittance, or
   const float T = float(entering(0));
   checkPixel(test::pixel(studio.render(model, settings).radiance, 1, 1), {0, 0, 0, 1 - 0.6f * T}, 2e-3f);
 
-  settings.background = frame::Background::color;
-  settings.backgroundColor = glm::vec3(0.5f, 1, 1);
-  settings.toneMapper = frame::ToneMapper::none;
-  settings.exposureStops = 1;
+  settings.frame.background = frame::Background::color;
+  settings.frame.backgroundColor = glm::vec3(0.5f, 1, 1);
+  settings.display.toneMapper = frame::ToneMapper::none;
+  settings.display.exposureStops = 1;
   const frame::Picture shown = studio.render(model, settings);
   const auto byte = [&](int channel) { return int(shown.display.data[static_cast<size_t>(3 * 5 + channel)]); };
   const auto encoded = [](float linear) { return 255 * (1.055f * std::pow(linear, 1 / 2.4f) - 0.055f); };
@@ -185,8 +185,8 @@ TEST_CASE("Rough glass blurs an edge behind it as its lobe does, in proportion t
         const io::LoadedModel model =
             scene.load([&](scene::Material& m) { m.perceptualRoughnessFactor = float(roughness); });
         PictureSettings settings = frontSettings(256, 128);
-        settings.samples = samples;
-        if (samples > 1) settings.environment = "builtin:white", settings.environmentStrength = 1e-6f;
+        settings.quality.samples = samples;
+        if (samples > 1) settings.sources.environment = "builtin:white", settings.frame.environmentStrength = 1e-6f;
         const frame::Picture picture = studio.render(model, settings);
         const double a = 2 * roughness * roughness * distance;
         double worst = 0;
@@ -217,9 +217,9 @@ TEST_CASE("White glass in a white furnace: what is reflected and what passes mak
           m.transmissionFactor = 0.75f;
         });
         PictureSettings settings = test::bareSettings(40, 40);
-        settings.environment = "builtin:white";
-        settings.background = frame::Background::environment;
-        settings.samples = samples;
+        settings.sources.environment = "builtin:white";
+        settings.frame.background = frame::Background::environment;
+        settings.quality.samples = samples;
         const frame::Picture picture = studio.render(model, settings);
         CHECK(hasPass(picture, "transmit"));
         float low = 2, high = 0;
@@ -230,7 +230,7 @@ TEST_CASE("White glass in a white furnace: what is reflected and what passes mak
         CHECK(low > (samples == 4 ? 0.985f : 0.96f));
         CHECK(high < (samples == 4 ? 1.01f : 1.04f));
         // The same before nothing: what is missing is see-through.
-        settings.background = frame::Background::transparent;
+        settings.frame.background = frame::Background::transparent;
         const frame::Picture open = studio.render(model, settings);
         const glm::vec4 center = test::pixel(open.radiance, 20, 20);
         CHECK(std::abs(center.x + 1 - center.w - 1) < 0.02f);
@@ -252,9 +252,9 @@ TEST_CASE("White glass under a coat, sheen and a film keeps the furnace's energy
       m.iridescenceFactor = 0.5f;
     });
     PictureSettings settings = test::bareSettings(40, 40);
-    settings.environment = "builtin:white";
-    settings.background = frame::Background::environment;
-    settings.samples = 4;
+    settings.sources.environment = "builtin:white";
+    settings.frame.background = frame::Background::environment;
+    settings.quality.samples = 4;
     const frame::Picture picture = studio.render(model, settings);
     float low = 2, high = 0;
     for (const glm::vec4& p : picture.radiance.pixels)

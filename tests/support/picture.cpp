@@ -63,11 +63,11 @@ frame::Picture Studio::render(const io::LoadedModel& model, const frame::Picture
 
 frame::PictureSettings bareSettings(int width, int height) {
   frame::PictureSettings settings;
-  settings.width = width;
-  settings.height = height;
-  settings.samples = 1;
-  settings.environment = "none";
-  settings.background = frame::Background::transparent;
+  settings.frame.width = width;
+  settings.frame.height = height;
+  settings.quality.samples = 1;
+  settings.sources.environment = "none";
+  settings.frame.background = frame::Background::transparent;
   return settings;
 }
 

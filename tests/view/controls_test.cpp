@@ -14,8 +14,8 @@ namespace {
 
 view::ViewerState example() {
   view::ViewerState state;
-  state.settings.width = 640;
-  state.settings.height = 480;
+  state.settings.frame.width = 640;
+  state.settings.frame.height = 480;
   state.shown.bounds = {glm::dvec3(-1), glm::dvec3(1)};
   state.shown.environment = "builtin:studio";
   state.environments = view::builtinEnvironmentSources();
@@ -93,13 +93,13 @@ TEST_CASE("controls: keys") {
   state.loading.clear();
 
   press(state, GLFW_KEY_E);
-  CHECK(state.settings.environment == "builtin:sky");
+  CHECK(state.settings.sources.environment == "builtin:sky");
   state.shown.environment = "builtin:white";
   press(state, GLFW_KEY_E);
-  CHECK(state.settings.environment == "builtin:studio");
+  CHECK(state.settings.sources.environment == "builtin:studio");
   state.shown.environment = "forest.hdr";
   press(state, GLFW_KEY_E);
-  CHECK(state.settings.environment == "builtin:studio");
+  CHECK(state.settings.sources.environment == "builtin:studio");
 
   state.camera.theta = 20;
   state.camera.radius = 77;
@@ -146,13 +146,13 @@ TEST_CASE("controls: a hand on the camera leaves the file's camera and starts fr
   placed.radius = 4;
   placed.fovY = 30;
   const scene::View view = scene::orbitView(placed, 640.0 / 480, state.shown.bounds);
-  state.settings.camera = "door";
+  state.settings.viewpoint.camera = "door";
   view::Input input;
   CHECK(view::control(input, {}, view, 480, state).quit == false);
-  CHECK(state.settings.camera == "door");
+  CHECK(state.settings.viewpoint.camera == "door");
   input.wheel = 1;
   view::control(input, {}, view, 480, state);
-  CHECK(state.settings.camera.empty());
+  CHECK(state.settings.viewpoint.camera.empty());
   CHECK(state.camera.theta == Approx(70));
   CHECK(state.camera.phi == Approx(50));
   CHECK(state.camera.fovY == Approx(30));
@@ -167,7 +167,7 @@ TEST_CASE("controls: an orthographic camera becomes an orbit that shows as much"
   glm::dmat4 place(1);
   place[3] = {0, 0, 9, 1};
   const scene::View view = scene::cameraView(camera, place, 1, state.shown.bounds);
-  state.settings.camera = "0";
+  state.settings.viewpoint.camera = "0";
   view::freeCamera(state, view);
   CHECK(state.camera.fovY == 45);
   CHECK(state.camera.radius * std::tan(glm::radians(22.5)) == Approx(2));
@@ -178,14 +178,14 @@ TEST_CASE("controls: dropped files are told apart by their ending") {
   CHECK(drop(state, "/models/a chair.GLB").model == "/models/a chair.GLB");
   CHECK(drop(state, "b.gltf").model == "b.gltf");
   CHECK(drop(state, "/skies/dawn.hdr").model.empty());
-  CHECK(state.settings.environment == "/skies/dawn.hdr");
+  CHECK(state.settings.sources.environment == "/skies/dawn.hdr");
   drop(state, "/skies/dusk.EXR");
   drop(state, "/skies/dawn.hdr");
   const std::vector<std::string> offered = {"builtin:studio",  "builtin:sky",     "builtin:white",
                                             "/skies/dawn.hdr", "/skies/dusk.EXR", "none"};
   CHECK(state.environments == offered);
   drop(state, "/brdfs/gold.binary");
-  CHECK(state.settings.brdf == "/brdfs/gold.binary");
+  CHECK(state.settings.sources.brdf == "/brdfs/gold.binary");
   CHECK_FALSE(state.status.isError);
   drop(state, "notes.txt");
   CHECK(state.status.isError);

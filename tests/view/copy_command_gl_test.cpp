@@ -56,55 +56,59 @@ struct Case {
 TEST_CASE("copied command: gives the bytes of the picture on the screen", "[gl]") {
   const Case c = GENERATE(values<Case>({
       {"orbit", [](view::ViewerState& s) { s.camera.theta = 33.25, s.camera.phi = 71, s.camera.radius = 2.7182818; }},
-      {"file camera", [](view::ViewerState& s) { s.settings.camera = "gate"; }},
-      {"orthographic", [](view::ViewerState& s) { s.settings.camera = "1"; }},
+      {"file camera", [](view::ViewerState& s) { s.settings.viewpoint.camera = "gate"; }},
+      {"orthographic", [](view::ViewerState& s) { s.settings.viewpoint.camera = "1"; }},
       {"file camera, time",
        [](view::ViewerState& s) {
-         s.settings.camera = "gate", s.settings.animation = "rise", s.settings.timeSeconds = 0.4375;
+         s.settings.viewpoint.camera = "gate", s.settings.placement.animation = "rise",
+         s.settings.placement.timeSeconds = 0.4375;
        }},
       {"orbit, time",
        [](view::ViewerState& s) {
-         s.settings.animation = "all", s.settings.timeSeconds = 1.0 / 3;
+         s.settings.placement.animation = "all", s.settings.placement.timeSeconds = 1.0 / 3;
          s.camera.target = {0.1, 0.2, 0.3}, s.camera.fovY = 31.4;
        }},
-      {"variant", [](view::ViewerState& s) { s.settings.variant = "sea", s.settings.exposureStops = 1.3f; }},
-      {"normal", [](view::ViewerState& s) { s.settings.channel = "normal"; }},
-      {"roughness", [](view::ViewerState& s) { s.settings.channel = "roughness", s.settings.environment = "none"; }},
-      {"uv, which is not there", [](view::ViewerState& s) { s.settings.channel = "uv"; }},
+      {"variant",
+       [](view::ViewerState& s) { s.settings.look.variant = "sea", s.settings.display.exposureStops = 1.3f; }},
+      {"normal", [](view::ViewerState& s) { s.settings.look.channel = "normal"; }},
+      {"roughness",
+       [](view::ViewerState& s) { s.settings.look.channel = "roughness", s.settings.sources.environment = "none"; }},
+      {"uv, which is not there", [](view::ViewerState& s) { s.settings.look.channel = "uv"; }},
       {"from behind",
        [](view::ViewerState& s) {
          s.camera = view::seenFrom(s.camera, view::ViewFrom::back);
-         s.settings.lights = frame::Lights::demo, s.settings.toneMapper = frame::ToneMapper::agx;
+         s.settings.look.lights = frame::Lights::demo, s.settings.display.toneMapper = frame::ToneMapper::agx;
        }},
       {"measured, MERL", [](view::ViewerState& s) { view::chooseBrdf(s, "builtin:ggx-0.35"); }},
       {"measured, UTIA, nearest, converged",
        [](view::ViewerState& s) {
          view::chooseBrdf(s, "builtin:utia-brushed");
-         s.settings.brdfLookUp = optics::LookUp::nearest, s.settings.samples = 6, s.camera.theta = 21;
+         s.settings.look.brdfLookUp = optics::LookUp::nearest, s.settings.quality.samples = 6, s.camera.theta = 21;
        }},
       {"measured, split",
        [](view::ViewerState& s) {
          view::chooseBrdf(s, "builtin:utia-satin");
-         s.settings.brdfCompare = frame::BrdfCompare::split, s.settings.brdfSplit = 0.4375f;
+         s.settings.display.brdfCompare = frame::BrdfCompare::split, s.settings.display.brdfSplit = 0.4375f;
        }},
       {"measured, difference, converged",
        [](view::ViewerState& s) {
          view::chooseBrdf(s, "builtin:utia-brushed");
-         s.settings.brdfCompare = frame::BrdfCompare::difference, s.settings.brdfDifferenceScale = 17;
-         s.settings.diffuse = optics::DiffuseModel::burley, s.settings.samples = 6;
+         s.settings.display.brdfCompare = frame::BrdfCompare::difference, s.settings.display.brdfDifferenceScale = 17;
+         s.settings.look.models.diffuse = optics::DiffuseModel::burley, s.settings.quality.samples = 6;
        }},
       {"fitted",
        [](view::ViewerState& s) {
          view::chooseBrdf(s, "builtin:utia-brushed");
-         s.settings.brdfCompare = frame::BrdfCompare::fit, s.settings.diffuse = optics::DiffuseModel::eon;
+         s.settings.display.brdfCompare = frame::BrdfCompare::fit,
+         s.settings.look.models.diffuse = optics::DiffuseModel::eon;
        }},
       {"measured, from a folder, decoded",
        [](view::ViewerState& s) {
          view::chooseBrdf(s, "satin");
-         s.settings.brdfDir = s.shown.model.substr(0, s.shown.model.rfind('/'));
-         s.settings.utiaDecode = io::UtiaDecode::srgb, s.settings.environment = "builtin:sky";
+         s.settings.sources.brdfDir = s.shown.model.substr(0, s.shown.model.rfind('/'));
+         s.settings.sources.utiaDecode = io::UtiaDecode::srgb, s.settings.sources.environment = "builtin:sky";
        }},
-      {"converged, selected", [](view::ViewerState& s) { s.settings.samples = 6, s.selection.node = 0; }},
+      {"converged, selected", [](view::ViewerState& s) { s.settings.quality.samples = 6, s.selection.node = 0; }},
   }));
   INFO(c.name);
   const test::TemporaryFolder folder;

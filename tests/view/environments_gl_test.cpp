@@ -38,7 +38,7 @@ TEST_CASE("environments: shown at once with coarse tables, then as facet render 
   const io::Pixels studio = viewer.display();
   CHECK((studio.data == headless("builtin:spheres", viewer.state.settings).data));
 
-  viewer.state.settings.environment = "builtin:sky";
+  viewer.state.settings.sources.environment = "builtin:sky";
   viewer.settle();
   CHECK(viewer.state.shown.environment == "builtin:sky");
   CHECK(shown(viewer).preview);
@@ -54,7 +54,7 @@ TEST_CASE("environments: shown at once with coarse tables, then as facet render 
   CHECK_FALSE(view::atWork(viewer.viewport, viewer.state));
 
   // The one before is still there: nothing to be made.
-  viewer.state.settings.environment = "builtin:studio";
+  viewer.state.settings.sources.environment = "builtin:studio";
   viewer.settle();
   CHECK_FALSE(shown(viewer).preview);
   view::drawViewport(viewer.viewport, viewer.state);
@@ -71,14 +71,14 @@ TEST_CASE("environments: another choice cancels what sharpens", "[gl]") {
   view::EnvironmentSlot& first = shown(viewer);
   REQUIRE(first.sharpening);
   CHECK(first.sharpening->work.next > 0);
-  viewer.state.settings.environment = "builtin:sky";
+  viewer.state.settings.sources.environment = "builtin:sky";
   viewer.settle();
   CHECK_FALSE(first.sharpening);
   CHECK_FALSE(first.preview);
   CHECK_FALSE(first.onGpu.tables.irradiance);
   CHECK_FALSE(first.onGpu.tables.roughLayers);
   sharpened(viewer);
-  viewer.state.settings.environment = "builtin:studio";
+  viewer.state.settings.sources.environment = "builtin:studio";
   viewer.settle();
   CHECK(shown(viewer).preview);
   sharpened(viewer);
@@ -112,8 +112,8 @@ TEST_CASE("environments: with time enough there is no preview, the picture at re
   viewer.load("builtin:spheres");
   CHECK_FALSE(shown(viewer).preview);
   viewer.viewport.environments.immediateMs = 0;
-  viewer.state.settings.samples = 8;
-  viewer.state.settings.environment = "builtin:sky";
+  viewer.state.settings.quality.samples = 8;
+  viewer.state.settings.sources.environment = "builtin:sky";
   viewer.settle();
   CHECK(shown(viewer).preview);
   view::drawViewport(viewer.viewport, viewer.state);

@@ -14,10 +14,10 @@ TEST_CASE("viewport: what the command line names is the first model's alone", "[
   const std::string blue = folder.write("blue.glb", texturedTriangle({0, 0, 255}));
   Viewer viewer;
   frame::PictureSettings& settings = viewer.state.settings;
-  settings.orbit = frame::Orbit{33, 44, 5};
-  settings.target = glm::dvec3(1, 2, 3);
-  settings.fovYDeg = 30;
-  settings.scene = 0;
+  settings.viewpoint.orbit = frame::Orbit{33, 44, 5};
+  settings.viewpoint.target = glm::dvec3(1, 2, 3);
+  settings.viewpoint.fovYDeg = 30;
+  settings.placement.scene = 0;
 
   SECTION("shown") {
     viewer.load(red);
@@ -58,7 +58,7 @@ TEST_CASE("viewport: what the command line names is the first model's alone", "[
   CHECK(viewer.state.camera.fovY == Approx(30));
   CHECK(viewer.state.camera.target.x == Approx(0.5));
   CHECK(viewer.state.startCamera == viewer.state.camera);
-  CHECK_FALSE(settings.orbit);
+  CHECK_FALSE(settings.viewpoint.orbit);
 }
 
 TEST_CASE("viewport: a first model without what the command line names of it is told and not shown", "[gl]") {
@@ -67,10 +67,10 @@ TEST_CASE("viewport: a first model without what the command line names of it is 
     const char* told;
   };
   const Row row = GENERATE(values<Row>({
-      {[](frame::PictureSettings& s) { s.scene = 3; }, "there is no scene 3"},
-      {[](frame::PictureSettings& s) { s.animation = "walk"; }, "walk"},
-      {[](frame::PictureSettings& s) { s.variant = "sea"; }, "the file has no material variant 'sea'"},
-      {[](frame::PictureSettings& s) { s.camera = "door"; }, "door"},
+      {[](frame::PictureSettings& s) { s.placement.scene = 3; }, "there is no scene 3"},
+      {[](frame::PictureSettings& s) { s.placement.animation = "walk"; }, "walk"},
+      {[](frame::PictureSettings& s) { s.look.variant = "sea"; }, "the file has no material variant 'sea'"},
+      {[](frame::PictureSettings& s) { s.viewpoint.camera = "door"; }, "door"},
   }));
   const test::TemporaryFolder folder;
   const std::string red = folder.write("red.glb", texturedTriangle({255, 0, 0}));
@@ -91,7 +91,7 @@ TEST_CASE("viewport: a first model without what the command line names of it is 
 TEST_CASE("viewport: an environment that cannot be read at the start leaves the choice to the model", "[gl]") {
   const test::TemporaryFolder folder;
   Viewer viewer;
-  viewer.state.settings.environment = folder.write("cut.hdr", std::string("#?RADIANCE"));
+  viewer.state.settings.sources.environment = folder.write("cut.hdr", std::string("#?RADIANCE"));
   viewer.load("builtin:furnace");
   CHECK(viewer.state.shown.model == "builtin:furnace");
   CHECK(viewer.state.shown.environment == "builtin:white");

@@ -45,7 +45,7 @@ std::vector<uint8_t> squares() {
 
 struct Clicker : test::Viewer {
   explicit Clicker(const test::TemporaryFolder& folder) {
-    state.settings.environment = "builtin:white";
+    state.settings.sources.environment = "builtin:white";
     load(folder.write("squares.glb", squares()));
     state.camera = {0, 90, 4, {0.5, 0.5, 0}, 45};
     view::drawViewport(viewport, state);
@@ -53,7 +53,7 @@ struct Clicker : test::Viewer {
   // Where the world point is seen, in a window of twice the picture's size.
   void clickOn(const glm::dvec3& world) {
     const glm::dvec4 clip = view::currentView(viewport, state)->clipFromWorld * glm::dvec4(world, 1);
-    const glm::dvec2 size(2 * state.settings.width, 2 * state.settings.height);
+    const glm::dvec2 size(2 * state.settings.frame.width, 2 * state.settings.frame.height);
     view::clickAt(viewport, state, (glm::dvec2(clip.x, -clip.y) / clip.w * 0.5 + 0.5) * size, size);
     while (view::inspectNext(viewport, state)) {
     }
@@ -144,7 +144,7 @@ TEST_CASE("inspector: the outline runs around the selection, beside the picture"
   CHECK(view::updateOutline(viewer.viewport, viewer.state, 1));
   CHECK_FALSE(view::updateOutline(viewer.viewport, viewer.state, 1));
   REQUIRE(viewer.viewport.outline.shown);
-  const int width = viewer.state.settings.width, height = viewer.state.settings.height;
+  const int width = viewer.state.settings.frame.width, height = viewer.state.settings.frame.height;
   std::vector<uint8_t> line(static_cast<size_t>(width * height) * 4);
   glGetTextureImage(viewer.viewport.outline.line.id(), 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(line.size()),
                     line.data());
@@ -185,8 +185,8 @@ TEST_CASE("inspector: a click near a line or a point selects its node, with the 
   b.json["scene"] = 0;
   const test::TemporaryFolder folder;
   test::Viewer viewer;
-  viewer.state.settings.width = 200, viewer.state.settings.height = 100;
-  viewer.state.settings.environment = "builtin:white";
+  viewer.state.settings.frame.width = 200, viewer.state.settings.frame.height = 100;
+  viewer.state.settings.sources.environment = "builtin:white";
   viewer.load(folder.write("thin.glb", b.glb()));
   viewer.state.camera = {0, 90, 4, {0, 0, 0}, 45};
   view::drawViewport(viewer.viewport, viewer.state);

@@ -32,8 +32,8 @@ struct Furnace : test::Viewer {
 
   // A square that fills the middle, under white light.
   Furnace() {
-    state.settings.environment = "builtin:white";
-    state.settings.toneMapper = frame::ToneMapper::none;
+    state.settings.sources.environment = "builtin:white";
+    state.settings.display.toneMapper = frame::ToneMapper::none;
     test::GltfBuilder b = test::emptyScene();
     b.append("materials", test::material({0.9f, 0.9f, 0.9f, 1}, 0.25, 0.5));
     test::addMeshNode(b, test::addQuad(b, {-1, -1}, {1, 1}), 0);
@@ -70,7 +70,7 @@ TEST_CASE("measured BRDF in the window: comes up beside it, a bad file leaves th
   CHECK(viewer.state.status.isError);
   CHECK(viewer.state.status.text.find("cut.binary") != std::string::npos);
   CHECK(viewer.state.status.text.find("1000 bytes") != std::string::npos);
-  CHECK(viewer.state.settings.brdf == viewer.folder.file("red.bin"));
+  CHECK(viewer.state.settings.sources.brdf == viewer.folder.file("red.bin"));
   viewer.checkMiddle(red);
 
   view::chooseMaterialSource(viewer.state, view::MaterialSource::file);
@@ -80,7 +80,7 @@ TEST_CASE("measured BRDF in the window: comes up beside it, a bad file leaves th
 
   viewer.choose("nothing-like-it");
   CHECK(viewer.state.status.isError);
-  CHECK(viewer.state.settings.brdf.empty());
+  CHECK(viewer.state.settings.sources.brdf.empty());
   CHECK(viewer.middle() == own);
 }
 
@@ -108,7 +108,7 @@ TEST_CASE("measured BRDF in the window: the newest of several is shown, the last
   CHECK(viewer.loader.running());
   view::cancelLoading(viewer.viewport, viewer.state, viewer.loader);
   viewer.settle();
-  CHECK(viewer.state.settings.brdf == greens);
+  CHECK(viewer.state.settings.sources.brdf == greens);
   viewer.checkMiddle(green);
 }
 
@@ -129,7 +129,7 @@ TEST_CASE("measured BRDF in the window: a file that changes is read again, a fau
   CHECK_FALSE(look());
   CHECK(look());
   CHECK(viewer.state.status.isError);
-  CHECK(viewer.state.settings.brdf == source);
+  CHECK(viewer.state.settings.sources.brdf == source);
   viewer.checkMiddle(red);
   viewer.folder.write("a.bin", matte(green));
   CHECK_FALSE(look());
@@ -151,8 +151,8 @@ TEST_CASE("measured BRDF in the window: a file that changes is read again, a fau
 
 TEST_CASE("measured BRDF in the window: at rest it becomes what facet render makes, byte by byte", "[gl]") {
   test::Viewer viewer;
-  viewer.state.settings.samples = 16;
-  viewer.state.settings.brdf = "builtin:ggx-0.5";
+  viewer.state.settings.quality.samples = 16;
+  viewer.state.settings.sources.brdf = "builtin:ggx-0.5";
   viewer.load("builtin:spheres");
   viewer.converge();
   CHECK(viewer.state.refinement.shown == 16);
@@ -194,9 +194,9 @@ TEST_CASE("measured BRDF in the window: the inspector tells of it in the place o
 
 TEST_CASE("measured BRDF in the window: the fit comes beside it, the divider moves without a new picture", "[gl]") {
   Furnace viewer;
-  viewer.state.settings.samples = 8;
+  viewer.state.settings.quality.samples = 8;
   viewer.choose("builtin:utia-satin");
-  viewer.state.settings.brdfCompare = frame::BrdfCompare::split;
+  viewer.state.settings.display.brdfCompare = frame::BrdfCompare::split;
   view::bringUp(viewer.viewport, viewer.state, viewer.loader);
   CHECK(viewer.loader.fit.running());
   CHECK_FALSE(viewer.state.shown.compared);  // until it has come
@@ -215,25 +215,25 @@ TEST_CASE("measured BRDF in the window: the fit comes beside it, the divider mov
   CHECK(viewer.state.shown.comparison->rms < 4);
   const auto half = viewer.display().data;
 
-  viewer.state.settings.brdfSplit = 0;
+  viewer.state.settings.display.brdfSplit = 0;
   CHECK_FALSE(view::bringUp(viewer.viewport, viewer.state, viewer.loader));
   CHECK(view::drawViewport(viewer.viewport, viewer.state));
   CHECK(viewer.state.refinement.gathered == 8);  // nothing was thrown away
   CHECK((viewer.display().data != half));
   CHECK_FALSE(view::drawViewport(viewer.viewport, viewer.state));
-  viewer.state.settings.brdfCompare = frame::BrdfCompare::difference;
+  viewer.state.settings.display.brdfCompare = frame::BrdfCompare::difference;
   CHECK(view::drawViewport(viewer.viewport, viewer.state));
   CHECK(viewer.state.refinement.gathered == 8);
-  viewer.state.settings.brdfCompare = frame::BrdfCompare::split;
-  viewer.state.settings.brdfSplit = 0.5f;
+  viewer.state.settings.display.brdfCompare = frame::BrdfCompare::split;
+  viewer.state.settings.display.brdfSplit = 0.5f;
   CHECK(view::drawViewport(viewer.viewport, viewer.state));
   CHECK((viewer.display().data == half));
 
-  viewer.state.settings.brdfCompare = frame::BrdfCompare::none;
+  viewer.state.settings.display.brdfCompare = frame::BrdfCompare::none;
   viewer.settle();
   CHECK_FALSE(viewer.state.shown.compared);
   CHECK_FALSE(viewer.state.shown.fit);
-  viewer.state.settings.brdfCompare = frame::BrdfCompare::fit;  // it is still there
+  viewer.state.settings.display.brdfCompare = frame::BrdfCompare::fit;  // it is still there
   CHECK(view::bringUp(viewer.viewport, viewer.state, viewer.loader));
   CHECK(viewer.state.shown.fit);
 }

@@ -9,8 +9,8 @@ namespace {
 view::ViewerState playing() {
   view::ViewerState state;
   state.shown.animations = {{"walk", "walk", 2}, {"1", "animation 1", 5}};
-  state.settings.animation = "walk";
-  state.settings.timeSeconds = 1.5;
+  state.settings.placement.animation = "walk";
+  state.settings.placement.timeSeconds = 1.5;
   state.playback.playing = true;
   return state;
 }
@@ -20,37 +20,37 @@ view::ViewerState playing() {
 TEST_CASE("playback: time goes on with the clock, times the speed, and around") {
   view::ViewerState state = playing();
   view::advance(state, 0.25);
-  CHECK(state.settings.timeSeconds == Approx(1.75));
+  CHECK(state.settings.placement.timeSeconds == Approx(1.75));
   state.playback.speed = 2;
   view::advance(state, 0.25);
-  CHECK(state.settings.timeSeconds == Approx(0.25));
+  CHECK(state.settings.placement.timeSeconds == Approx(0.25));
   state.playback.speed = -1;
   view::advance(state, 0.5);
-  CHECK(state.settings.timeSeconds == Approx(1.75));
+  CHECK(state.settings.placement.timeSeconds == Approx(1.75));
   state.playback.playing = false;
   view::advance(state, 0.5);
-  CHECK(state.settings.timeSeconds == Approx(1.75));
+  CHECK(state.settings.placement.timeSeconds == Approx(1.75));
 }
 
 TEST_CASE("playback: without loop it stops at the end and begins anew") {
   view::ViewerState state = playing();
   state.playback.loop = false;
   view::advance(state, 10);
-  CHECK(state.settings.timeSeconds == 2);
+  CHECK(state.settings.placement.timeSeconds == 2);
   CHECK_FALSE(state.playback.playing);
   view::togglePlaying(state);
-  CHECK(state.settings.timeSeconds == 0);
+  CHECK(state.settings.placement.timeSeconds == 0);
   CHECK(state.playback.playing);
 }
 
 TEST_CASE("playback: at rest, the first animation is what plays") {
   view::ViewerState state = playing();
-  state.settings.animation.clear();
+  state.settings.placement.animation.clear();
   state.playback.playing = false;
   CHECK(view::chosenDuration(state) == 0);
   view::togglePlaying(state);
-  CHECK(state.settings.animation == "walk");
-  CHECK(state.settings.timeSeconds == 0);
+  CHECK(state.settings.placement.animation == "walk");
+  CHECK(state.settings.placement.timeSeconds == 0);
   CHECK(state.playback.playing);
   view::ViewerState still;
   view::togglePlaying(still);

@@ -43,7 +43,7 @@ test::GltfBuilder glassScene() {
 
 TEST_CASE("refinement: a resting picture becomes what facet render makes, byte by byte", "[gl]") {
   Viewer viewer;
-  viewer.state.settings.samples = 16;
+  viewer.state.settings.quality.samples = 16;
   viewer.load("builtin:spheres");
   CHECK(viewer.converge() >= 4);  // steps end at the estimates at the latest
   CHECK(viewer.state.refinement.shown == 16);
@@ -52,7 +52,7 @@ TEST_CASE("refinement: a resting picture becomes what facet render makes, byte b
   CHECK_FALSE(view::drawViewport(viewer.viewport, viewer.state));
 
   // However the work is cut: in bands of rows, too.
-  viewer.state.settings.exposureStops = 1;
+  viewer.state.settings.display.exposureStops = 1;
   view::drawViewport(viewer.viewport, viewer.state);
   while (view::refining(viewer.viewport, viewer.state)) {
     view::drawViewport(viewer.viewport, viewer.state);
@@ -64,8 +64,8 @@ TEST_CASE("refinement: a resting picture becomes what facet render makes, byte b
 
 TEST_CASE("refinement: an error to keep to asks for more samples until it is kept, as facet render does", "[gl]") {
   Viewer viewer;
-  viewer.state.settings.samples = 256;
-  viewer.state.settings.maxError = 0.01;
+  viewer.state.settings.quality.samples = 256;
+  viewer.state.settings.quality.maxError = 0.01;
   viewer.load("builtin:poster");
   viewer.converge();
   test::Studio studio;
@@ -78,13 +78,13 @@ TEST_CASE("refinement: an error to keep to asks for more samples until it is kep
   CHECK((viewer.display().data == picture.display.data));
 
   // A looser one is kept at once, with coarser tables; none at all asks for the chosen number.
-  viewer.state.settings.maxError = 0.1;
+  viewer.state.settings.quality.maxError = 0.1;
   viewer.settle();
   viewer.converge();
   CHECK(viewer.state.refinement.shown == 8);
   CHECK(viewer.viewport.environments.shown->onGpu.method.irradianceSize == 8);
-  viewer.state.settings.maxError.reset();
-  viewer.state.settings.samples = 16;
+  viewer.state.settings.quality.maxError.reset();
+  viewer.state.settings.quality.samples = 16;
   viewer.settle();
   viewer.converge();
   CHECK(viewer.state.refinement.shown == 16);
@@ -97,10 +97,10 @@ TEST_CASE("refinement: glass, blending, an odd number of samples and a coloured 
   const std::string file = folder.write("glass.glb", glassScene().glb());
   Viewer viewer;
   frame::PictureSettings& settings = viewer.state.settings;
-  settings.samples = 7;
-  settings.environment = "builtin:studio";
-  settings.background = frame::Background::color;
-  settings.backgroundColor = {0.2f, 0.4f, 0.1f};
+  settings.quality.samples = 7;
+  settings.sources.environment = "builtin:studio";
+  settings.frame.background = frame::Background::color;
+  settings.frame.backgroundColor = {0.2f, 0.4f, 0.1f};
   viewer.load(file);
   viewer.converge();
   CHECK(viewer.state.refinement.shown == 7);
@@ -112,7 +112,7 @@ TEST_CASE("refinement: glass, blending, an odd number of samples and a coloured 
 
 TEST_CASE("refinement: any change starts with the cheap picture, and few samples end there", "[gl]") {
   Viewer viewer;
-  viewer.state.settings.samples = 4;
+  viewer.state.settings.quality.samples = 4;
   viewer.load("builtin:spheres");
   view::drawViewport(viewer.viewport, viewer.state);
   CHECK_FALSE(view::refining(viewer.viewport, viewer.state));
@@ -121,7 +121,7 @@ TEST_CASE("refinement: any change starts with the cheap picture, and few samples
   CHECK(view::refinementText(viewer.state.refinement).empty());
   const io::Pixels cheap = viewer.display();
 
-  viewer.state.settings.samples = 8;
+  viewer.state.settings.quality.samples = 8;
   CHECK_FALSE(view::bringUp(viewer.viewport, viewer.state, viewer.loader));
   viewer.converge();
   CHECK((viewer.display().data != cheap.data));
@@ -134,7 +134,7 @@ TEST_CASE("refinement: any change starts with the cheap picture, and few samples
   viewer.state.camera = camera;
   CHECK(view::drawViewport(viewer.viewport, viewer.state));
   CHECK((viewer.display().data == cheap.data));
-  viewer.state.settings.samples = 4;
+  viewer.state.settings.quality.samples = 4;
   CHECK(view::drawViewport(viewer.viewport, viewer.state));
   CHECK((viewer.display().data == cheap.data));
   CHECK_FALSE(viewer.viewport.refinement.targets.sum);
@@ -145,10 +145,10 @@ TEST_CASE("refinement: any change starts with the cheap picture, and few samples
 TEST_CASE("refinement: the estimated error follows the true one", "[gl]") {
   Viewer viewer;
   viewer.load("builtin:poster");
-  viewer.state.settings.samples = 512;
+  viewer.state.settings.quality.samples = 512;
   const io::Pixels truth = headless("builtin:poster", viewer.state.settings);
   for (const int samples : {8, 16, 64}) {
-    viewer.state.settings.samples = samples;
+    viewer.state.settings.quality.samples = samples;
     viewer.converge();
     const double error = rmsDifference(viewer.display(), truth), estimate = viewer.state.refinement.error;
     INFO(samples << " samples, estimated " << estimate << ", true " << error);

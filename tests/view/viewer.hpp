@@ -16,9 +16,9 @@ struct Viewer {
   view::Viewport viewport{contextInfo(), makeProgramStore()};
 
   Viewer() {
-    state.settings.width = 64;
-    state.settings.height = 48;
-    state.settings.samples = 1;
+    state.settings.frame.width = 64;
+    state.settings.frame.height = 48;
+    state.settings.quality.samples = 1;
     state.environments = view::builtinEnvironmentSources();
     viewport.refinement.restDelay = {};
     viewport.environments.immediateMs = 1e9;  // no previews

@@ -16,19 +16,19 @@ using namespace facet;
 TEST_CASE("viewer state: a built-in scene brings its camera and environment, what is given wins") {
   const scene::Model model;
   frame::PictureSettings settings;
-  settings.width = 800;
-  settings.height = 600;
+  settings.frame.width = 800;
+  settings.frame.height = 600;
   CHECK(frame::chooseEnvironment(settings, "builtin:furnace", model, 0) == "builtin:white");
-  settings.environment = "none";
+  settings.sources.environment = "none";
   CHECK(frame::chooseEnvironment(settings, "builtin:furnace", model, 0) == "none");
 
   const scene::Bounds bounds = {glm::dvec3(-1), glm::dvec3(1)};
   CHECK(frame::chooseOrbit(settings, "builtin:furnace", bounds).radius == 14);
   CHECK(frame::chooseOrbit(settings, "furnace", bounds) == scene::frameBounds(bounds, 45, 800.0 / 600));
-  settings.height = 1600;
+  settings.frame.height = 1600;
   CHECK(frame::chooseOrbit(settings, "builtin:furnace", bounds).radius == 28);
-  settings.orbit = frame::Orbit{10, 20, std::nullopt};
-  settings.target = glm::dvec3(1, 2, 3);
+  settings.viewpoint.orbit = frame::Orbit{10, 20, std::nullopt};
+  settings.viewpoint.target = glm::dvec3(1, 2, 3);
   const scene::OrbitCamera camera = frame::chooseOrbit(settings, "builtin:furnace", bounds);
   CHECK(camera.theta == 10);
   CHECK(camera.phi == 20);
@@ -38,18 +38,18 @@ TEST_CASE("viewer state: a built-in scene brings its camera and environment, wha
 
 TEST_CASE("viewer state: the copied command gives the same settings again") {
   view::ViewerState state;
-  state.settings.width = 1280;
-  state.settings.height = 800;
-  state.settings.exposureStops = -1.5f;
-  state.settings.environmentRotationDeg = 30;
-  state.settings.channel = "normal";
+  state.settings.frame.width = 1280;
+  state.settings.frame.height = 800;
+  state.settings.display.exposureStops = -1.5f;
+  state.settings.frame.environmentRotationDeg = 30;
+  state.settings.look.channel = "normal";
   state.shown.environment = "builtin:sky";
   state.camera = {12.5, 80, 3.25, {0.5, 1, -2}, 35};
   const std::string line = commands::commandLine(view::commandSettings(state), "a b.glb");
   CHECK(line ==
         "facet 'a b.glb' --size 1280x800 --orbit 12.5,80,3.25 --target 0.5,1,-2 --fov-y 35 --env builtin:sky "
         "--env-rotation 30 --exposure -1.5 --channel normal");
-  state.settings.camera = "door";
+  state.settings.viewpoint.camera = "door";
   CHECK(commands::commandLine(view::commandSettings(state), "a.glb") ==
         "facet a.glb --size 1280x800 --camera door --env builtin:sky --env-rotation 30 --exposure -1.5 "
         "--channel normal");
@@ -58,10 +58,10 @@ TEST_CASE("viewer state: the copied command gives the same settings again") {
 TEST_CASE("viewer state: only what the draw list reads asks for a new one") {
   view::ViewerState state;
   const view::ListRequest before = view::listRequest(state, 0, -1, true);
-  state.settings.exposureStops = 3;
-  state.settings.environmentRotationDeg = 90;
-  state.settings.occlusion = 0.5f;
-  state.settings.material.metallic = 1;  // switched off
+  state.settings.display.exposureStops = 3;
+  state.settings.frame.environmentRotationDeg = 90;
+  state.settings.frame.occlusion = 0.5f;
+  state.settings.look.material.metallic = 1;  // switched off
   state.camera.theta = 9;
   CHECK(view::listRequest(state, 0, -1, true) == before);
   const auto changes = [&](auto change) {
@@ -69,17 +69,17 @@ TEST_CASE("viewer state: only what the draw list reads asks for a new one") {
     change(other);
     return view::listRequest(other, 0, -1, true) != before;
   };
-  CHECK(changes([](view::ViewerState& s) { s.settings.occlusion = 0; }));
-  CHECK(changes([](view::ViewerState& s) { s.settings.environmentStrength = 0; }));
-  CHECK(changes([](view::ViewerState& s) { s.settings.channel = "uv"; }));
-  CHECK(changes([](view::ViewerState& s) { s.settings.lights = frame::Lights::demo; }));
-  CHECK(changes([](view::ViewerState& s) { s.settings.background = frame::Background::transparent; }));
-  CHECK(changes([](view::ViewerState& s) { s.settings.material.on = true; }));
-  CHECK_FALSE(changes([](view::ViewerState& s) { s.settings.samples = 16; }));  // only at rest
-  CHECK(changes([](view::ViewerState& s) { s.settings.diffuse = optics::DiffuseModel::eon; }));
-  CHECK(changes([](view::ViewerState& s) { s.settings.masking = optics::Masking::cavity; }));
-  CHECK(changes([](view::ViewerState& s) { s.settings.energy = optics::EnergyModel::none; }));
-  CHECK_FALSE(changes([](view::ViewerState& s) { s.settings.samples = 2; }));
+  CHECK(changes([](view::ViewerState& s) { s.settings.frame.occlusion = 0; }));
+  CHECK(changes([](view::ViewerState& s) { s.settings.frame.environmentStrength = 0; }));
+  CHECK(changes([](view::ViewerState& s) { s.settings.look.channel = "uv"; }));
+  CHECK(changes([](view::ViewerState& s) { s.settings.look.lights = frame::Lights::demo; }));
+  CHECK(changes([](view::ViewerState& s) { s.settings.frame.background = frame::Background::transparent; }));
+  CHECK(changes([](view::ViewerState& s) { s.settings.look.material.on = true; }));
+  CHECK_FALSE(changes([](view::ViewerState& s) { s.settings.quality.samples = 16; }));  // only at rest
+  CHECK(changes([](view::ViewerState& s) { s.settings.look.models.diffuse = optics::DiffuseModel::eon; }));
+  CHECK(changes([](view::ViewerState& s) { s.settings.look.models.masking = optics::Masking::cavity; }));
+  CHECK(changes([](view::ViewerState& s) { s.settings.look.models.energy = optics::EnergyModel::none; }));
+  CHECK_FALSE(changes([](view::ViewerState& s) { s.settings.quality.samples = 2; }));
   CHECK(view::listRequest(state, 1, -1, true) != before);
   CHECK(view::listRequest(state, 0, 0, true) != before);
   CHECK(view::listRequest(state, 0, -1, false) != before);
@@ -89,40 +89,40 @@ TEST_CASE("viewer state: a measured BRDF takes the materials' place, and gives i
   view::ViewerState state;
   using view::MaterialSource;
   CHECK(view::materialSource(state.settings) == MaterialSource::file);
-  state.settings.material = {true, {0.1f, 0.2f, 0.3f}, 0.75f, 0.25f, 1.5f, {}};
+  state.settings.look.material = {true, {0.1f, 0.2f, 0.3f}, 0.75f, 0.25f, 1.5f, {}};
   CHECK(view::materialSource(state.settings) == MaterialSource::one);
   const view::ListRequest before = view::listRequest(state, 0, -1, true);
   view::chooseBrdf(state, "a.binary");
   CHECK(view::materialSource(state.settings) == MaterialSource::measured);
-  CHECK_FALSE(state.settings.material.on);
+  CHECK_FALSE(state.settings.look.material.on);
   const view::ListRequest measured = view::listRequest(state, 0, -1, true);
   CHECK(measured != before);
   CHECK(measured.brdf.name == "a.binary");
-  state.settings.brdfLookUp = optics::LookUp::nearest;
+  state.settings.look.brdfLookUp = optics::LookUp::nearest;
   CHECK(view::listRequest(state, 0, -1, true) != measured);
-  state.settings.brdfLookUp = optics::LookUp::interpolated;
-  state.settings.utiaDecode = io::UtiaDecode::srgb;
+  state.settings.look.brdfLookUp = optics::LookUp::interpolated;
+  state.settings.sources.utiaDecode = io::UtiaDecode::srgb;
   CHECK(view::listRequest(state, 0, -1, true) != measured);
-  state.settings.channel = "normal";  // where no BRDF is seen none is read
+  state.settings.look.channel = "normal";  // where no BRDF is seen none is read
   CHECK(view::listRequest(state, 0, -1, true).brdf.name.empty());
-  state.settings.channel.clear();
-  state.settings.samples = 16;  // the moving picture is drawn by the program of the resting one
+  state.settings.look.channel.clear();
+  state.settings.quality.samples = 16;  // the moving picture is drawn by the program of the resting one
   CHECK(view::listRequest(state, 0, -1, true).imageLightSamples == frame::convergedLightSamples);
 
   view::chooseMaterialSource(state, MaterialSource::one);
-  CHECK(state.settings.brdf.empty());
-  CHECK(state.settings.material.perceptualRoughness == 0.25f);
+  CHECK(state.settings.sources.brdf.empty());
+  CHECK(state.settings.look.material.perceptualRoughness == 0.25f);
   view::chooseMaterialSource(state, MaterialSource::measured);
-  CHECK(state.settings.brdf == "a.binary");
+  CHECK(state.settings.sources.brdf == "a.binary");
   view::chooseMaterialSource(state, MaterialSource::file);
   CHECK(view::materialSource(state.settings) == MaterialSource::file);
   view::ViewerState fresh;
   view::chooseMaterialSource(fresh, MaterialSource::measured);
-  CHECK(fresh.settings.brdf == "builtin:plastic-0.2");
+  CHECK(fresh.settings.sources.brdf == "builtin:plastic-0.2");
   fresh = {};
   fresh.databases = {view::fileEntry(view::FileKind::brdf, "/b/gold.binary")};
   view::chooseMaterialSource(fresh, MaterialSource::measured);
-  CHECK(fresh.settings.brdf == "/b/gold.binary");
+  CHECK(fresh.settings.sources.brdf == "/b/gold.binary");
 }
 
 TEST_CASE("viewer state: the material choice takes every draw's place") {
@@ -130,7 +130,7 @@ TEST_CASE("viewer state: the material choice takes every draw's place") {
   const Result<io::LoadedModel> loaded = io::loadGltfBytes(glb, "triangle.glb");
   REQUIRE(loaded);
   view::ViewerState state;
-  state.settings.material = {true, {0.1f, 0.2f, 0.3f}, 0.75f, 0.25f, 1.5f, {}};
+  state.settings.look.material = {true, {0.1f, 0.2f, 0.3f}, 0.75f, 0.25f, 1.5f, {}};
   const frame::DrawList list = frame::buildDrawList(loaded->model, 0, view::drawOptions(state, -1, true));
   REQUIRE(list.opaque.size() == 1);
   const scene::Material& material = list.materials[static_cast<size_t>(list.opaque[0].material)];
@@ -167,21 +167,21 @@ TEST_CASE("screenshot: the name tells the time and overwrites nothing") {
 
 TEST_CASE("Presets: a metal brings colour and conductor, a dielectric its index, sources are told") {
   view::ViewerState state;
-  state.settings.material.on = true;
-  state.settings.material.perceptualRoughness = 0.25f;
-  view::choosePreset(state.settings.material, "gold");
+  state.settings.look.material.on = true;
+  state.settings.look.material.perceptualRoughness = 0.25f;
+  view::choosePreset(state.settings.look.material, "gold");
   frame::DrawOptions options = view::drawOptions(state, -1, true);
   CHECK(options.material->conductor == "gold");
   CHECK(options.material->metallicFactor == 1);
   CHECK(options.material->perceptualRoughnessFactor == 0.25f);
   CHECK(options.material->baseColorFactor.r == Approx(optics::findMetal("gold")->f0().r));
-  const glm::vec3 colour = state.settings.material.baseColor;
-  view::choosePreset(state.settings.material, "diamond");
+  const glm::vec3 colour = state.settings.look.material.baseColor;
+  view::choosePreset(state.settings.look.material, "diamond");
   options = view::drawOptions(state, -1, true);
   CHECK(options.material->conductor.empty());
   CHECK(options.material->metallicFactor == 0);
   CHECK(options.material->ior == Approx(2.4175));
-  CHECK(state.settings.material.baseColor == colour);
+  CHECK(state.settings.look.material.baseColor == colour);
   CHECK(view::presetText("gold").find("Johnson and Christy 1972") != std::string::npos);
   CHECK(view::presetText("diamond").find("2.417") != std::string::npos);
   CHECK(view::presetText("unobtainium").empty());

@@ -24,7 +24,7 @@ TEST_CASE("viewport: a model comes up with its images, a failed one changes noth
   CHECK(viewer.state.shown.environment == "none");  // nothing in it could be lit
   CHECK(viewer.state.shown.statistics.images == 1);
   viewer.state.camera.target = {0.3, 0.3, 0};
-  viewer.state.settings.toneMapper = frame::ToneMapper::none;
+  viewer.state.settings.display.toneMapper = frame::ToneMapper::none;
   CHECK(viewer.middle() == glm::ivec3(255, 0, 0));
   CHECK(viewer.state.shown.statistics.imagesDecoded == 1);
   CHECK(viewer.state.shown.statistics.frame.triangles == 1);
@@ -61,13 +61,13 @@ TEST_CASE("viewport: a frame is drawn only where something has changed", "[gl]")
   CHECK_FALSE(view::drawViewport(viewer.viewport, viewer.state));
   viewer.state.camera.theta += 1;
   CHECK(view::drawViewport(viewer.viewport, viewer.state));
-  viewer.state.settings.exposureStops = 1;
+  viewer.state.settings.display.exposureStops = 1;
   CHECK_FALSE(view::bringUp(viewer.viewport, viewer.state, viewer.loader));
   CHECK(view::drawViewport(viewer.viewport, viewer.state));
-  viewer.state.settings.width = 80;
+  viewer.state.settings.frame.width = 80;
   CHECK(view::drawViewport(viewer.viewport, viewer.state));
   CHECK(viewer.viewport.targets.width == 80);
-  viewer.state.settings.channel = "baseColor";
+  viewer.state.settings.look.channel = "baseColor";
   const int list = viewer.viewport.listNumber;
   viewer.settle();
   CHECK(viewer.viewport.listNumber == list + 1);
@@ -79,16 +79,16 @@ TEST_CASE("viewport: what a setting needs is fetched when it is set, a failed en
   const test::TemporaryFolder folder;
   Viewer viewer;
   viewer.load(folder.write("red.glb", texturedTriangle({255, 0, 0})));
-  viewer.state.settings.environment = folder.file("missing.hdr");
-  view::offerEnvironment(viewer.state, viewer.state.settings.environment);
+  viewer.state.settings.sources.environment = folder.file("missing.hdr");
+  view::offerEnvironment(viewer.state, viewer.state.settings.sources.environment);
   view::bringUp(viewer.viewport, viewer.state, viewer.loader);
   viewer.settle();
   CHECK(viewer.state.status.isError);
-  CHECK(viewer.state.settings.environment == "none");
+  CHECK(viewer.state.settings.sources.environment == "none");
   CHECK(viewer.state.environments == view::builtinEnvironmentSources());
 
-  viewer.state.settings.material.on = true;  // lit, and without the file's image
-  viewer.state.settings.environment = "builtin:white";
+  viewer.state.settings.look.material.on = true;  // lit, and without the file's image
+  viewer.state.settings.sources.environment = "builtin:white";
   viewer.settle();
   CHECK(viewer.state.shown.environment == "builtin:white");
   CHECK(viewer.viewport.environments.shown->onGpu.tables.dfg);
@@ -106,32 +106,33 @@ TEST_CASE("viewport: the copied command renders the picture on the screen, byte 
   const Row row = GENERATE(values<Row>({
       {"builtin:spheres",
        [](view::ViewerState& s) {
-         s.settings.material.on = true;
-         view::choosePreset(s.settings.material, "gold");
-         s.settings.material.perceptualRoughness = 1.0f / 3;
-         s.settings.fresnel = optics::FresnelModel::exact;
+         s.settings.look.material.on = true;
+         view::choosePreset(s.settings.look.material, "gold");
+         s.settings.look.material.perceptualRoughness = 1.0f / 3;
+         s.settings.look.models.fresnel = optics::FresnelModel::exact;
          s.camera.theta = 12.3456789, s.camera.fovY = 33.3;
        }},
       {"builtin:spheres",
        [](view::ViewerState& s) {
-         s.settings.material = {true, {0.1f, 0.2f, 0.7f}, 0.5f, 0.15f, 1.9f, {}};
-         s.settings.lights = frame::Lights::demo;
-         s.settings.background = frame::Background::color;
-         s.settings.backgroundColor = {0.123f, 1.0f / 3, 0.01f};
-         s.settings.samples = 5;
-         s.settings.environment = "builtin:sky";
-         s.settings.environmentRotationDeg = 33.3f, s.settings.environmentStrength = 0.7f;
+         s.settings.look.material = {true, {0.1f, 0.2f, 0.7f}, 0.5f, 0.15f, 1.9f, {}};
+         s.settings.look.lights = frame::Lights::demo;
+         s.settings.frame.background = frame::Background::color;
+         s.settings.frame.backgroundColor = {0.123f, 1.0f / 3, 0.01f};
+         s.settings.quality.samples = 5;
+         s.settings.sources.environment = "builtin:sky";
+         s.settings.frame.environmentRotationDeg = 33.3f, s.settings.frame.environmentStrength = 0.7f;
        }},
       {"builtin:metals",
        [](view::ViewerState& s) {
-         s.settings.diffuse = optics::DiffuseModel::eon, s.settings.toneMapper = frame::ToneMapper::agx;
-         s.settings.exposureStops = -0.3f, s.settings.occlusion = 0.25f;
+         s.settings.look.models.diffuse = optics::DiffuseModel::eon,
+         s.settings.display.toneMapper = frame::ToneMapper::agx;
+         s.settings.display.exposureStops = -0.3f, s.settings.frame.occlusion = 0.25f;
          s.camera.target = {0.1, -0.2, 0.3}, s.camera.phi = 77.7;
        }},
       {"",
        [](view::ViewerState& s) {
          s.camera.target = {0.3, 0.3, 0};
-         s.settings.toneMapper = frame::ToneMapper::aces;
+         s.settings.display.toneMapper = frame::ToneMapper::aces;
        }},
   }));
   Viewer viewer;
@@ -232,13 +233,13 @@ TEST_CASE("viewport: loading is cancelled, what is shown stays", "[gl]") {
   viewer.load(folder.write("red.glb", texturedTriangle({255, 0, 0})));
   viewer.state.camera.theta = 12;
   view::startModel(viewer.loader, folder.write("blue.glb", texturedTriangle({0, 0, 255})));
-  viewer.state.settings.environment = "builtin:white";
+  viewer.state.settings.sources.environment = "builtin:white";
   view::bringUp(viewer.viewport, viewer.state, viewer.loader);
   view::cancelLoading(viewer.viewport, viewer.state, viewer.loader);
   viewer.settle();
   CHECK(viewer.state.shown.model == folder.file("red.glb"));
   CHECK(viewer.state.shown.environment == "none");
-  CHECK(viewer.state.settings.environment == "none");
+  CHECK(viewer.state.settings.sources.environment == "none");
   CHECK(viewer.state.camera.theta == 12);
   CHECK_FALSE(viewer.state.status.isError);
   viewer.load(folder.file("blue.glb"));  // asked for anew it comes
@@ -252,7 +253,7 @@ TEST_CASE("viewport: a model whose file changes is read again, camera and settin
   viewer.load(source);
   viewer.state.camera.theta = 5;
   viewer.state.camera.target = {0.3, 0.3, 0};
-  viewer.state.settings.toneMapper = frame::ToneMapper::none;
+  viewer.state.settings.display.toneMapper = frame::ToneMapper::none;
   const scene::OrbitCamera camera = viewer.state.camera;
   view::Followed followed;
   auto now = std::chrono::steady_clock::now();
@@ -289,8 +290,8 @@ TEST_CASE("viewport: an environment whose file changes is read again, a faulty o
   };
   write(0.25f);
   Viewer viewer;
-  viewer.state.settings.environment = source;
-  viewer.state.settings.toneMapper = frame::ToneMapper::none;
+  viewer.state.settings.sources.environment = source;
+  viewer.state.settings.display.toneMapper = frame::ToneMapper::none;
   viewer.load(folder.write("a.glb", texturedTriangle({255, 0, 0})));
   viewer.state.camera.target = {50, 50, 50};  // nothing but sky
   const int dark = viewer.middle().g;
@@ -308,7 +309,7 @@ TEST_CASE("viewport: an environment whose file changes is read again, a faulty o
   CHECK_FALSE(look());
   CHECK(look());
   CHECK(viewer.state.status.isError);
-  CHECK(viewer.state.settings.environment == source);
+  CHECK(viewer.state.settings.sources.environment == source);
   CHECK(viewer.middle().g == dark);
   write(1);
   CHECK_FALSE(look());
