@@ -3,7 +3,7 @@
 // What inspect tells of a model beside its geometry and shader variants.
 
 #include <iosfwd>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "optics/measured.hpp"
 #include "scene/model.hpp"

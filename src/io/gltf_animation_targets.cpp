@@ -1,5 +1,7 @@
 #include "io/gltf_animation_targets.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "base/whole_number.hpp"
 #include "io/gltf_deformation.hpp"
 #include "io/uri.hpp"

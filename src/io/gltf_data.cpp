@@ -2,6 +2,7 @@
 // that tinygltf gets, so that it never sees a file name, never copies a buffer and never decodes an image.
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "io/accessors.hpp"
 #include "io/json_section.hpp"

@@ -1,6 +1,7 @@
 #include "io/gltf_materials.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "io/json_section.hpp"
 #include "io/uri.hpp"

@@ -3,7 +3,7 @@
 // What the readers of materials and textures share: numbers and references below a JSON object.
 
 #include <functional>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 
 #include "io/gltf_document.hpp"

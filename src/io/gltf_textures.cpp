@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "io/gltf_document.hpp"
 #include "io/gltf_materials.hpp"

@@ -1,5 +1,7 @@
 // KHR_xmp_json_ld: kept as text. Nothing in a picture depends on it, so that faults are warnings.
 
+#include <nlohmann/json.hpp>
+
 #include "io/json_section.hpp"
 
 namespace facet::io {

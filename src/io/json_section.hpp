@@ -2,7 +2,7 @@
 
 // Sections of the file that are read from the JSON itself: tinygltf keeps the integers of extensions in 32 bits only.
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "io/gltf_document.hpp"
 

@@ -1,6 +1,7 @@
 #include "commands/inspect_parts.hpp"
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 using namespace facet;
