@@ -4,7 +4,7 @@ namespace facet::commands {
 
 namespace {
 
-constexpr Command table[] = {
+constexpr Command commandTable[] = {
     {"", "a window on a model",
      "  facet\n"
      "  facet helmet.glb\n"
@@ -58,6 +58,6 @@ constexpr Command table[] = {
 
 }  // namespace
 
-int run(int argc, char** argv) { return run(table, argc, argv); }
+int run(int argc, char** argv) { return run(commandTable, argc, argv); }
 
 }  // namespace facet::commands

@@ -20,7 +20,7 @@ namespace facet::commands {
 
 namespace {
 
-using json = nlohmann::ordered_json;
+using Json = nlohmann::ordered_json;
 
 struct InspectArguments {
   std::string model;
@@ -47,12 +47,12 @@ Counts countGeometry(const scene::Model& model) {
   return counts;
 }
 
-json describeMaterials(const scene::Model& model, const frame::DrawList& list) {
-  json out = json::array();
+Json describeMaterials(const scene::Model& model, const frame::DrawList& list) {
+  Json out = Json::array();
   for (const report::MaterialUsage& usage : report::materialUsage(model, list)) {
     const size_t index = out.size();  // the model's materials come first
-    json material = {{"name", usage.name}, {"variants", usage.variants}, {"textures", usage.textures}};
-    const json effects = index < model.materials.size() ? describeEffects(model.materials[index]) : json();
+    Json material = {{"name", usage.name}, {"variants", usage.variants}, {"textures", usage.textures}};
+    const Json effects = index < model.materials.size() ? describeEffects(model.materials[index]) : Json();
     if (!effects.is_null()) material["effects"] = effects;
     if (usage.variants.empty()) material["leftOut"] = "not drawn in this scene";
     if (!usage.variants.empty() && !usage.unusedTextures.empty()) material["unusedTextures"] = usage.unusedTextures;
@@ -61,9 +61,9 @@ json describeMaterials(const scene::Model& model, const frame::DrawList& list) {
   return out;
 }
 
-json describeLeftOut(const scene::Model& model, const frame::DrawList& list) {
+Json describeLeftOut(const scene::Model& model, const frame::DrawList& list) {
   const bool measured = list.features.measured != shading::Measured::none;
-  json out = json::array();
+  Json out = Json::array();
   const std::vector<bool> wanted = frame::missingImages(model, list, {});
   size_t unused = 0, bytes = 0;
   for (size_t i = 0; i < wanted.size(); ++i)
@@ -88,9 +88,9 @@ json describeLeftOut(const scene::Model& model, const frame::DrawList& list) {
   return out;
 }
 
-json describeModel(const scene::Model& model, const Notes& notes, const frame::DrawList& list, int scene,
-                   const json& measured) {
-  json out;
+Json describeModel(const scene::Model& model, const Notes& notes, const frame::DrawList& list, int scene,
+                   const Json& measured) {
+  Json out;
   const Counts counts = countGeometry(model);
   out["file"] = model.name;
   if (!model.generator.empty()) out["generator"] = model.generator;
@@ -101,7 +101,7 @@ json describeModel(const scene::Model& model, const Notes& notes, const frame::D
       {"primitives", counts.primitives},     {"vertices", counts.vertices},       {"triangles", counts.triangles},
       {"materials", model.materials.size()}, {"textures", model.textures.size()}, {"images", model.images.size()},
       {"lights", model.lights.size()},       {"cameras", model.cameras.size()}};
-  const auto corner = [](const glm::dvec3& v) { return json{v.x, v.y, v.z}; };
+  const auto corner = [](const glm::dvec3& v) { return Json{v.x, v.y, v.z}; };
   if (!list.bounds.empty()) out["bounds"] = {{"min", corner(list.bounds.min)}, {"max", corner(list.bounds.max)}};
   out["extensionsUsed"] = model.extensionsUsed;
   out["extensionsRequired"] = model.extensionsRequired;
@@ -114,14 +114,14 @@ json describeModel(const scene::Model& model, const Notes& notes, const frame::D
   return out;
 }
 
-std::string joined(const json& list) {
+std::string joinedOrNone(const Json& list) {
   std::string text;
-  for (const json& item : list) text += (text.empty() ? "" : ", ") + item.get<std::string>();
+  for (const Json& item : list) text += (text.empty() ? "" : ", ") + item.get<std::string>();
   return text.empty() ? "none" : text;
 }
 
 // "    clearcoat: clearcoatFactor 1.0, clearcoatTexture 3"
-void printEffects(const json& material) {
+void printEffects(const Json& material) {
   if (!material.contains("effects")) return;
   for (const auto& [effect, values] : material["effects"].items()) {
     const char* separator = ": ";
@@ -131,7 +131,7 @@ void printEffects(const json& material) {
   }
 }
 
-void print(const json& out) {
+void print(const Json& out) {
   std::cout << out["file"].get<std::string>() << "\n";
   for (const char* key : {"generator", "copyright"})
     if (out.contains(key)) std::cout << "  " << key << ": " << out[key].get<std::string>() << "\n";
@@ -140,24 +140,24 @@ void print(const json& out) {
   std::cout << "\n";
   if (out.contains("bounds"))
     std::cout << "  bounds: " << out["bounds"]["min"] << " to " << out["bounds"]["max"] << " m\n";
-  std::cout << "  extensions used: " << joined(out["extensionsUsed"])
-            << "; required: " << joined(out["extensionsRequired"]) << "\n";
+  std::cout << "  extensions used: " << joinedOrNone(out["extensionsUsed"])
+            << "; required: " << joinedOrNone(out["extensionsRequired"]) << "\n";
   if (out.contains("measured")) printMeasured(out["measured"], std::cout);
   std::cout << "  draw calls: " << out["drawCalls"] << "\n\nMaterials and their shader variants\n";
-  for (const json& material : out["materials"]) {
+  for (const Json& material : out["materials"]) {
     std::cout << "  " << material["name"].get<std::string>() << "\n";
     printEffects(material);
-    for (const json& variant : material["variants"]) std::cout << "    variant: " << variant.get<std::string>() << "\n";
+    for (const Json& variant : material["variants"]) std::cout << "    variant: " << variant.get<std::string>() << "\n";
     if (material.contains("leftOut")) std::cout << "    left out: " << material["leftOut"].get<std::string>() << "\n";
     if (material.contains("unusedTextures"))
-      std::cout << "    textures that change nothing: " << joined(material["unusedTextures"]) << "\n";
+      std::cout << "    textures that change nothing: " << joinedOrNone(material["unusedTextures"]) << "\n";
   }
   printParts(out, std::cout);
   std::cout << "\nLeft out, because the scene does not need it\n";
-  for (const json& text : out["leftOut"]) std::cout << "  " << text.get<std::string>() << "\n";
+  for (const Json& text : out["leftOut"]) std::cout << "  " << text.get<std::string>() << "\n";
   if (out["leftOut"].empty()) std::cout << "  nothing\n";
   std::cout << "\nNotes\n";
-  for (const json& note : out["notes"]) {
+  for (const Json& note : out["notes"]) {
     const std::string place = note["place"].get<std::string>();
     std::cout << "  " << note["severity"].get<std::string>() << ": " << place << (place.empty() ? "" : ": ")
               << note["text"].get<std::string>() << "\n";
@@ -171,8 +171,8 @@ void checkImages(const scene::Model& model, const frame::DrawList& list, Notes& 
 }
 
 // As a picture would find and read it; null without --brdf.
-Result<json> readMeasured(const frame::PictureSettings& settings, frame::DrawOptions& options, Notes& notes) {
-  if (settings.sources.brdf.empty()) return json();
+Result<Json> readMeasured(const frame::PictureSettings& settings, frame::DrawOptions& options, Notes& notes) {
+  if (settings.sources.brdf.empty()) return Json();
   const Result<std::string> source = io::resolveMeasured(settings.sources.brdf, settings.sources.brdfDir);
   if (!source) return tl::unexpected(source.error());
   const Result<optics::MeasuredBrdf> brdf = io::readMeasured(*source, {.utiaDecode = settings.sources.utiaDecode});
@@ -194,14 +194,14 @@ int runInspect(const InspectArguments& arguments) {
   if (!variant) return badInput(variant.error());
   frame::DrawOptions options = frame::drawOptions(settings, true);
   options.variant = *variant;
-  const Result<json> measured = readMeasured(settings, options, loaded->notes);
+  const Result<Json> measured = readMeasured(settings, options, loaded->notes);
   if (!measured) return badInput(measured.error());
   const frame::DrawList list = frame::buildDrawList(model, *scene, options);
   checkImages(model, list, loaded->notes);
   if (!measured->is_null()) frame::noteMeasured(list, loaded->notes);
-  const json out = describeModel(model, loaded->notes, list, *scene, *measured);
+  const Json out = describeModel(model, loaded->notes, list, *scene, *measured);
   if (arguments.asJson)
-    std::cout << out.dump(2, ' ', false, json::error_handler_t::replace) << std::endl;
+    std::cout << out.dump(2, ' ', false, Json::error_handler_t::replace) << std::endl;
   else
     print(out);
   bool warned = false;

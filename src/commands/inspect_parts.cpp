@@ -13,7 +13,7 @@ namespace facet::commands {
 
 namespace {
 
-using json = nlohmann::ordered_json;
+using Json = nlohmann::ordered_json;
 
 std::string nameOr(const std::string& name, const char* kind, size_t index) {
   return name.empty() ? std::string(kind) + " " + std::to_string(index) : name;
@@ -29,8 +29,8 @@ double durationOf(const scene::Animation& animation) {
   return static_cast<double>(last);
 }
 
-json describeAnimations(const scene::Model& model) {
-  json out = json::array();
+Json describeAnimations(const scene::Model& model) {
+  Json out = Json::array();
   for (size_t i = 0; i < model.animations.size(); ++i) {
     const scene::Animation& animation = model.animations[i];
     out.push_back({{"name", nameOr(animation.name, "animation", i)},
@@ -40,48 +40,48 @@ json describeAnimations(const scene::Model& model) {
   return out;
 }
 
-json describeSkins(const scene::Model& model) {
-  json out = json::array();
+Json describeSkins(const scene::Model& model) {
+  Json out = Json::array();
   for (size_t i = 0; i < model.skins.size(); ++i)
     out.push_back({{"name", nameOr(model.skins[i].name, "skin", i)}, {"joints", model.skins[i].joints.size()}});
   return out;
 }
 
-json describeMorphTargets(const scene::Model& model) {
-  json out = json::array();
+Json describeMorphTargets(const scene::Model& model) {
+  Json out = Json::array();
   for (size_t i = 0; i < model.meshes.size(); ++i) {
     const scene::Mesh& mesh = model.meshes[i];
     size_t targets = 0;
     for (const scene::Primitive& p : mesh.primitives) targets = std::max(targets, p.targets.size());
     if (targets == 0) continue;
-    json entry = {{"mesh", nameOr(mesh.name, "mesh", i)}, {"targets", targets}};
+    Json entry = {{"mesh", nameOr(mesh.name, "mesh", i)}, {"targets", targets}};
     if (!mesh.targetNames.empty()) entry["names"] = mesh.targetNames;
     out.push_back(entry);
   }
   return out;
 }
 
-json describeInstancing(const scene::Model& model) {
-  json out = json::array();
+Json describeInstancing(const scene::Model& model) {
+  Json out = Json::array();
   for (size_t i = 0; i < model.nodes.size(); ++i)
     if (!model.nodes[i].instances.empty())
       out.push_back({{"node", nameOr(model.nodes[i].name, "node", i)}, {"instances", model.nodes[i].instances.size()}});
   return out;
 }
 
-json describeXmp(const scene::Metadata& xmp) {
-  json out = json::array();
+Json describeXmp(const scene::Metadata& xmp) {
+  Json out = Json::array();
   for (size_t i = 0; i < xmp.packets.size(); ++i) {
-    json objects = json::array();
+    Json objects = Json::array();
     for (const scene::Metadata::Reference& reference : xmp.references)
       if (reference.packet == static_cast<int>(i)) objects.push_back(reference.object);
-    out.push_back({{"about", objects}, {"packet", json::parse(xmp.packets[i], nullptr, false)}});
+    out.push_back({{"about", objects}, {"packet", Json::parse(xmp.packets[i], nullptr, false)}});
   }
   return out;
 }
 
 // 0.1 for 0.1f.
-double shortest(float value) {
+double shortestDouble(float value) {
   char text[32];
   const auto end = std::to_chars(text, text + sizeof text, value).ptr;
   double result = 0;
@@ -89,11 +89,11 @@ double shortest(float value) {
   return result;
 }
 
-json valuesOf(scene::Material& material, const scene::MaterialProperty& property) {
+Json valuesOf(scene::Material& material, const scene::MaterialProperty& property) {
   const auto values = components(material, property);
-  if (values.size() == 1) return shortest(values[0]);
-  json list = json::array();
-  for (const float value : values) list.push_back(shortest(value));
+  if (values.size() == 1) return shortestDouble(values[0]);
+  Json list = Json::array();
+  for (const float value : values) list.push_back(shortestDouble(value));
   return list;
 }
 
@@ -116,17 +116,17 @@ constexpr struct {
 };
 
 // "eyes, mouth"
-std::string joined(const json& texts) {
+std::string joined(const Json& texts) {
   std::string all;
-  for (const json& text : texts) all += (all.empty() ? "" : ", ") + text.get<std::string>();
+  for (const Json& text : texts) all += (all.empty() ? "" : ", ") + text.get<std::string>();
   return all;
 }
 
 template <class Line>
-void printList(const json& list, const char* title, std::ostream& out, Line&& line) {
+void printList(const Json& list, const char* title, std::ostream& out, Line&& line) {
   if (list.empty()) return;
   out << "\n" << title << "\n";
-  for (const json& entry : list) {
+  for (const Json& entry : list) {
     out << "  ";
     line(entry);
     out << "\n";
@@ -135,14 +135,14 @@ void printList(const json& list, const char* title, std::ostream& out, Line&& li
 
 }  // namespace
 
-json describeEffects(const scene::Material& material) {
-  json out;
+Json describeEffects(const scene::Material& material) {
+  Json out;
   if (material.unlit) return out;
   scene::Material given = material, usual;
   for (const auto& effect : effects) {
     if (!effect.seen(material)) continue;
     const std::string head = "extensions/KHR_materials_" + std::string(effect.name) + "/";
-    json found;
+    Json found;
     for (const scene::MaterialProperty& property : scene::materialProperties()) {
       const std::string_view path = property.path;
       if (!path.starts_with(head) || std::ranges::equal(components(given, property), components(usual, property)))
@@ -157,7 +157,7 @@ json describeEffects(const scene::Material& material) {
   return out;
 }
 
-void describeParts(const scene::Model& model, json& out) {
+void describeParts(const scene::Model& model, Json& out) {
   out["animations"] = describeAnimations(model);
   out["skins"] = describeSkins(model);
   out["morphTargets"] = describeMorphTargets(model);
@@ -166,29 +166,29 @@ void describeParts(const scene::Model& model, json& out) {
   out["xmp"] = describeXmp(model.xmp);
 }
 
-void printParts(const json& described, std::ostream& out) {
-  const auto text = [](const json& entry, const char* key) { return entry[key].get<std::string>(); };
-  printList(described["animations"], "Animations", out, [&](const json& entry) {
+void printParts(const Json& described, std::ostream& out) {
+  const auto text = [](const Json& entry, const char* key) { return entry[key].get<std::string>(); };
+  printList(described["animations"], "Animations", out, [&](const Json& entry) {
     out << text(entry, "name") << ": " << entry["seconds"].get<double>() << " s, " << entry["channels"] << " channels";
   });
   printList(described["skins"], "Skins", out,
-            [&](const json& entry) { out << text(entry, "name") << ": " << entry["joints"] << " joints"; });
-  printList(described["morphTargets"], "Morph targets", out, [&](const json& entry) {
+            [&](const Json& entry) { out << text(entry, "name") << ": " << entry["joints"] << " joints"; });
+  printList(described["morphTargets"], "Morph targets", out, [&](const Json& entry) {
     out << text(entry, "mesh") << ": " << entry["targets"];
     if (entry.contains("names")) out << " (" << joined(entry["names"]) << ")";
   });
   printList(described["instancing"], "Instancing", out,
-            [&](const json& entry) { out << text(entry, "node") << ": " << entry["instances"] << " instances"; });
+            [&](const Json& entry) { out << text(entry, "node") << ": " << entry["instances"] << " instances"; });
   printList(described["variants"], "Material variants", out,
-            [&](const json& entry) { out << entry.get<std::string>(); });
-  printList(described["xmp"], "XMP metadata", out, [&](const json& entry) {
+            [&](const Json& entry) { out << entry.get<std::string>(); });
+  printList(described["xmp"], "XMP metadata", out, [&](const Json& entry) {
     const std::string about = joined(entry["about"]);
     out << (about.empty() ? "nothing" : about) << ": "
-        << entry["packet"].dump(-1, ' ', false, json::error_handler_t::replace);
+        << entry["packet"].dump(-1, ' ', false, Json::error_handler_t::replace);
   });
 }
 
-json describeMeasured(const optics::MeasuredBrdf& brdf, const std::string& source) {
+Json describeMeasured(const optics::MeasuredBrdf& brdf, const std::string& source) {
   const bool merl = brdf.kind == optics::MeasuredKind::merl;
   return {{"name", brdf.name},
           {"source", source},
@@ -198,7 +198,7 @@ json describeMeasured(const optics::MeasuredBrdf& brdf, const std::string& sourc
           {"bytesOnGpu", frame::measuredBytes(brdf)}};
 }
 
-void printMeasured(const json& described, std::ostream& out) {
+void printMeasured(const Json& described, std::ostream& out) {
   const std::string name = described["name"], source = described["source"], kind = described["kind"];
   out << "  measured BRDF in the place of all lit materials: " << name << " (" << kind << ") from " << source << ", "
       << described["cells"] << " cells, " << described["missingCells"] << " of them missing, "

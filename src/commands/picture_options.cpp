@@ -356,7 +356,7 @@ Result<void> parseMaxError(Text text, PictureSettings& settings) {
 
 using M = frame::MaterialChoice;
 
-constexpr PictureOption table[] = {
+constexpr PictureOption optionTable[] = {
     {"size", "WxH", "size in pixels (1024x1024)", parseSize, writeSize, 'x'},
     {"orbit", "THETA,PHI,RADIUS", "camera around the target: degrees from +Z towards +X, degrees from +Y, metres",
      parseOrbit, writeOrbit},
@@ -471,12 +471,12 @@ constexpr PictureOption table[] = {
 
 std::vector<Text> optionNames() {
   std::vector<Text> names;
-  for (const PictureOption& option : table) names.push_back(option.name);
+  for (const PictureOption& option : optionTable) names.push_back(option.name);
   return names;
 }
 
 const PictureOption* find(Text name) {
-  for (const PictureOption& option : table) {
+  for (const PictureOption& option : optionTable) {
     if (option.name == name) return &option;
   }
   return nullptr;
@@ -507,7 +507,7 @@ Result<std::string> textOf(const nlohmann::json& value, const PictureOption& opt
 
 }  // namespace
 
-std::span<const PictureOption> pictureOptions() { return table; }
+std::span<const PictureOption> pictureOptions() { return optionTable; }
 
 std::string placedBelow(const std::string& folder, const PictureOption& option, const std::string& text) {
   if (!option.isPath || text.empty() || text == "none" || text.starts_with("builtin:")) return text;
@@ -518,7 +518,7 @@ std::string placedBelow(const std::string& folder, const PictureOption& option, 
 }
 
 void addPictureOptions(CLI::App& app, PictureArguments& arguments, std::span<const Text> only) {
-  for (const PictureOption& option : table) {
+  for (const PictureOption& option : optionTable) {
     if (!only.empty() && std::ranges::find(only, option.name) == only.end()) continue;
     const auto keep = [&arguments, name = option.name](const std::string& text) { arguments[name] = text; };
     app.add_option_function<std::string>("--" + std::string(option.name), keep, std::string(option.help))
@@ -531,7 +531,7 @@ Result<void> apply(const PictureArguments& arguments, PictureSettings& settings)
   for (const auto& [name, text] : arguments)
     if (!find(name))
       return fail({}, "--" + std::string(name), "there is no such option", suggestion(name, optionNames()));
-  for (const PictureOption& option : table) {
+  for (const PictureOption& option : optionTable) {
     const auto given = arguments.find(option.name);
     if (given == arguments.end()) continue;
     if (auto parsed = option.parse(given->second, settings); !parsed) {
@@ -549,7 +549,7 @@ Result<void> apply(const nlohmann::json& object, std::span<const Text> others, c
     names.insert(names.end(), others.begin(), others.end());
     return fail(file, pointer + "/" + pointerToken(key), "there is no such option", suggestion(key, names));
   }
-  for (const PictureOption& option : table) {
+  for (const PictureOption& option : optionTable) {
     const auto given = object.find(std::string(option.name));
     if (given == object.end()) continue;
     const Result<std::string> text = textOf(*given, option);
@@ -578,7 +578,7 @@ std::string commandLine(const PictureSettings& settings, const std::string& mode
   if (!model.empty()) line += " " + shellWord(model);
   if (!output.empty()) line += " -o " + shellWord(output);
   const PictureSettings defaults;
-  for (const PictureOption& option : table) {
+  for (const PictureOption& option : optionTable) {
     const std::string text = option.write(settings);
     if (!text.empty() && text != option.write(defaults)) {
       line += " --" + std::string(option.name) + " " + shellWord(text);

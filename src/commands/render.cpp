@@ -49,22 +49,22 @@ double steadyFrameMs(const std::vector<double>& frameMs) {
 
 nlohmann::ordered_json statsJson(const Job& job, const frame::Session& session, const frame::Picture& picture,
                                  const Stages& stages, const Notes& notes) {
-  using json = nlohmann::ordered_json;
+  using Json = nlohmann::ordered_json;
   const frame::PictureStatistics& s = picture.statistics;
-  json out;
+  Json out;
   out["model"] = job.model;
   out["environment"] = session.environmentName();
   out["command"] = commandLine(job.settings, job.model, job.output.string());
   out["opengl"] = {{"platform", session.context().platform},
                    {"renderer", session.context().renderer},
                    {"version", session.context().version}};
-  json times = json::object();
+  Json times = Json::object();
   for (const Stage& stage : stages.all())
     times[stage.name] = {{"wallMs", stage.wallMs}, {"cpuMs", stage.cpuMs}, {"peakMB", stage.peakMB}};
   out["stages"] = times;
   out["frameMs"] = s.frameMs;
   if (!s.attempts.empty()) {
-    json attempts = json::array();
+    Json attempts = Json::array();
     for (const frame::Attempt& a : s.attempts)
       attempts.push_back({{"samples", a.samples}, {"error", a.error / 255}, {"ms", a.milliseconds}});
     out["error"] = {{"wanted", *job.settings.quality.maxError},
@@ -80,10 +80,10 @@ nlohmann::ordered_json statsJson(const Job& job, const frame::Session& session, 
                      {"targets", s.targetBytes}};
   out["imagesDecoded"] = s.imagesDecoded;
   out["programs"] = {{"compiled", s.programsCompiled}, {"fromDiskCache", s.programsFromDisk}};
-  json variants = json::array();
+  Json variants = Json::array();
   for (const auto& [name, draws] : s.variants) variants.push_back({{"name", name}, {"draws", draws}});
   out["variants"] = variants;
-  json tables = json::array();
+  Json tables = Json::array();
   for (const ibl::TableStatistics& table : s.tables)
     tables.push_back({{"name", table.name},
                       {"bytes", table.bytes},
@@ -92,7 +92,7 @@ nlohmann::ordered_json statsJson(const Job& job, const frame::Session& session, 
                       {"gpuMs", table.gpuMilliseconds}});
   out["tables"] = tables;
   if (job.settings.quality.maxError) {
-    json methods = json::object();
+    Json methods = Json::object();
     constexpr std::pair<const char*, ibl::Part> parts[] = {
         {"irradiance", ibl::Part::irradiance}, {"layers", ibl::Part::layers}, {"dfg", ibl::Part::dfg}};
     for (const auto& [name, part] : parts) {
@@ -132,7 +132,7 @@ bool tell(const std::string& model, const Notes& notes) {
   return warned;
 }
 
-struct JobResult {
+struct JobOutcome {
   bool warned = false;
   std::string reached;  // samples and error, where --max-error decides
 };
@@ -155,7 +155,7 @@ std::string tellReached(const Job& job, const frame::Picture& picture, Notes& no
   return ": " + samples + ", error about " + percent(last.error / 255);
 }
 
-Result<JobResult> runJob(const Job& job, int repeat, bool last, frame::Session& session, Stages stages) {
+Result<JobOutcome> runJob(const Job& job, int repeat, bool last, frame::Session& session, Stages stages) {
   Notes notes;
   const bool exr = isExr(job.output);
   const frame::PictureRequest request{.radiance = exr, .display = !exr, .repeat = repeat, .last = last};
@@ -175,7 +175,7 @@ Result<JobResult> runJob(const Job& job, int repeat, bool last, frame::Session& 
          << "\n";
     if (!file) return fail(job.stats.string(), "", "cannot be written", "check the folder");
   }
-  return JobResult{warned, reached};
+  return JobOutcome{warned, reached};
 }
 
 // Frame by frame from --time on.
@@ -234,7 +234,7 @@ int runRender(const RenderArguments& arguments) {
   int status = exitGood;
   for (size_t i = 0; i < jobs->size(); ++i) {
     const Job& job = (*jobs)[i];
-    const Result<JobResult> result =
+    const Result<JobOutcome> result =
         runJob(job, arguments.repeat, i + 1 == jobs->size(), **session, i == 0 ? stages : Stages());
     if (!result) {
       log::error(describe(result.error()));

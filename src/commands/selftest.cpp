@@ -23,10 +23,10 @@ struct SelftestArguments {
 };
 
 void printJson(const gl::ContextInfo& context, const std::vector<CheckResult>& results, bool passed) {
-  using json = nlohmann::ordered_json;
-  json checks = json::array();
+  using Json = nlohmann::ordered_json;
+  Json checks = Json::array();
   for (const CheckResult& r : results) {
-    json check = {{"function", r.name},
+    Json check = {{"function", r.name},
                   {"passed", r.passed},
                   {"evaluations", r.evaluations},
                   {"kind", r.relative ? "relative" : "absolute"},
@@ -41,7 +41,7 @@ void printJson(const gl::ContextInfo& context, const std::vector<CheckResult>& r
     if (!r.clamped.empty()) check["clamped"] = r.clamped;
     checks.push_back(check);
   }
-  const json out = {
+  const Json out = {
       {"opengl", {{"platform", context.platform}, {"renderer", context.renderer}, {"version", context.version}}},
       {"passed", passed},
       {"checks", checks}};

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numbers>
 
+#include "base/angle.hpp"
 #include "gl/buffer.hpp"
 #include "ibl/harmonics.hpp"
 #include "ibl/kernel.hpp"
@@ -19,8 +19,6 @@ namespace {
 
 using shading::ProgramStore;
 using ScratchPointer = std::shared_ptr<Scratch>;
-
-constexpr double pi = std::numbers::pi;
 
 uint64_t texels(int size, int faces = 6) {
   return static_cast<uint64_t>(faces) * static_cast<uint64_t>(size) * static_cast<uint64_t>(size);

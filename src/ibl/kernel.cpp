@@ -36,7 +36,6 @@ double kernelShare(double alpha, double mu) {
 
 std::vector<KernelSample> kernelSamples(double alpha, int count, int faceSize) {
   if (alpha <= 0) return {{glm::dvec3(0, 0, 1), 0}};
-  constexpr double pi = std::numbers::pi;
   const double b = alpha * alpha;
   const double total = integral(b, 0.5);
   const double goldenAngle = pi * (3 - std::sqrt(5.0));

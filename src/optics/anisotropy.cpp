@@ -20,6 +20,11 @@ AnisotropicAlpha alphaFromAnisotropy(double alpha, double strength) {
   return {alpha + (1 - alpha) * strength * strength, alpha};
 }
 
+glm::dvec3 turned(const glm::dvec3& d, double phi) {
+  const double c = std::cos(phi), s = std::sin(phi);
+  return {c * d.x + s * d.y, c * d.y - s * d.x, d.z};
+}
+
 double D_GGXAnisotropic(const glm::dvec3& H, const AnisotropicAlpha& alpha) {
   if (H.z <= 0) return 0;
   const AnisotropicAlpha a = floored(alpha);

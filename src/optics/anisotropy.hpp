@@ -15,6 +15,9 @@ struct AnisotropicAlpha {
 // KHR_materials_anisotropy: alpha_t = mix(alpha, 1, strength^2), alpha_b = alpha; strength in [0, 1].
 AnisotropicAlpha alphaFromAnisotropy(double alpha, double strength);
 
+// A direction seen from axes turned by phi about the normal.
+glm::dvec3 turned(const glm::dvec3& d, double phi);
+
 // Burley 2012, appendix B.2; Heitz 2014, section 5.4: 1 / (pi t b (x^2 / t^2 + y^2 / b^2 + z^2)^2) [1/sr]. 0 for H.z <=
 // 0. H unit.
 double D_GGXAnisotropic(const glm::dvec3& H, const AnisotropicAlpha& alpha);

@@ -62,7 +62,7 @@ struct SlopeIntegral {
 };
 
 constexpr double smallestNoV = 1e-9;  // E(NoV) - E(0) is about NoV ln NoV at worst: 2e-8
-constexpr double mirrorAlpha = 1e-12;
+constexpr double narrowestAlpha = 1e-12;
 constexpr double leastMissing = 0.011;  // roughness 0.24: what the shaders' half floats hold well
 
 SlopeIntegral slopeIntegral(double NoV, double alpha, double tolerance) {
@@ -73,7 +73,7 @@ SlopeIntegral slopeIntegral(double NoV, double alpha, double tolerance) {
 }  // namespace
 
 Dfg integrateDfg(double NoV, double alpha, double tolerance) {
-  if (alpha < mirrorAlpha) {
+  if (alpha < narrowestAlpha) {
     const double Fc = schlickWeight(NoV);
     return {1 - Fc, Fc};
   }
@@ -86,7 +86,7 @@ Dfg integrateDfg(double NoV, double alpha, double tolerance) {
 
 double meanDirectionSine(double NoV, double alpha, double tolerance) {
   const SlopeIntegral integral = slopeIntegral(NoV, alpha, tolerance);
-  if (alpha < mirrorAlpha) return integral.sinV;
+  if (alpha < narrowestAlpha) return integral.sinV;
   const glm::dvec2 mean = integral.total([](const Facet& facet) { return glm::dvec2(facet.tangential, facet.NoL); });
   return mean.x / std::hypot(mean.x, mean.y);
 }

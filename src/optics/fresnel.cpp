@@ -90,8 +90,6 @@ glm::dvec3 F_ConductorAverage(const glm::dvec3& eta, const glm::dvec3& k) {
 
 namespace {
 
-constexpr double cosine82 = 1.0 / 7;
-
 // (1 - tint) F_Schlick(1/7) / (1/7 (6/7)^6)
 glm::dvec3 strength82(const glm::dvec3& f0, const glm::dvec3& tint) {
   return (glm::dvec3(1) - tint) * F_Schlick(cosine82, f0, 1) / (cosine82 * std::pow(1 - cosine82, 6));

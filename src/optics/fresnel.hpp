@@ -40,6 +40,7 @@ glm::dvec3 F_ConductorAverage(const glm::dvec3& eta, const glm::dvec3& k);      
 // 1, less a VoH (1 - VoH)^6 with a such that at cosine 1 / 7 (82 degrees) it is Schlick's times tint. tint = 1:
 // Schlick. f0 and tint in [0, 1]. For small f0 and tint the curve would fall below 0 (to -0.13 at f0 = tint = 0):
 // clamped to 0.
+inline constexpr double cosine82 = 1.0 / 7;
 glm::dvec3 F_82Tint(double VoH, const glm::dvec3& f0, const glm::dvec3& tint);
 // Its mean without the clamp: Schlick's less a / 126.
 glm::dvec3 F_82TintAverage(const glm::dvec3& f0, const glm::dvec3& tint);

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "base/parallel.hpp"
+#include "optics/anisotropy.hpp"
 #include "optics/fresnel.hpp"
 #include "optics/models.hpp"
 
@@ -29,11 +30,6 @@ double slope(double x, FitMetric metric) {
 struct Basis {
   std::vector<double> linear, constant, diffuse;  // diffuse: for albedo 1
 };
-
-glm::dvec3 turned(const glm::dvec3& d, double phi) {
-  const double c = std::cos(phi), s = std::sin(phi);
-  return {c * d.x + s * d.y, c * d.y - s * d.x, d.z};
-}
 
 double lobeValue(const AnalyticBrdf& model, const FitSample& sample) {
   const Angles& a = sample.angles;

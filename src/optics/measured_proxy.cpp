@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "optics/anisotropy.hpp"
 #include "optics/microfacet.hpp"
 #include "optics/quadrature.hpp"
 
@@ -12,19 +13,12 @@ namespace facet::optics {
 
 namespace {
 
-constexpr double degree = pi / 180;
 constexpr int iterations = 4;
 
 double luminance(const glm::dvec3& rgb) { return glm::dot(rgb, glm::dvec3(0.2126, 0.7152, 0.0722)); }
 
 glm::dvec3 direction(double theta, double phi) {
   return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
-}
-
-// Seen from axes turned by phi about the normal.
-glm::dvec3 turned(const glm::dvec3& d, double phi) {
-  const double c = std::cos(phi), s = std::sin(phi);
-  return {c * d.x + s * d.y, c * d.y - s * d.x, d.z};
 }
 
 // Pairs in which Fresnel's term is still near its value at normal incidence, so that D is what changes.

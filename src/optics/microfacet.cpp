@@ -1,22 +1,17 @@
 #include "optics/microfacet.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace facet::optics {
 
 namespace {
 
-double sin2FromCos(double cosine) { return std::max(0.0, (1 - cosine) * (1 + cosine)); }
-
 // cosine * Lambda, finite everywhere: alpha / 2 at the horizon, 0 along the normal.
-double cosineLambda(double cosine, double alpha) {
+double cosineLambdaGGX(double cosine, double alpha) {
   const double stretch = alpha * alpha * sin2FromCos(cosine);
   if (stretch == 0) return 0;
   return stretch / (2 * (std::sqrt(cosine * cosine + stretch) + cosine));
 }
-
-double floored(double cosine) { return std::max(cosine, smallestCosine); }
 
 }  // namespace
 
@@ -66,7 +61,7 @@ double V_SmithGGXCorrelated(double NoV, double NoL, double alpha) {
   const double v = floored(NoV), l = floored(NoL);
   const double a = alpha < smallestAlpha ? 0 : alpha;
   // NoV NoL (1 + Lambda(V) + Lambda(L)), each Lambda with its own cosine.
-  return 1 / (4 * (v * l + (l * cosineLambda(v, a) + v * cosineLambda(l, a))));  // symmetric to the last bit
+  return 1 / (4 * (v * l + (l * cosineLambdaGGX(v, a) + v * cosineLambdaGGX(l, a))));  // symmetric to the last bit
 }
 
 Angles anglesBetween(const glm::dvec3& N, const glm::dvec3& V, const glm::dvec3& L) {
@@ -113,14 +108,14 @@ double pdfVisibleGGX(const glm::dvec3& V, const glm::dvec3& H, double alpha) {
   if (!(VoH > 0) || V.z < 0 || alpha < smallestAlpha) return 0;
   // G1 / NoV = 1 / (NoV + NoV Lambda): 2 / alpha at the horizon.
   const double v = floored(V.z);
-  return VoH * D_GGX(glm::dvec3(0, 0, 1), H, alpha) / (v + cosineLambda(v, alpha));
+  return VoH * D_GGX(glm::dvec3(0, 0, 1), H, alpha) / (v + cosineLambdaGGX(v, alpha));
 }
 
 double pdfReflectedVisibleGGX(const glm::dvec3& V, const glm::dvec3& L, double alpha) {
   if (V.z < 0 || alpha < smallestAlpha) return 0;
   const Angles angles = anglesBetween(glm::dvec3(0, 0, 1), V, L);
   const double v = floored(V.z);
-  return D_GGX(angles, alpha) / (4 * (v + cosineLambda(v, alpha)));
+  return D_GGX(angles, alpha) / (4 * (v + cosineLambdaGGX(v, alpha)));
 }
 
 glm::dvec3 sampleGGX(double alpha, const glm::dvec2& u) {

@@ -12,15 +12,22 @@
 // smallestCosine where a finite limit is to be had; a direction below the horizon (cosine < 0) sees nothing: G1 = G2 =
 // V = 0. Every result is finite for all inputs in range.
 
+#include <algorithm>
 #include <glm/glm.hpp>
+
+#include "base/angle.hpp"
 
 namespace facet::optics {
 
-inline constexpr double pi = 3.14159265358979323846;
+using facet::pi;
 
 // Chosen so that squares and inverse squares stay within double's range; no physics in them.
 inline constexpr double smallestAlpha = 1e-100;
 inline constexpr double smallestCosine = 1e-100;
+inline double floored(double cosine) { return std::max(cosine, smallestCosine); }
+
+// sin^2 without the cancellation near 1; what lies beyond 1 counts as 1.
+inline double sin2FromCos(double cosine) { return std::max(0.0, (1 - cosine) * (1 + cosine)); }
 
 // Distribution of normals [1/sr], Walter 2007 eq. 33. 0 for NoH <= 0. NoH = 1: 1 / (pi alpha^2).
 // 1 - NoH^2 is only as good as NoH: relative error about 2e-16 / alpha^2 near the peak; use the vector form there.

@@ -11,9 +11,6 @@ namespace {
 
 const double rootPi = std::sqrt(pi);
 
-double sin2FromCos(double cosine) { return std::max(0.0, (1 - cosine) * (1 + cosine)); }
-double floored(double cosine) { return std::max(cosine, smallestCosine); }
-
 // (exp(-a^2) / (a sqrt(pi)) - erfc(a)) / 2; beyond a = 5 the asymptotic series of erfc, whose first term cancels.
 double lambdaOf(double a) {
   const double e = std::exp(-a * a);
@@ -23,7 +20,7 @@ double lambdaOf(double a) {
 }
 
 // cosine Lambda, finite at the horizon: alpha / (2 sqrt(pi)).
-double cosineLambda(double cosine, double alpha) {
+double cosineLambdaBeckmann(double cosine, double alpha) {
   const double sine = std::sqrt(sin2FromCos(cosine));
   if (alpha < smallestAlpha || sine == 0) return 0;
   const double a = cosine / (alpha * sine);
@@ -54,7 +51,7 @@ double D_Blinn(double NoH, double alpha) { return NoH <= 0 ? 0 : D_BlinnFromSin2
 
 double Lambda_Beckmann(double cosine, double alpha) {
   const double c = floored(cosine);
-  return cosineLambda(c, alpha) / c;
+  return cosineLambdaBeckmann(c, alpha) / c;
 }
 
 double G1_Beckmann(double cosine, double alpha) { return cosine < 0 ? 0 : 1 / (1 + Lambda_Beckmann(cosine, alpha)); }
@@ -67,7 +64,7 @@ double G2_Beckmann(double NoV, double NoL, double alpha) {
 double V_BeckmannCorrelated(double NoV, double NoL, double alpha) {
   if (NoV < 0 || NoL < 0) return 0;
   const double v = floored(NoV), l = floored(NoL);
-  return 1 / (4 * (v * l + (l * cosineLambda(v, alpha) + v * cosineLambda(l, alpha))));
+  return 1 / (4 * (v * l + (l * cosineLambdaBeckmann(v, alpha) + v * cosineLambdaBeckmann(l, alpha))));
 }
 
 double G1_BeckmannRational(double cosine, double alpha) {

@@ -63,8 +63,6 @@ constexpr DielectricPreset dielectrics[] = {
     {"skin", 1.52, 0, "Yoshida et al. 2013, J. Biomed. Opt. 18, 037002 (cheek, 550 nm: 1.51 to 1.53)"},
 };
 
-const double cosine82 = 1.0 / 7;
-
 template <class Preset>
 const Preset* find(std::span<const Preset> presets, std::string_view name) {
   const auto found = std::ranges::find(presets, name, &Preset::name);

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "optics/microfacet.hpp"
 
 namespace facet::optics {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr size_t degrees = 2600;  // the cube's own texels are resolved: degree 2600 is 0.0012 rad
 
 // Mean squared edge of a cube's texels, rad^2.
@@ -29,12 +29,12 @@ double gaussianCoefficient(double variance, size_t degree) {
 }
 
 // Angles, dense about the centre, with their share of the sphere.
-struct Angles {
+struct FitAngles {
   std::vector<double> theta, weight;
 };
-Angles fitAngles() {
+FitAngles fitAngles() {
   constexpr int count = 320;
-  Angles angles;
+  FitAngles angles;
   for (int i = 0; i < count; ++i) {
     const double t = (i + 0.5) / count, theta = pi * t * t * t;
     angles.theta.push_back(theta);
@@ -44,7 +44,7 @@ Angles fitAngles() {
 }
 
 // Values of every copy's kernel at the angles, as a layer of that size sees it.
-std::vector<std::vector<double>> copyKernels(const Angles& angles, int layerSize) {
+std::vector<std::vector<double>> copyKernels(const FitAngles& angles, int layerSize) {
   const std::vector<BlurredCopy> copies = blurredCopies();
   std::vector<std::vector<double>> filters;  // coefficients
   std::vector<double> filter(degrees);
@@ -154,7 +154,7 @@ std::vector<BlurredCopy> blurredCopies() {
 }
 
 std::vector<double> mixtureWeights(double alpha, int layerSize) {
-  const Angles angles = fitAngles();
+  const FitAngles angles = fitAngles();
   const std::vector<std::vector<double>> kernels = copyKernels(angles, layerSize);
   const size_t unknowns = kernels.size();
   std::vector<std::vector<double>> normal(unknowns, std::vector<double>(unknowns, 0));
@@ -189,7 +189,7 @@ std::vector<double> mixtureWeights(double alpha, int layerSize) {
 }
 
 MixtureError mixtureError(double alpha, int layerSize, const std::vector<double>& weights) {
-  const Angles angles = fitAngles();
+  const FitAngles angles = fitAngles();
   const std::vector<std::vector<double>> kernels = copyKernels(angles, layerSize);
   MixtureError error;
   double core = 0, scale = 0;

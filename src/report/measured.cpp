@@ -14,7 +14,6 @@ using optics::LookUp;
 using optics::MeasuredBrdf;
 using optics::MeasuredKind;
 
-constexpr double degree = optics::pi / 180;
 constexpr double tooMuch = 1.01;
 
 constexpr std::string_view diffuseNames[] = {"lambert", "burley", "frostbite", "oren-nayar", "eon", "codww2"};

@@ -5,14 +5,12 @@
 #include <cmath>
 #include <string>
 
+#include "base/angle.hpp"
 #include "base/parallel.hpp"
 
 namespace facet::scene {
 
 namespace {
-
-constexpr double pi = 3.141592653589793;
-constexpr double degree = pi / 180;
 
 constexpr std::array<BuiltinEnvironment, 3> environments = {{
     {"studio", "softboxes in a dark room"},

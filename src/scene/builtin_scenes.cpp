@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <string>
 
+#include "base/angle.hpp"
 #include "base/parallel.hpp"
 #include "optics/presets.hpp"
 #include "scene/glb_writer.hpp"
@@ -14,8 +15,6 @@
 namespace facet::scene {
 
 namespace {
-
-constexpr double pi = 3.141592653589793;
 
 const std::array<BuiltinScene, 7> scenes = {{
     {"poster", "a golden trefoil among spheres of many materials", "builtin:studio", {-20, 75, 7.3, {0, 0.82, 0}, 35}},

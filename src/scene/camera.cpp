@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/angle.hpp"
+
 namespace facet::scene {
 
 namespace {
-
-constexpr double degree = 0.017453292519943295;
 
 // Sine and cosine that are exact at multiples of 90 degrees, so that a level camera is level to the last bit.
 struct SinCos {

@@ -11,9 +11,9 @@
 
 namespace facet::scene {
 
-namespace {
-
 size_t cornerCount(const Primitive& p) { return p.indices.empty() ? p.positions.size() : p.indices.size(); }
+
+namespace {
 
 uint32_t corner(const Primitive& p, size_t i) { return p.indices.empty() ? uint32_t(i) : p.indices[i]; }
 

@@ -9,6 +9,9 @@ namespace facet::scene {
 
 bool hasTriangles(Topology topology);
 
+// Vertices in drawing order.
+size_t cornerCount(const Primitive& primitive);
+
 // Box around the positions that are drawn (indexed ones where there are indices).
 Bounds bounds(const Primitive& primitive);
 

@@ -29,8 +29,6 @@ bool meets(const Ray& ray, const Bounds& box) {
   return near <= far;
 }
 
-size_t cornerCount(const Primitive& p) { return p.indices.empty() ? p.positions.size() : p.indices.size(); }
-
 size_t triangleCount(const Primitive& p) {
   const size_t corners = cornerCount(p);
   if (p.topology == Topology::triangles) return corners / 3;
@@ -73,7 +71,7 @@ std::optional<Crossing> cross(const Ray& ray, const std::array<glm::dvec3, 3>& c
 }
 
 // An instance and what deforms it.
-struct Shape {
+struct PlacedMesh {
   const Instance& instance;
   std::vector<float> weights;
   std::span<const glm::dmat4> joints;
@@ -83,7 +81,7 @@ struct Shape {
   }
 };
 
-void pickPrimitive(const Primitive& p, const Shape& shape, const Ray& ray, const Hit& head, std::vector<Hit>& hits) {
+void pickPrimitive(const Primitive& p, const PlacedMesh& shape, const Ray& ray, const Hit& head, std::vector<Hit>& hits) {
   // A rigid shape is met in its own space, where no vertex has to be moved; distances stay the same.
   Ray local = ray;
   const glm::dmat4 world = shape.instance.worldFromNode;
@@ -162,7 +160,7 @@ std::optional<Approach> approach(const Aim& aim, glm::dvec4 a, glm::dvec4 b) {
   return Approach{from + (to - from) * share, pixels};
 }
 
-void pickThinPrimitive(const Primitive& p, const Shape& shape, const Ray& ray, const Aim& aim, const Hit& head,
+void pickThinPrimitive(const Primitive& p, const PlacedMesh& shape, const Ray& ray, const Aim& aim, const Hit& head,
                        std::vector<std::pair<double, Hit>>& hits) {
   const glm::dmat4 world = shape.instance.worldFromNode;
   const auto position = [&](uint32_t v) { return deformedPosition(p, v, shape.weights, shape.joints, world); };
@@ -191,7 +189,7 @@ void forEachShape(const Model& model, const FlatScene& flat, const Pose& pose, c
     const Instance& placed = flat.instances[i];
     instance = i > 0 && flat.instances[i - 1].node == placed.node ? instance + 1 : 0;
     const Mesh& mesh = model.meshes[static_cast<size_t>(placed.mesh)];
-    Shape shape{placed, morphWeights(mesh, pose.nodes.of(model.nodes, placed.node)), {}};
+    PlacedMesh shape{placed, morphWeights(mesh, pose.nodes.of(model.nodes, placed.node)), {}};
     if (placed.skin >= 0) shape.joints = flat.joints[static_cast<size_t>(placed.skin)];
     for (size_t p = 0; p < mesh.primitives.size(); ++p) {
       Hit head;
@@ -206,7 +204,7 @@ void forEachShape(const Model& model, const FlatScene& flat, const Pose& pose, c
 std::vector<Hit> pick(const Model& model, const FlatScene& flat, const Pose& pose, const Ray& ray) {
   std::vector<Hit> hits;
   MorphedBounds morphed;
-  forEachShape(model, flat, pose, [&](const Primitive& primitive, const Shape& shape, const Hit& head) {
+  forEachShape(model, flat, pose, [&](const Primitive& primitive, const PlacedMesh& shape, const Hit& head) {
     const glm::dmat4& world = shape.instance.worldFromNode;
     if (meets(ray, deformedBounds(primitive, shape.weights, shape.joints, world, morphed)))
       pickPrimitive(primitive, shape, ray, head, hits);
@@ -217,7 +215,7 @@ std::vector<Hit> pick(const Model& model, const FlatScene& flat, const Pose& pos
 
 std::vector<Hit> pickThin(const Model& model, const FlatScene& flat, const Pose& pose, const Ray& ray, const Aim& aim) {
   std::vector<std::pair<double, Hit>> found;
-  forEachShape(model, flat, pose, [&](const Primitive& primitive, const Shape& shape, const Hit& head) {
+  forEachShape(model, flat, pose, [&](const Primitive& primitive, const PlacedMesh& shape, const Hit& head) {
     pickThinPrimitive(primitive, shape, ray, aim, head, found);
   });
   std::ranges::stable_sort(found, {}, &std::pair<double, Hit>::first);

@@ -2,11 +2,11 @@
 
 #include <cmath>
 
+#include "base/angle.hpp"
+
 namespace facet::scene {
 
 namespace {
-
-constexpr double pi = 3.141592653589793;
 
 void addVertex(Shape& shape, const glm::dvec3& position, const glm::dvec3& normal, double u, double v) {
   shape.positions.emplace_back(position);

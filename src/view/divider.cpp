@@ -11,7 +11,7 @@ namespace facet::view {
 
 namespace {
 
-constexpr float grip = 6;  // on both sides of the line, pixels
+constexpr float grasp = 6;  // on both sides of the line, pixels
 constexpr ImU32 lineColor = IM_COL32(255, 255, 255, 200), shade = IM_COL32(0, 0, 0, 150);
 
 // White on a dark plate; x: its left edge, or with right its right one.
@@ -24,12 +24,12 @@ void label(ImDrawList& draw, float x, float y, const std::string& text, bool rig
 
 void dragDivider(ViewerState& state, PanelResult& result, float x) {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({x - grip, 0});
-  ImGui::SetNextWindowSize({2 * grip, screen.y});
+  ImGui::SetNextWindowPos({x - grasp, 0});
+  ImGui::SetNextWindowSize({2 * grasp, screen.y});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
   if (ImGui::Begin("divider", nullptr, fixedWindow | ImGuiWindowFlags_NoBackground)) {
-    ImGui::InvisibleButton("grip", {2 * grip, screen.y});
+    ImGui::InvisibleButton("grip", {2 * grasp, screen.y});
     if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, 0))
       state.settings.display.brdfSplit = std::clamp(ImGui::GetIO().MousePos.x / screen.x, 0.0f, 1.0f);

@@ -11,7 +11,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double stepMs = 25;  // GPU time of the steps between two frames
+constexpr double sliceMs = 25;  // GPU time of the steps between two frames
 
 // Coarse tables: wide filters and few samples.
 constexpr ibl::Method previewMethod{.cube = ibl::CubeMethod::oneTap,
@@ -109,7 +109,7 @@ Result<bool> sharpen(EnvironmentSlot& slot) {
     s.issuedFetches += s.work.steps[s.work.next].fetches;
     done = ibl::runStep(s.work);
   } while (done && !s.work.done() && s.msPerFetch > 0 &&
-           static_cast<double>(s.issuedFetches + s.work.steps[s.work.next].fetches) * s.msPerFetch < stepMs);
+           static_cast<double>(s.issuedFetches + s.work.steps[s.work.next].fetches) * s.msPerFetch < sliceMs);
   s.timer.end();
   glFlush();
   s.pending = true;
