@@ -12,15 +12,15 @@
 #include "base/nearest.hpp"
 #include "commands/commands.hpp"
 #include "commands/option_text.hpp"
-#include "report/metrics.hpp"
+#include "compare/metrics.hpp"
 
 namespace facet::commands {
 
 namespace {
 
-using report::Comparison;
+using compare::Comparison;
 
-using report::Metric;
+using compare::Metric;
 
 struct CompareSettings {
   std::string reference, picture, diff;
@@ -34,15 +34,15 @@ struct CompareSettings {
 struct Task {
   const Metric* metric = nullptr;
   std::optional<double> maxError;
-  report::CompareOptions options;
+  compare::CompareOptions options;
 };
 
 Result<Task> checkedTask(const CompareSettings& settings) {
   Task task;
-  task.metric = report::findMetric(settings.metric);
+  task.metric = compare::findMetric(settings.metric);
   if (!task.metric) {
     return fail({}, "--metric", inQuotes(settings.metric) + " is not known",
-                suggestion(settings.metric, report::metricNames()));
+                suggestion(settings.metric, compare::metricNames()));
   }
   task.options.maskFromAlpha = settings.maskFromAlpha;
   const auto numberOf = [](const char* option, const std::string& text, double max) {
@@ -114,17 +114,17 @@ void printLine(const Task& task, const Comparison& c) {
 int runCompare(const CompareSettings& settings) {
   const Result<Task> task = checkedTask(settings);
   if (!task) return badInput(task.error());
-  const Result<io::RadianceImage> reference = report::readPicture(settings.reference);
+  const Result<io::RadianceImage> reference = compare::readPicture(settings.reference);
   if (!reference) return badInput(reference.error());
-  const Result<io::RadianceImage> picture = report::readPicture(settings.picture);
+  const Result<io::RadianceImage> picture = compare::readPicture(settings.picture);
   if (!picture) return badInput(picture.error());
-  Result<Comparison> comparison = report::compare(*reference, *picture, task->options);
+  Result<Comparison> comparison = compare::compare(*reference, *picture, task->options);
   if (!comparison) {
     comparison.error().file = settings.reference + " and " + settings.picture;
     return badInput(comparison.error());
   }
   if (!settings.diff.empty()) {
-    const Result<io::Pixels> map = report::heatMap(*reference, *picture, task->options);
+    const Result<io::Pixels> map = compare::heatMap(*reference, *picture, task->options);
     const Result<void> written = map ? io::writePng(settings.diff, *map) : tl::unexpected(map.error());
     if (!written) return badInput(written.error());
   }
@@ -140,7 +140,7 @@ std::function<int()> addCompare(CLI::App& app) {
   app.add_option("IMG", settings->picture, "the picture to judge, PNG or EXR")->required();
   app.add_option("--max-error", settings->maxError, "exit 1 if the metric is above this")->type_name("E");
   std::string help = "what --max-error limits (drmse):";
-  for (const Metric& metric : report::metrics())
+  for (const Metric& metric : compare::metrics())
     help += format("\n%-13s", std::string(metric.name).c_str()) + std::string(metric.summary);
   app.add_option("--metric", settings->metric, help)->type_name("NAME");
   app.add_option("--tolerance", settings->tolerance, "display difference that counts as none, 0..1 (0.01)")

@@ -9,11 +9,11 @@
 #include "commands/inspect_parts.hpp"
 #include "commands/notes_json.hpp"
 #include "commands/picture_options.hpp"
+#include "frame/left_out.hpp"
 #include "frame/picture.hpp"
 #include "io/image.hpp"
 #include "io/measured.hpp"
 #include "io/sources.hpp"
-#include "report/left_out.hpp"
 #include "scene/geometry.hpp"
 
 namespace facet::commands {
@@ -49,7 +49,7 @@ Counts countGeometry(const scene::Model& model) {
 
 Json describeMaterials(const scene::Model& model, const frame::DrawList& list) {
   Json out = Json::array();
-  for (const report::MaterialUsage& usage : report::materialUsage(model, list)) {
+  for (const frame::MaterialUsage& usage : frame::materialUsage(model, list)) {
     const size_t index = out.size();  // the model's materials come first
     Json material = {{"name", usage.name}, {"variants", usage.variants}, {"textures", usage.textures}};
     const Json effects = index < model.materials.size() ? describeEffects(model.materials[index]) : Json();

@@ -151,7 +151,7 @@ Result<void> parseText(Text text, PictureSettings& settings) {
 }
 
 template <auto... members>
-std::string writeText(const PictureSettings& settings) {
+std::string writeString(const PictureSettings& settings) {
   return at<members...>(settings);
 }
 
@@ -365,10 +365,10 @@ constexpr PictureOption optionTable[] = {
      parseNumberInto<1, 179, &S::viewpoint, &frame::Viewpoint::fovYDeg>,
      writeNumber<&S::viewpoint, &frame::Viewpoint::fovYDeg>},
     {"camera", "NAME|INDEX", "a camera of the file", parseText<&S::viewpoint, &frame::Viewpoint::camera>,
-     writeText<&S::viewpoint, &frame::Viewpoint::camera>},
+     writeString<&S::viewpoint, &frame::Viewpoint::camera>},
     {"scene", "N", "index of the scene (the file's default)", parseScene, writeScene},
     {"variant", "NAME|INDEX", "the file's material variant (none: its own materials)",
-     parseText<&S::look, &frame::Look::variant>, writeText<&S::look, &frame::Look::variant>},
+     parseText<&S::look, &frame::Look::variant>, writeString<&S::look, &frame::Look::variant>},
     {"material", "NAME",
      "one material for everything: plain, or a substance of the panel's such as gold, silver, water, diamond (none)",
      parseMaterial, writeMaterial},
@@ -381,15 +381,15 @@ constexpr PictureOption optionTable[] = {
     {"material-ior", "1..3", "its index of refraction (1.5; a substance's own)", parseMaterialNumber<&M::ior, 1, 3>,
      writeMaterialNumber<&M::ior>},
     {"bump", "HEIGHT.png", "grey height map for the materials of a built-in scene (none)",
-     parseText<&S::sources, &frame::Sources::bump>, writeText<&S::sources, &frame::Sources::bump>, ',', true},
+     parseText<&S::sources, &frame::Sources::bump>, writeString<&S::sources, &frame::Sources::bump>, ',', true},
     {"bump-scale", "X", "height of its white above its black, in widths of the map (0.02)",
      parseNumberInto<-1000, 1000, &S::sources, &frame::Sources::bumpScale>, writeBumpScale},
     {"animation", "NAME|INDEX|all", "an animation of the file, or all at once (none: at rest)",
-     parseText<&S::placement, &frame::Placement::animation>, writeText<&S::placement, &frame::Placement::animation>},
+     parseText<&S::placement, &frame::Placement::animation>, writeString<&S::placement, &frame::Placement::animation>},
     {"time", "S", "seconds at which the animation stands (0)",
      parseNumberInto<0, 1'000'000, &S::placement, &frame::Placement::timeSeconds>, writeTime},
     {"env", "FILE|builtin:NAME|none", "environment: .hdr, .exr, builtin:studio, builtin:sky, builtin:white",
-     parseText<&S::sources, &frame::Sources::environment>, writeText<&S::sources, &frame::Sources::environment>, ',',
+     parseText<&S::sources, &frame::Sources::environment>, writeString<&S::sources, &frame::Sources::environment>, ',',
      true},
     {"env-rotation", "DEG", "turns the environment about +Y (0)",
      parseNumberInto<-36000, 36000, &S::frame, &frame::FrameSettings::environmentRotationDeg>,
@@ -425,9 +425,9 @@ constexpr PictureOption optionTable[] = {
      parseName<energyModels, &S::look, &frame::Look::models, &optics::Models::energy>,
      writeName<energyModels, &S::look, &frame::Look::models, &optics::Models::energy>},
     {"brdf", "FILE|NAME|builtin:NAME", "a measured BRDF (MERL, UTIA) in the place of all materials (their own)",
-     parseText<&S::sources, &frame::Sources::brdf>, writeText<&S::sources, &frame::Sources::brdf>, ',', true, true},
+     parseText<&S::sources, &frame::Sources::brdf>, writeString<&S::sources, &frame::Sources::brdf>, ',', true, true},
     {"brdf-dir", "DIR", "looks for databases of measured BRDFs here first",
-     parseText<&S::sources, &frame::Sources::brdfDir>, writeText<&S::sources, &frame::Sources::brdfDir>, ',', true},
+     parseText<&S::sources, &frame::Sources::brdfDir>, writeString<&S::sources, &frame::Sources::brdfDir>, ',', true},
     {"brdf-lookup", "NAME", "between its cells: interpolated, nearest (interpolated)",
      parseName<lookUps, &S::look, &frame::Look::brdfLookUp>, writeName<lookUps, &S::look, &frame::Look::brdfLookUp>},
     {"brdf-samples", "N",
@@ -466,7 +466,8 @@ constexpr PictureOption optionTable[] = {
      "final, normal, geometryNormal, tangent, uv, baseColor, metallic, roughness, occlusion, emissive, alpha (final)",
      parseName<channels, &S::look, &frame::Look::channel>, writeName<channels, &S::look, &frame::Look::channel>},
     {"shader-dir", "DIR", "reads shaders from here instead of the embedded ones",
-     parseText<&S::sources, &frame::Sources::shaderDir>, writeText<&S::sources, &frame::Sources::shaderDir>, ',', true},
+     parseText<&S::sources, &frame::Sources::shaderDir>, writeString<&S::sources, &frame::Sources::shaderDir>, ',',
+     true},
 };
 
 std::vector<Text> optionNames() {

@@ -21,9 +21,9 @@ namespace facet::commands {
 namespace {
 
 namespace fs = std::filesystem;
-using report::JobResult;
-using report::JobStatus;
-using report::RegressionReport;
+using compare::JobResult;
+using compare::JobStatus;
+using compare::RegressionReport;
 
 struct RegressArguments {
   std::string folder, results, filter, shard = "1/1", shaderDir;
@@ -36,7 +36,7 @@ struct RegressArguments {
 // ---- Progress -------------------------------------------------------------------------------------------------------
 
 std::string summary(const JobResult& job) {
-  std::string text = std::string(report::nameOf(job.status)) + " " + job.name;
+  std::string text = std::string(compare::nameOf(job.status)) + " " + job.name;
   if (!job.message.empty()) return text + ": " + job.message;
   const auto flip = std::ranges::find(job.figures, "flip", &std::pair<std::string, double>::first);
   char figures[64] = "";
@@ -135,7 +135,7 @@ JobResult resultOf(const SuiteJob& job, const TaskOutcome& outcome, std::string&
     return result;
   }
   const size_t tab = outcome.answer.find('\t');
-  const Result<JobResult> answered = report::parseJobText(std::string_view(outcome.answer).substr(tab + 1));
+  const Result<JobResult> answered = compare::parseJobText(std::string_view(outcome.answer).substr(tab + 1));
   if (!answered) {
     result.message = answered.error().problem;
     return result;
@@ -182,7 +182,7 @@ std::vector<std::string> staleBaselines(const Suite& suite) {
 // ---- The end --------------------------------------------------------------------------------------------------------
 
 int finish(const RegressionReport& report, const fs::path& results) {
-  if (Result<void> written = report::writeReports(report, results); !written) return badInput(written.error());
+  if (Result<void> written = compare::writeReports(report, results); !written) return badInput(written.error());
   for (const std::string& name : report.stale)
     log::warning(report.suite + "/baselines/" + name + " belongs to no job; delete it, or add the job again");
   for (const std::string& remark : report.remarks) log::error(remark);
@@ -258,13 +258,13 @@ int runMerge(const RegressArguments& arguments) {
     const fs::path file = fs::path(folder) / "report.json";
     const Result<std::string> text = readJsonText(file);
     if (!text) return badInput(text.error());
-    Result<RegressionReport> report = report::parseReport(*text, file.string());
+    Result<RegressionReport> report = compare::parseReport(*text, file.string());
     if (!report) return badInput(report.error());
     if (Result<void> copied = copyPictures(*report, folder, arguments.results); !copied)
       return badInput(copied.error());
     reports.push_back(std::move(*report));
   }
-  const Result<RegressionReport> merged = report::mergeReports(std::move(reports));
+  const Result<RegressionReport> merged = compare::mergeReports(std::move(reports));
   if (!merged) return badInput(merged.error());
   return finish(*merged, arguments.results);
 }

@@ -7,14 +7,14 @@
 #include "base/log.hpp"
 #include "base/whole_number.hpp"
 #include "commands/commands.hpp"
-#include "report/compare.hpp"
+#include "compare/compare.hpp"
 
 namespace facet::commands {
 
 namespace {
 
-using report::JobResult;
-using report::JobStatus;
+using compare::JobResult;
+using compare::JobStatus;
 
 // Without what belongs to this machine: the picture's name alone.
 std::string commandOf(const SuiteJob& job) { return commandLine(job.settings, job.model, job.name + ".png"); }
@@ -48,22 +48,22 @@ Result<void> compareWithBaseline(const Suite& suite, const SuiteJob& job, const 
   std::filesystem::copy_file(file, results / files.baseline, std::filesystem::copy_options::overwrite_existing, error);
   if (error) return fail(file.string(), "", "cannot be copied to " + results.string(), "check both folders");
   result.baseline = files.baseline;
-  const Result<io::RadianceImage> before = report::readPicture(file);
+  const Result<io::RadianceImage> before = compare::readPicture(file);
   if (!before) return tl::unexpected(before.error());
-  const io::RadianceImage after = report::linearPicture(display);
-  const Result<report::Comparison> comparison = report::compare(*before, after);
+  const io::RadianceImage after = compare::linearPicture(display);
+  const Result<compare::Comparison> comparison = compare::compare(*before, after);
   if (!comparison) {
     result.status = JobStatus::differs;
     result.message = comparison.error().problem;
     return {};
   }
-  for (const report::Metric& metric : report::metrics())
+  for (const compare::Metric& metric : compare::metrics())
     result.figures.emplace_back(metric.name, metric.value(*comparison));
-  const std::vector<std::string> passed = report::passedLimits(*comparison, job.limits);
+  const std::vector<std::string> passed = compare::passedLimits(*comparison, job.limits);
   result.status = passed.empty() ? JobStatus::passed : JobStatus::differs;
   for (const std::string& phrase : passed) result.message += (result.message.empty() ? "" : ", ") + phrase;
   if (comparison->largest == 0) return {};
-  const Result<io::Pixels> map = report::heatMap(*before, after);
+  const Result<io::Pixels> map = compare::heatMap(*before, after);
   if (!map) return tl::unexpected(map.error());
   result.difference = files.difference;
   return io::writePng(results / files.difference, *map);
@@ -90,7 +90,7 @@ JobResult startedResult(const SuiteJob& job) {
   result.name = job.name;
   result.model = job.model;
   result.command = commandOf(job);
-  for (const report::Limit& limit : job.limits) result.limits.emplace_back(limit.metric->name, limit.most);
+  for (const compare::Limit& limit : job.limits) result.limits.emplace_back(limit.metric->name, limit.most);
   return result;
 }
 
@@ -116,7 +116,7 @@ int answerJobs(const Suite& suite, const std::filesystem::path& results, const f
     const std::optional<int> index = wholeNumber(line);
     if (!index || *index < 0 || *index >= static_cast<int>(suite.jobs.size())) return exitBadInput;
     const JobResult result = runJob(suite, suite.jobs[static_cast<size_t>(*index)], results, **session);
-    std::cout << (*session)->context().renderer << '\t' << report::jobText(result) << std::endl;
+    std::cout << (*session)->context().renderer << '\t' << compare::jobText(result) << std::endl;
   }
   return exitGood;
 }

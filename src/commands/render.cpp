@@ -14,9 +14,9 @@
 #include "commands/notes_json.hpp"
 #include "commands/picture_options.hpp"
 #include "commands/shard.hpp"
+#include "frame/left_out.hpp"
 #include "frame/session.hpp"
 #include "ibl/choice.hpp"
-#include "report/left_out.hpp"
 
 namespace facet::commands {
 
@@ -110,7 +110,7 @@ nlohmann::ordered_json statsJson(const Job& job, const frame::Session& session, 
     out["brdfComparison"] = {
         {"rms", s.comparison->rms}, {"share", s.comparison->share}, {"largest", s.comparison->largest}};
   if (isExr(job.output)) out["pixels"] = {{"fullyClamped", s.clampedPixels}, {"nonFinite", s.nonFinitePixels}};
-  out["leftOut"] = report::leftOut(session.model()->model, s);
+  out["leftOut"] = frame::leftOut(session.model()->model, s);
   out["notes"] = notesJson(notes);
   return out;
 }

@@ -8,14 +8,14 @@
 #include "base/log.hpp"
 #include "commands/commands.hpp"
 #include "gl/context.hpp"
-#include "report/corners.hpp"
-#include "report/numerics.hpp"
+#include "selftest/corners.hpp"
+#include "selftest/numerics.hpp"
 
 namespace facet::commands {
 
 namespace {
 
-using report::CheckResult;
+using selftest::CheckResult;
 
 struct SelftestArguments {
   bool asJson = false;
@@ -82,13 +82,13 @@ int runSelftest(const SelftestArguments& arguments) {
   }
   const shading::ShaderReader reader = shading::shaderReader(arguments.shaderDir);
   std::vector<CheckResult> results;
-  for (const report::Check& check : report::numericalChecks()) {
-    Result<CheckResult> result = report::runCheck(check, reader);
+  for (const selftest::Check& check : selftest::numericalChecks()) {
+    Result<CheckResult> result = selftest::runCheck(check, reader);
     if (!result) return badInput(result.error());
     results.push_back(std::move(*result));
   }
   shading::ProgramStore programs(reader, {}, {});
-  Result<std::vector<CheckResult>> corners = report::tableCorners(programs, reader);
+  Result<std::vector<CheckResult>> corners = selftest::tableCorners(programs, reader);
   if (!corners) return badInput(corners.error());
   std::ranges::move(*corners, std::back_inserter(results));
   const bool passed = std::ranges::all_of(results, &CheckResult::passed);

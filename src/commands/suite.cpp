@@ -19,24 +19,24 @@ constexpr std::string_view jobKeys[] = {"name", "model", "tolerance"};
 constexpr std::string_view defaultKeys[] = {"tolerance"};
 
 Result<void> applyTolerance(const json& object, const std::string& file, const std::string& pointer,
-                            report::Limits& limits) {
+                            compare::Limits& limits) {
   const auto given = object.find("tolerance");
   if (given == object.end()) return {};
   const std::string place = pointer + "/tolerance";
   if (!given->is_object())
     return fail(file, place, "this is no object", "write {\"flip\": 0.01} or another metric and its limit");
   for (const auto& [key, value] : given->items()) {
-    const report::Metric* metric = report::findMetric(key);
+    const compare::Metric* metric = compare::findMetric(key);
     if (!metric)
       return fail(file, place + "/" + pointerToken(key), "there is no such metric",
-                  suggestion(key, report::metricNames()));
+                  suggestion(key, compare::metricNames()));
     if (value.is_null()) {
-      std::erase_if(limits, [&](const report::Limit& limit) { return limit.metric == metric; });
+      std::erase_if(limits, [&](const compare::Limit& limit) { return limit.metric == metric; });
       continue;
     }
     if (!value.is_number() || !(value.get<double>() >= 0))
       return fail(file, place + "/" + key, "this is no limit", "give a number from 0 on, or null for none");
-    report::setLimit(limits, *metric, value.get<double>());
+    compare::setLimit(limits, *metric, value.get<double>());
   }
   return {};
 }
@@ -88,7 +88,7 @@ Result<SuiteJob> parseJob(const json& object, const std::string& pointer, SuiteJ
 
 Result<SuiteJob> parseDefaults(const json& document, const Context& context) {
   SuiteJob job;
-  for (const auto& [name, most] : defaultTolerance) report::setLimit(job.limits, *report::findMetric(name), most);
+  for (const auto& [name, most] : defaultTolerance) compare::setLimit(job.limits, *compare::findMetric(name), most);
   const auto given = document.find("defaults");
   if (given == document.end()) return job;
   if (!given->is_object()) return fail(context.file, "/defaults", "this is no object", "write {\"size\": \"128x128\"}");

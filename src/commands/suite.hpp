@@ -1,7 +1,7 @@
 #pragma once
 
 // suite.json of `facet regress`: {"defaults": {...}, "jobs": [{"name": ..., "model": ..., ...}, ...]}. A job is an
-// object of its name, its model, the options of a picture, and "tolerance": {METRIC: LIMIT, ...} (report/metrics.hpp).
+// object of its name, its model, the options of a picture, and "tolerance": {METRIC: LIMIT, ...} (compare/metrics.hpp).
 // Defaults are options and a tolerance for all jobs, which a job's own win over. Relative paths are taken below the
 // suite's folder.
 
@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "commands/picture_options.hpp"
-#include "report/metrics.hpp"
+#include "compare/metrics.hpp"
 
 namespace facet::commands {
 
@@ -20,7 +20,7 @@ struct SuiteJob {
   std::string name;  // of the baseline, too: letters, digits, - _ .
   std::string model;
   frame::PictureSettings settings;
-  report::Limits limits;
+  compare::Limits limits;
 };
 
 struct Suite {

@@ -8,6 +8,7 @@
 #include "base/log.hpp"
 #include "io/measured.hpp"
 #include "layout.h"
+#include "optics/color.hpp"
 
 namespace facet::frame {
 
@@ -19,11 +20,9 @@ double millisecondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-double luminance(const glm::dvec3& rgb) { return glm::dot(rgb, glm::dvec3(0.2126, 0.7152, 0.0722)); }
-
 // To draw samples from: the model's own lobe; the cosine gets about its share of what is reflected.
 optics::MeasuredProxy lobeOf(const optics::AnalyticBrdf& model) {
-  const double diffuse = luminance(model.albedo), specular = luminance(model.f0);
+  const double diffuse = optics::luminance(model.albedo), specular = optics::luminance(model.f0);
   return {.alpha = model.alpha,
           .phi = model.phi,
           .diffuse = model.albedo,

@@ -1,7 +1,8 @@
 #include "ibl/kernel.hpp"
 
 #include <cmath>
-#include <numbers>
+
+#include "base/angle.hpp"
 
 namespace facet::ibl {
 

@@ -61,6 +61,8 @@ glm::dvec3 pbrNeutral(const glm::dvec3& c) {
 
 }  // namespace
 
+double luminance(const glm::dvec3& rgb) { return glm::dot(rgb, glm::dvec3(0.2126, 0.7152, 0.0722)); }
+
 double encodeSRGB(double linear) {
   return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
 }

@@ -8,6 +8,9 @@
 
 namespace facet::optics {
 
+// Rec. 709 relative luminance, Y of CIE 1931: of reflectances, too.
+double luminance(const glm::dvec3& rgb);
+
 // IEC 61966-2-1. For negative values the straight part continues; no upper clamp.
 double encodeSRGB(double linear);
 double decodeSRGB(double encoded);

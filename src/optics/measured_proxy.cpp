@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "optics/anisotropy.hpp"
+#include "optics/color.hpp"
 #include "optics/microfacet.hpp"
 #include "optics/quadrature.hpp"
 
@@ -14,8 +15,6 @@ namespace facet::optics {
 namespace {
 
 constexpr int iterations = 4;
-
-double luminance(const glm::dvec3& rgb) { return glm::dot(rgb, glm::dvec3(0.2126, 0.7152, 0.0722)); }
 
 glm::dvec3 direction(double theta, double phi) {
   return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};

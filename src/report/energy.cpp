@@ -5,11 +5,11 @@
 #include <cstdio>
 
 #include "base/parallel.hpp"
+#include "compare/compare.hpp"
 #include "frame/session.hpp"
 #include "optics/presets.hpp"
 #include "optics/random_walk.hpp"
-#include "report/compare.hpp"
-#include "report/light_probe.hpp"
+#include "selftest/light_probe.hpp"
 
 namespace facet::report {
 
@@ -22,11 +22,11 @@ struct NamedEnergy {
   EnergyModel model;
   double readsPerLight, readsPerSample;  // of the DFG table, beyond one a pixel
 };
-constexpr NamedEnergy models[] = {{"automatic", EnergyModel::automatic, 0, 0},
-                                  {"none", EnergyModel::none, 0, 0},
-                                  {"Fdez-Aguera", EnergyModel::fdezAguera, 0, 0},
-                                  {"Kulla and Conty", EnergyModel::kullaConty, 1, 1},
-                                  {"Turquin", EnergyModel::turquin, 0, 0}};
+constexpr NamedEnergy energies[] = {{"automatic", EnergyModel::automatic, 0, 0},
+                                    {"none", EnergyModel::none, 0, 0},
+                                    {"Fdez-Aguera", EnergyModel::fdezAguera, 0, 0},
+                                    {"Kulla and Conty", EnergyModel::kullaConty, 1, 1},
+                                    {"Turquin", EnergyModel::turquin, 0, 0}};
 
 std::vector<shading::Define> definesOf(EnergyModel model) {
   if (model == EnergyModel::automatic) return {};
@@ -89,11 +89,11 @@ Table furnaceTable(const std::vector<std::pair<Furnace, Furnace>>& found) {
        "dielectric, environment: least", "dielectric, environment: most", "dielectric, lights: least",
        "dielectric, lights: most", "reads a light", "reads a sample"},
       {}};
-  for (size_t i = 0; i < std::size(models); ++i) {
+  for (size_t i = 0; i < std::size(energies); ++i) {
     const auto& [metal, dielectric] = found[i];
-    table.rows.push_back({std::string(models[i].name), metal.distant.least, metal.distant.most, metal.lights.least,
+    table.rows.push_back({std::string(energies[i].name), metal.distant.least, metal.distant.most, metal.lights.least,
                           metal.lights.most, dielectric.distant.least, dielectric.distant.most, dielectric.lights.least,
-                          dielectric.lights.most, models[i].readsPerLight, models[i].readsPerSample});
+                          dielectric.lights.most, energies[i].readsPerLight, energies[i].readsPerSample});
   }
   return table;
 }
@@ -102,7 +102,7 @@ Table furnaceTable(const std::vector<std::pair<Furnace, Furnace>>& found) {
 
 constexpr size_t walks = 1 << 16;
 
-Table metalTable() {
+Table metalEnergyTable() {
   Table table{"energy-metal",
               "Energy models of coloured metals against a random walk among the facets",
               "Truth: Heitz et al. 2016, Schlick's F at each facet. Error of the albedo (model - truth) over roughness "
@@ -125,7 +125,7 @@ Table metalTable() {
       p.truth = optics::walkAlbedo(p.NoV, p.r * p.r, f0, 1, walks);
       p.dfg = optics::integrateDfg(p.NoV, p.r * p.r, 1e-7);
     });
-    for (const NamedEnergy& energy : models) {
+    for (const NamedEnergy& energy : energies) {
       if (energy.model == EnergyModel::automatic) continue;
       double worst = 0, squares = 0, deviation = 0;
       const Place* at = &places[0];
@@ -148,7 +148,7 @@ Table metalTable() {
 
 // ---- Pictures -------------------------------------------------------------------------------------------------------
 
-constexpr int pictureSize = 128, timedFrames = 4;
+constexpr int furnaceSize = 128, furnaceFrames = 4;
 
 Result<Table> pictureTable(const ReportInput& input) {
   Table table{"energy-pictures",
@@ -158,7 +158,7 @@ Result<Table> pictureTable(const ReportInput& input) {
                   "the strongest channel (relative), RMS difference of the sRGB picture in 1/255. Frame: median of 4.",
               {"light", "model", "samples", "mean", "dRMS", "frame ms"},
               {}};
-  const CompareOptions options{.maskFromAlpha = true};
+  const compare::CompareOptions options{.maskFromAlpha = true};
   struct Way {
     const char* name;
     bool lights;
@@ -166,10 +166,10 @@ Result<Table> pictureTable(const ReportInput& input) {
   };
   for (const Way& way : {Way{"environment", false, 4}, Way{"environment", false, 64}, Way{"lights", true, 4}}) {
     Result<frame::Picture> usual = fail({}, {}, "not drawn");
-    for (const NamedEnergy& energy : models) {
+    for (const NamedEnergy& energy : energies) {
       input.progress(std::string("pictures: ") + way.name + ", " + energy.name);
       frame::PictureSettings settings;
-      settings.frame.width = settings.frame.height = pictureSize;
+      settings.frame.width = settings.frame.height = furnaceSize;
       settings.sources.environment = way.lights ? "none" : input.environment;
       settings.look.lights = way.lights ? frame::Lights::demo : frame::Lights::none;
       settings.frame.background = frame::Background::transparent;
@@ -177,12 +177,12 @@ Result<Table> pictureTable(const ReportInput& input) {
       settings.look.models.energy = energy.model;
       Notes notes;
       Stages stages;
-      const int repeat = way.samples > 4 ? 0 : timedFrames;
+      const int repeat = way.samples > 4 ? 0 : furnaceFrames;
       Result<frame::Picture> picture =
           input.session->render(input.model, settings, {.radiance = true, .repeat = repeat}, notes, stages);
       if (!picture) return tl::unexpected(picture.error());
       if (energy.model == EnergyModel::automatic) usual = *picture;
-      const Result<Comparison> c = compare(usual->radiance, picture->radiance, options);
+      const Result<compare::Comparison> c = compare::compare(usual->radiance, picture->radiance, options);
       if (!c) return tl::unexpected(c.error());
       std::vector<double> times = picture->statistics.frameMs;
       if (times.size() > 1) times.erase(times.begin());
@@ -204,7 +204,7 @@ Result<Furnace> whiteFurnace(const ibl::Tables& tables, const shading::ShaderRea
     inputs.emplace_back(p);
     inputs.emplace_back(512, metallic, 0, 0);
   }
-  const auto got = probeLight(tables, reader, definesOf(energy), furnaceBody, inputs, 2);
+  const auto got = selftest::probeLight(tables, reader, definesOf(energy), furnaceBody, inputs, 2);
   if (!got) return tl::unexpected(got.error());
   Furnace furnace;
   const auto widen = [](FurnaceRange& range, float value) {
@@ -222,7 +222,7 @@ Result<Report> energyReport(const ReportInput& input) {
   if (Result<void> r = ibl::computeTables(tables, nullptr, {.dfg = true}, programs); !r)
     return tl::unexpected(r.error());
   std::vector<std::pair<Furnace, Furnace>> furnaces;
-  for (const NamedEnergy& energy : models) {
+  for (const NamedEnergy& energy : energies) {
     input.progress(std::string("furnace: ") + energy.name);
     const Result<Furnace> metal = whiteFurnace(tables, reader, energy.model, 1);
     if (!metal) return tl::unexpected(metal.error());
@@ -231,7 +231,7 @@ Result<Report> energyReport(const ReportInput& input) {
     furnaces.emplace_back(*metal, *dielectric);
   }
   input.progress("coloured metals: the random walk");
-  Report report{{furnaceTable(furnaces), metalTable()}, {}};
+  Report report{{furnaceTable(furnaces), metalEnergyTable()}, {}};
   Result<Table> pictures = pictureTable(input);
   if (!pictures) return tl::unexpected(pictures.error());
   report.tables.push_back(std::move(*pictures));

@@ -10,15 +10,15 @@
 #include "optics/microfacet.hpp"
 #include "optics/quadrature.hpp"
 #include "optics/reference.hpp"
-#include "report/error_figures.hpp"
 #include "report/light.hpp"
-#include "report/light_probe.hpp"
+#include "selftest/error_figures.hpp"
+#include "selftest/light_probe.hpp"
 
 namespace facet::report {
 
 namespace {
 
-constexpr double roughnesses[] = {0.1, 0.2, 0.3, 0.5, 0.7, 1};
+constexpr double lobeRoughnesses[] = {0.1, 0.2, 0.3, 0.5, 0.7, 1};
 constexpr double cosines[] = {0.1, 0.25, 0.5, 0.75, 1};
 constexpr size_t normals = 16;  // for each pair
 
@@ -30,12 +30,12 @@ struct Case {
 
 std::vector<Case> cases(const scene::Environment& environment) {
   std::vector<Case> list;
-  for (const double r : roughnesses)
+  for (const double r : lobeRoughnesses)
     for (const double NoV : cosines)
       for (size_t i = 0; i < normals; ++i) {
         // V lies around N at an azimuth of its own.
         const glm::dvec3 N = optics::goldenSpiral(i, normals);
-        const glm::dvec3 V = capDirections(N, std::acos(NoV), normals)[normals - 1];
+        const glm::dvec3 V = selftest::capDirections(N, std::acos(NoV), normals)[normals - 1];
         const glm::dvec3 tangent = glm::normalize(V - glm::dot(V, N) * N);
         list.push_back({r, NoV, N, NoV < 1 ? NoV * N + std::sqrt(1 - NoV * NoV) * tangent : N, {}, {}});
       }
@@ -67,7 +67,7 @@ glm::dmat2x3 sunlight(const scene::Sun& sun, const Case& c) {
 }
 
 // A look-up reads two layers.
-std::vector<Model> models() {
+std::vector<Model> lobeModels() {
   const auto defines = [](optics::ImageLight model) {
     return std::vector<shading::Define>{{"IMAGE_LIGHT_MODEL", std::to_string(static_cast<int>(model))}};
   };
@@ -106,14 +106,14 @@ Result<Report> lightLobes(const ReportInput& input) {
               {"model", "fetches", "F = 1", "F0 = 0.04", "bias", "r 0.1", "r 0.3", "r 0.5", "r 1", "NoV 0.1", "NoV 0.5",
                "NoV 1"},
               {}};
-  for (const Model& model : models()) {
-    const auto got = probeLight(tables, shading::shaderReader(input.shaderDir), model.defines,
-                                "Surface s = makeSurface(in0.xyz, in1.xyz, vec3(1.0), 1.0, in0.w, 1.0);"
-                                "s.dfg = lookUpDfg(s.NoV, s.perceptualRoughness);"
-                                "out0.rgb = specularRadiance(s) * prefilteredAlbedo(s);"
-                                "s.metallic = 0.0;"
-                                "out1.rgb = specularRadiance(s) * prefilteredAlbedo(s);",
-                                inputs, 2, 2);
+  for (const Model& model : lobeModels()) {
+    const auto got = selftest::probeLight(tables, shading::shaderReader(input.shaderDir), model.defines,
+                                          "Surface s = makeSurface(in0.xyz, in1.xyz, vec3(1.0), 1.0, in0.w, 1.0);"
+                                          "s.dfg = lookUpDfg(s.NoV, s.perceptualRoughness);"
+                                          "out0.rgb = specularRadiance(s) * prefilteredAlbedo(s);"
+                                          "s.metallic = 0.0;"
+                                          "out1.rgb = specularRadiance(s) * prefilteredAlbedo(s);",
+                                          inputs, 2, 2);
     if (!got) return tl::unexpected(got.error());
     const auto figures = [&](auto keep, bool metal) {
       std::vector<glm::dvec3> values, truths;
@@ -123,10 +123,10 @@ Result<Report> lightLobes(const ReportInput& input) {
         if (tables.sun) values.back() += sunlight(*tables.sun, list[i])[metal ? 0 : 1];
         truths.push_back(metal ? list[i].metal : list[i].dielectric);
       }
-      return errorFigures(values, truths);
+      return selftest::errorFigures(values, truths);
     };
     const auto all = [](const Case&) { return true; };
-    const ErrorFigures metal = figures(all, true);
+    const selftest::ErrorFigures metal = figures(all, true);
     std::vector<Cell> row = {model.name, model.fetches, metal.relativeRmse, figures(all, false).relativeRmse,
                              metal.bias};
     for (const double r : {0.1, 0.3, 0.5, 1.0})

@@ -4,12 +4,13 @@
 #include <cmath>
 
 #include "base/parallel.hpp"
+#include "optics/color.hpp"
 #include "optics/energy.hpp"
 #include "optics/lights.hpp"
 #include "optics/mapping.hpp"
 #include "optics/quadrature.hpp"
 #include "optics/reference.hpp"
-#include "report/light_probe.hpp"
+#include "selftest/light_probe.hpp"
 
 namespace facet::report {
 
@@ -36,7 +37,7 @@ Measured lookAt(const ReportInput& input, const scene::Environment& e, shading::
       }
     }
   }
-  m.mean = luminance(m.flux) / (4 * pi);
+  m.mean = optics::luminance(m.flux) / (4 * pi);
   return m;
 }
 
@@ -72,7 +73,7 @@ Result<Directions> readTables(const Measured& m, const ibl::Tables& tables, cons
                               const Directions& directions, double w) {
   std::vector<glm::vec4> inputs;
   for (const glm::dvec3& d : directions) inputs.emplace_back(glm::vec3(d), static_cast<float>(w));
-  const auto got = probeLight(tables, shading::shaderReader(m.input.shaderDir), {}, body, inputs);
+  const auto got = selftest::probeLight(tables, shading::shaderReader(m.input.shaderDir), {}, body, inputs);
   if (!got) return tl::unexpected(got.error());
   Directions values;
   for (const glm::vec4& v : *got) values.push_back(glm::dvec3(v) * static_cast<double>(tables.radianceScale));
@@ -110,7 +111,7 @@ Result<IrradianceMeasure> measureIrradiance(const Measured& m, const ibl::Method
     for (size_t i = 0; i < truth.directions.size(); ++i)
       (*values)[i] +=
           m.found->sun.irradiance * std::max(0.0, glm::dot(truth.directions[i], m.found->sun.direction)) / pi;
-  return IrradianceMeasure{errorFigures(*values, truth.values, 0.1 * m.mean), booked(*tables, "irradiance")};
+  return IrradianceMeasure{selftest::errorFigures(*values, truth.values, 0.1 * m.mean), booked(*tables, "irradiance")};
 }
 
 // ---- LD -------------------------------------------------------------------------------------------------------------
@@ -129,7 +130,7 @@ std::vector<LobeTruth> lobeTruths(const Measured& m) {
       return glm::dvec3(optics::prefiltered(m.environment, n, r * r).value);
     };
     const Directions uniform = uniformDirections(uniformCount);
-    const Directions zone = capDirections(m.brightest, std::max(0.02, 4 * r * r), zoneCount);
+    const Directions zone = selftest::capDirections(m.brightest, std::max(0.02, 4 * r * r), zoneCount);
     truths.push_back({r, {uniform, evaluate(uniform, value)}, {zone, evaluate(zone, value)}});
   }
   return truths;
@@ -153,13 +154,13 @@ Result<LdMeasure> measureLd(const Measured& m, const ibl::Method& method, const 
                              near = values(truths[k].zone.directions);
     if (!everywhere) return tl::unexpected(everywhere.error());
     if (!near) return tl::unexpected(near.error());
-    const ErrorFigures e = errorFigures(*everywhere, truths[k].uniform.values, 0.1 * m.mean);
+    const selftest::ErrorFigures e = selftest::errorFigures(*everywhere, truths[k].uniform.values, 0.1 * m.mean);
     measure.byRoughness[k] = e.relativeRmse;
     squares += e.relativeRmse * e.relativeRmse / static_cast<double>(truths.size());
     measure.flooredByRoughness[k] = e.flooredRmse;
     floored += e.flooredRmse * e.flooredRmse / static_cast<double>(truths.size());
     if (std::abs(e.bias) > std::abs(measure.bias)) measure.bias = e.bias;
-    measure.zone = std::max(measure.zone, errorFigures(*near, truths[k].zone.values).zoneRmse);
+    measure.zone = std::max(measure.zone, selftest::errorFigures(*near, truths[k].zone.values).zoneRmse);
   }
   measure.all = std::sqrt(squares);
   measure.floored = std::sqrt(floored);
@@ -207,7 +208,7 @@ Result<DfgMeasure> measureDfg(const Measured& m, const ibl::Method& method, cons
   if (!tables) return tl::unexpected(tables.error());
   const char* body =
       columnIsNoV ? "out0.xy = textureLod(dfgTable, in0.xy, 0.0).xy;" : "out0.xy = lookUpDfg(in0.x, in0.y).xy;";
-  const auto got = probeLight(*tables, shading::shaderReader(m.input.shaderDir), {}, body, truth.inputs);
+  const auto got = selftest::probeLight(*tables, shading::shaderReader(m.input.shaderDir), {}, body, truth.inputs);
   if (!got) return tl::unexpected(got.error());
   return DfgMeasure{dfgError(truth, [&](size_t i) { return glm::dvec2((*got)[i]); }), booked(*tables, "DFG")};
 }

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "ibl/tables.hpp"
-#include "report/error_figures.hpp"
 #include "report/topics.hpp"
 #include "scene/sun.hpp"
+#include "selftest/error_figures.hpp"
 
 namespace facet::report {
 
@@ -47,7 +47,7 @@ struct Truth {
 };
 Truth irradianceTruth(const Measured& m);  // irradiance / pi in 32 directions
 struct IrradianceMeasure {
-  ErrorFigures error;
+  selftest::ErrorFigures error;
   ibl::TableStatistics cost;
 };
 Result<IrradianceMeasure> measureIrradiance(const Measured& m, const ibl::Method& method, const Truth& truth);

@@ -2,10 +2,10 @@
 #include <cmath>
 #include <cstdio>
 
+#include "compare/compare.hpp"
 #include "frame/session.hpp"
-#include "report/compare.hpp"
-#include "report/error_figures.hpp"
 #include "report/light.hpp"
+#include "selftest/error_figures.hpp"
 
 namespace facet::report {
 
@@ -69,8 +69,8 @@ Result<Report> lightPictures(const ReportInput& input) {
   converged.quality.samples = referenceSamples;
   const Result<frame::Picture> reference = draw(input, converged, 0);
   if (!reference) return tl::unexpected(reference.error());
-  const CompareOptions options{.maskFromAlpha = true};
-  const Result<Comparison> moved = compare(reference->radiance, half->radiance, options);
+  const compare::CompareOptions options{.maskFromAlpha = true};
+  const Result<compare::Comparison> moved = compare::compare(reference->radiance, half->radiance, options);
   if (!moved) return tl::unexpected(moved.error());
   char note[256];
   std::snprintf(note, sizeof note,
@@ -83,12 +83,12 @@ Result<Report> lightPictures(const ReportInput& input) {
               note,
               {"light", "samples", "dRMSE", "relative RMSE", "bias", "frame ms", "front"},
               {}};
-  std::vector<CostAndError> figures;
+  std::vector<selftest::CostAndError> figures;
   for (const Way& way : ways(input)) {
     input.progress("pictures: " + way.name + ", " + std::to_string(way.settings.quality.samples) + " samples");
     const Result<frame::Picture> picture = draw(input, way.settings, timedFrames);
     if (!picture) return tl::unexpected(picture.error());
-    const Result<Comparison> c = compare(reference->radiance, picture->radiance, options);
+    const Result<compare::Comparison> c = compare::compare(reference->radiance, picture->radiance, options);
     if (!c) return tl::unexpected(c.error());
     const std::vector<double>& times = picture->statistics.frameMs;
     const double ms = median({times.begin() + 1, times.end()});
@@ -97,7 +97,7 @@ Result<Report> lightPictures(const ReportInput& input) {
                           ms, std::string()});
     figures.push_back({ms, c->displayRmse});
   }
-  const std::vector<bool> front = paretoFront(figures);
+  const std::vector<bool> front = selftest::paretoFront(figures);
   for (size_t i = 0; i < front.size(); ++i)
     if (front[i]) table.rows[i].back() = std::string("*");
   return Report{{table}, {}};

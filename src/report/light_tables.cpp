@@ -4,30 +4,31 @@
 #include <cmath>
 
 #include "io/sources.hpp"
+#include "optics/color.hpp"
 #include "optics/reference.hpp"
 #include "report/light.hpp"
 #include "report/light_measures.hpp"
-#include "report/light_probe.hpp"
 #include "report/plot.hpp"
+#include "selftest/light_probe.hpp"
 
 namespace facet::report {
 
 namespace {
 
 // Into the report, the rows on the Pareto front marked in a last column.
-void add(Report& report, Table&& table, const std::vector<CostAndError>& figures) {
-  const std::vector<bool> front = paretoFront(figures);
+void add(Report& report, Table&& table, const std::vector<selftest::CostAndError>& figures) {
+  const std::vector<bool> front = selftest::paretoFront(figures);
   for (size_t i = 0; i < front.size(); ++i) table.rows[i].emplace_back(std::string(front[i] ? "*" : ""));
   report.tables.push_back(std::move(table));
 }
 
 NamedPlot errorAgainstTime(const std::string& name, const std::string& title, const Table& table,
-                           const std::vector<CostAndError>& figures) {
+                           const std::vector<selftest::CostAndError>& figures) {
   Plot plot{.title = title,
             .x = {.label = "GPU ms", .logarithmic = true},
             .y = {.label = "relative RMSE", .logarithmic = true}};
   Series series{.name = "methods (ringed: on the Pareto front)", .line = false, .dots = true};
-  const std::vector<bool> front = paretoFront(figures);
+  const std::vector<bool> front = selftest::paretoFront(figures);
   for (size_t i = 0; i < figures.size(); ++i) {
     series.x.push_back(figures[i].cost), series.y.push_back(figures[i].error);
     series.labels.push_back(std::get<std::string>(table.rows[i][0]));
@@ -45,13 +46,13 @@ Result<void> addCube(const Measured& m, Report& report) {
               "Error: of the total flux (luminance). * on the Pareto front.",
               {"method", "flux error", "fetches", "GPU ms", "front"},
               {}};
-  std::vector<CostAndError> figures;
+  std::vector<selftest::CostAndError> figures;
   const std::pair<const char*, ibl::CubeMethod> methods[] = {{"one tap (usual)", ibl::CubeMethod::oneTap},
                                                              {"area-exact", ibl::CubeMethod::areaExact}};
   for (const auto& [name, method] : methods) {
     const auto tables = timedTables(m, {.cube = true}, {.cube = method});
     if (!tables) return tl::unexpected(tables.error());
-    const double error = luminance(cubeFlux(*tables, 0)) / luminance(m.flux) - 1;
+    const double error = optics::luminance(selftest::cubeFlux(*tables, 0)) / optics::luminance(m.flux) - 1;
     const ibl::TableStatistics& cost = booked(*tables, "environment cube");
     table.rows.push_back({std::string(name), error, static_cast<double>(cost.fetches), cost.gpuMilliseconds});
     figures.push_back({cost.gpuMilliseconds, std::abs(error)});
@@ -91,13 +92,13 @@ Result<void> addIrradiance(const Measured& m, Report& report) {
       "added to what is divided by. Sun apart: taken out of the map and added as a light. * on the Pareto front.",
       {"method", "relative RMSE", "floored", "largest", "bias", "fetches", "GPU ms", "front"},
       {}};
-  std::vector<CostAndError> figures;
+  std::vector<selftest::CostAndError> figures;
   const Truth truth = irradianceTruth(m);
   for (const IrradianceRow& row : irradianceRows(m.found.has_value())) {
     m.input.progress("irradiance: " + row.name);
     const Result<IrradianceMeasure> measure = measureIrradiance(m, row.method, truth);
     if (!measure) return tl::unexpected(measure.error());
-    const ErrorFigures& e = measure->error;
+    const selftest::ErrorFigures& e = measure->error;
     const ibl::TableStatistics& cost = measure->cost;
     table.rows.push_back({row.name, e.relativeRmse, e.flooredRmse, e.worst, e.bias, static_cast<double>(cost.fetches),
                           cost.gpuMilliseconds});
@@ -144,7 +145,7 @@ Result<void> addLd(const Measured& m, Report& report) {
       {"method", "all", "floored", "r 0.1", "r 0.2", "r 0.3", "r 0.5", "r 0.7", "r 1", "bias", "zone", "fetches",
        "GPU ms", "front"},
       {}};
-  std::vector<CostAndError> figures;
+  std::vector<selftest::CostAndError> figures;
   const std::vector<LobeTruth> truths = lobeTruths(m);
   for (const LdRow& row : ldRows(m.found.has_value())) {
     m.input.progress("LD: " + row.name);
@@ -193,7 +194,8 @@ Result<void> addSpacing(const Measured& m, Report& report) {
     if (!ours) return tl::unexpected(ours.error());
     if (m.found)
       for (size_t i = 0; i < directions.size(); ++i) (*ours)[i] += sunThroughLobe(m.found->sun, directions[i], r * r);
-    table.rows.push_back({r, errorFigures(usual, truth).relativeRmse, errorFigures(*ours, truth).relativeRmse});
+    table.rows.push_back(
+        {r, selftest::errorFigures(usual, truth).relativeRmse, selftest::errorFigures(*ours, truth).relativeRmse});
   }
   report.tables.push_back(std::move(table));
   return {};
@@ -216,7 +218,7 @@ Result<void> addDfg(const Measured& m, Report& report) {
       "the Pareto front.",
       {"method", "largest, NoV >= 0.02", "largest", "RMS", "bytes", "evaluations", "GPU ms", "front"},
       {}};
-  std::vector<CostAndError> figures;
+  std::vector<selftest::CostAndError> figures;
   const DfgTruth truth = dfgTruth();
   const auto addRow = [&](const char* name, const DfgError& error, double bytes, double evaluations, double ms) {
     table.rows.push_back({std::string(name), error.most, error.everywhere, error.rms, bytes, evaluations, ms});

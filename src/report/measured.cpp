@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "optics/color.hpp"
 #include "optics/microfacet.hpp"
 
 namespace facet::report {
@@ -17,8 +18,6 @@ using optics::MeasuredKind;
 constexpr double tooMuch = 1.01;
 
 constexpr std::string_view diffuseNames[] = {"lambert", "burley", "frostbite", "oren-nayar", "eon", "codww2"};
-
-double luminance(const glm::dvec3& rgb) { return glm::dot(rgb, glm::dvec3(0.2126, 0.7152, 0.0722)); }
 
 glm::dvec3 direction(double theta, double phi) {
   return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
@@ -43,10 +42,10 @@ void addCurves(Plot& plot, const MeasuredBrdf& brdf, bool byChannel, const optic
     return optics::measuredBrdf(brdf, pair.V, pair.L, LookUp::interpolated);
   };
   if (!byChannel) {
-    add(brdf.name, "", false, [&](const auto& pair) { return luminance(measured(pair)); });
+    add(brdf.name, "", false, [&](const auto& pair) { return optics::luminance(measured(pair)); });
     if (fit)
       add(brdf.name + ", fitted", plot.series.back().color, true,
-          [&](const auto& pair) { return luminance(optics::analyticBrdf(fit->model, pair.V, pair.L)); });
+          [&](const auto& pair) { return optics::luminance(optics::analyticBrdf(fit->model, pair.V, pair.L)); });
     return;
   }
   for (int c = 0; c < 3; ++c) add(names[c], colors[c], false, [&](const auto& pair) { return measured(pair)[c]; });
@@ -133,8 +132,8 @@ void addReciprocityRow(Table& table, const MeasuredBrdf& brdf) {
   double sum = 0, largest = 0;
   size_t count = 0;
   for (const optics::Directions& pair : optics::testPairs()) {
-    const double there = luminance(optics::measuredBrdf(brdf, pair.V, pair.L, LookUp::interpolated));
-    const double back = luminance(optics::measuredBrdf(brdf, pair.L, pair.V, LookUp::interpolated));
+    const double there = optics::luminance(optics::measuredBrdf(brdf, pair.V, pair.L, LookUp::interpolated));
+    const double back = optics::luminance(optics::measuredBrdf(brdf, pair.L, pair.V, LookUp::interpolated));
     if (there + back <= 0) continue;
     const double off = 2 * std::abs(there - back) / (there + back);
     sum += off * off;

@@ -11,7 +11,7 @@
 #include "layout.h"
 #include "optics/synthetic_brdf.hpp"
 #include "report/measured_cost.hpp"
-#include "report/shader_probe.hpp"
+#include "selftest/shader_probe.hpp"
 
 namespace facet::report {
 
@@ -90,8 +90,8 @@ std::vector<glm::vec4> inputsOf(const std::vector<optics::Directions>& pairs) {
   return inputs;
 }
 
-Probe lookUpProbe(const MeasuredBrdf& brdf, LookUp lookUp, size_t format) {
-  Probe probe{{"measured_table.glsl"}, "out0.xyz = measuredBrdf(in0.xyz, in1.xyz);", 2, 1};
+selftest::Probe lookUpProbe(const MeasuredBrdf& brdf, LookUp lookUp, size_t format) {
+  selftest::Probe probe{{"measured_table.glsl"}, "out0.xyz = measuredBrdf(in0.xyz, in1.xyz);", 2, 1};
   probe.defines = {{brdf.kind == optics::MeasuredKind::merl ? "MERL_BRDF" : "UTIA_BRDF"},
                    {"MEASURED_FORMAT", std::to_string(format)}};
   if (lookUp == LookUp::nearest) probe.defines.push_back({"MEASURED_NEAREST"});
@@ -137,7 +137,7 @@ Result<LookUpErrors> lookUpErrors(const MeasuredBrdf& brdf, const optics::Analyt
   const auto onGpu = frame::uploadMeasured(brdf);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::measuredBinding, onGpu->buffer.id());
   const std::vector<glm::vec4> inputs = inputsOf(pairs);
-  const auto got = runProbe(lookUpProbe(brdf, lookUp, 0), inputs, reader);
+  const auto got = selftest::runProbe(lookUpProbe(brdf, lookUp, 0), inputs, reader);
   if (!got) return tl::unexpected(got.error());
   double arithmetic = 0, grid = 0, total = 0;
   size_t elsewhere = 0;
@@ -204,8 +204,8 @@ Result<Report> measuredFormats(const ReportInput& input) {
       glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::measuredBinding, stored.buffer.id());
       double ns[2];
       for (const LookUp lookUp : {LookUp::interpolated, LookUp::nearest}) {
-        const auto run =
-            timeProbe(lookUpProbe(brdf, lookUp, f), inputs, shading::shaderReader(input.shaderDir), timedRuns);
+        const auto run = selftest::timeProbe(lookUpProbe(brdf, lookUp, f), inputs,
+                                             shading::shaderReader(input.shaderDir), timedRuns);
         if (!run) return tl::unexpected(run.error());
         ns[lookUp == LookUp::nearest] = run->milliseconds * 1e6 / static_cast<double>(pairs.size());
       }

@@ -12,12 +12,12 @@
 #include "layout.h"
 #include "optics/reference.hpp"
 #include "optics/synthetic_brdf.hpp"
-#include "report/error_figures.hpp"
-#include "report/light_probe.hpp"
 #include "report/measured_cost.hpp"
 #include "report/plot.hpp"
 #include "scene/builtin_environments.hpp"
 #include "scene/sun.hpp"
+#include "selftest/error_figures.hpp"
+#include "selftest/light_probe.hpp"
 
 namespace facet::report {
 
@@ -30,7 +30,7 @@ constexpr size_t pixelCount = 64;  // of the sphere, evenly over its picture
 constexpr int largestWidth = 256;  // of the map, for the integrals' sake
 constexpr double sunRadius = 4.65e-3;
 constexpr int counts[] = {4, 8, 16, 32, 64, 128, 256, 512, 1024};
-constexpr int timedSize = 48, timedFrames = 5;
+constexpr int timedSize = 48, sphereFrames = 5;
 
 struct Material {
   std::string_view kind, database;
@@ -100,7 +100,7 @@ Result<Light> lightOf(const ReportInput& input, shading::ProgramStore& programs)
   return light;
 }
 
-struct Truth {
+struct SphereTruth {
   Values smooth, sun;  // what the map and what the sun sends to V
 };
 
@@ -109,16 +109,16 @@ glm::dvec3 sunlight(const scene::Sun& sun, const Pixel& p, const optics::Measure
   constexpr size_t count = 64;
   const glm::dmat3 frame(p.T, glm::cross(p.N, p.T), p.N);
   glm::dvec3 sum(0);
-  for (const glm::dvec3& l : capDirections(sun.direction, sun.angularRadius, count)) {
+  for (const glm::dvec3& l : selftest::capDirections(sun.direction, sun.angularRadius, count)) {
     const glm::dvec3 L = l * frame;
     sum += optics::measuredBrdf(brdf, V * frame, L, optics::LookUp::interpolated) * std::max(L.z, 0.0);
   }
   return sum / static_cast<double>(count) * sun.irradiance;
 }
 
-Truth truthOf(const Light& light, const std::vector<Pixel>& list, const optics::MeasuredBrdf& brdf,
-              const optics::MeasuredProxy& proxy) {
-  Truth truth{Values(list.size()), Values(list.size())};
+SphereTruth truthOf(const Light& light, const std::vector<Pixel>& list, const optics::MeasuredBrdf& brdf,
+                    const optics::MeasuredProxy& proxy) {
+  SphereTruth truth{Values(list.size()), Values(list.size())};
   parallelFor(list.size(), [&](size_t i) {
     truth.smooth[i] = optics::measured(light.map, list[i].N, list[i].T, V, brdf, proxy).value;
     truth.sun[i] = sunlight(light.sun, list[i], brdf);
@@ -143,11 +143,11 @@ Result<Shot> shoot(const ReportInput& input, const Light& light, const std::vect
                                                 {"HAS_ENVIRONMENT"},
                                                 {"HAS_PUNCTUAL_LIGHTS"},
                                                 {"IMAGE_LIGHT_SAMPLES", std::to_string(samples)}};
-  const auto got = probeLight(light.tables, shading::shaderReader(input.shaderDir), defines,
-                              "MeasuredSurface s = makeMeasuredSurface(in0.xyz, vec4(0.0), in1.xyz, 1.0);"
-                              "out0.rgb = measuredImageLight(s);"
-                              "out1.rgb = measuredPunctualLight(s, vec3(0.0));",
-                              inputs, 2, 2, {"measured_light.glsl"});
+  const auto got = selftest::probeLight(light.tables, shading::shaderReader(input.shaderDir), defines,
+                                        "MeasuredSurface s = makeMeasuredSurface(in0.xyz, vec4(0.0), in1.xyz, 1.0);"
+                                        "out0.rgb = measuredImageLight(s);"
+                                        "out1.rgb = measuredPunctualLight(s, vec3(0.0));",
+                                        inputs, 2, 2, {"measured_light.glsl"});
   if (!got) return tl::unexpected(got.error());
   Shot shot;
   for (size_t i = 0; i < list.size(); ++i) {
@@ -190,7 +190,7 @@ Result<double> frameTime(const ReportInput& input, std::string_view database, in
   settings.sources.shaderDir = input.shaderDir;
   Notes notes;
   Stages stages;
-  const auto picture = input.session->render("builtin:metals", settings, {.repeat = timedFrames}, notes, stages);
+  const auto picture = input.session->render("builtin:metals", settings, {.repeat = sphereFrames}, notes, stages);
   if (!picture) return tl::unexpected(picture.error());
   std::vector<double> times(picture->statistics.frameMs.begin() + 1, picture->statistics.frameMs.end());
   std::ranges::nth_element(times, times.begin() + static_cast<ptrdiff_t>(times.size() / 2));
@@ -201,7 +201,7 @@ Result<std::vector<SphereErrors>> errorsOf(const ReportInput& input, const Light
                                            const optics::MeasuredBrdf& brdf, std::span<const int> samples) {
   const std::vector<Pixel> list = pixels();
   const auto onGpu = frame::uploadMeasured(brdf);
-  const Truth truth = truthOf(light, list, brdf, onGpu->facts.proxy);
+  const SphereTruth truth = truthOf(light, list, brdf, onGpu->facts.proxy);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::measuredBinding, onGpu->buffer.id());
   std::vector<SphereErrors> errors;
   for (const int count : samples) {

@@ -50,7 +50,7 @@ Table dielectricTable() {
   return table;
 }
 
-Table metalTable() {
+Table metalFresnelTable() {
   Table table{
       "fresnel-metal",
       "Schlick's approximation and F82-tint of metals",
@@ -205,7 +205,7 @@ Table lobeTable() {
 
 }  // namespace
 
-std::vector<Table> fresnelTables() { return {dielectricTable(), metalTable()}; }
+std::vector<Table> fresnelTables() { return {dielectricTable(), metalFresnelTable()}; }
 std::vector<Table> diffuseTables() { return {diffuseTable()}; }
 std::vector<Table> ndfTables() { return {maskingTable(), lobeTable()}; }
 

@@ -3,9 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/srgb.hpp"
+#include "compare/flip.hpp"
 #include "io/image.hpp"
 #include "io/radiance.hpp"
-#include "report/flip.hpp"
 #include "support/command.hpp"
 #include "support/gltf_builder.hpp"
 #include "support/skip.hpp"
@@ -55,7 +55,7 @@ TEST_CASE("compare: each metric is limited by --max-error") {
   const std::string a = exr(folder, "a.exr", 0.5f), b = exr(folder, "b.exr", 0.4f);
   const double shown = srgbFromLinear(0.5) - srgbFromLinear(0.4);
   const double p = srgbFromLinear(0.5), q = srgbFromLinear(0.4), c1 = 1e-4;
-  const double flip = report::flipColorDifference(glm::dvec3(0.5), glm::dvec3(0.4f));
+  const double flip = compare::flipColorDifference(glm::dvec3(0.5), glm::dvec3(0.4f));
   struct Row {
     std::string metric;
     double value;

@@ -14,7 +14,7 @@ Result<Suite> parse(const std::string& text, const commands::PictureArguments& o
 }
 
 double limit(const commands::SuiteJob& job, std::string_view name) {
-  for (const report::Limit& l : job.limits)
+  for (const compare::Limit& l : job.limits)
     if (l.metric->name == name) return l.most;
   return -1;
 }

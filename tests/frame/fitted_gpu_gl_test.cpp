@@ -3,7 +3,7 @@
 
 #include "frame/fitted_gpu.hpp"
 #include "layout.h"
-#include "report/shader_probe.hpp"
+#include "selftest/shader_probe.hpp"
 #include "support/gpu.hpp"
 #include "support/picture.hpp"
 
@@ -43,10 +43,10 @@ TEST_CASE("A fitted model on the GPU is what it is in double precision", "[gl]")
   for (const optics::AnalyticBrdf& model : models) {
     const auto onGpu = uploaded(model);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::measuredBinding, onGpu->buffer.id());
-    report::Probe probe{{"measured_fitted.glsl"}, "out0.xyz = measuredBrdf(in0.xyz, in1.xyz);", 2, 1};
+    selftest::Probe probe{{"measured_fitted.glsl"}, "out0.xyz = measuredBrdf(in0.xyz, in1.xyz);", 2, 1};
     if (model.diffuse != lambert)
       probe.defines.push_back({"DIFFUSE_MODEL", std::to_string(static_cast<int>(model.diffuse))});
-    const auto out = report::runProbe(probe, inputs, shading::shaderReader());
+    const auto out = selftest::runProbe(probe, inputs, shading::shaderReader());
     REQUIRE(out);
     double largest = 0;
     for (size_t i = 0; i < pairs.size(); ++i) {

@@ -6,7 +6,7 @@
 #include "layout.h"
 #include "optics/quadrature.hpp"
 #include "optics/synthetic_brdf.hpp"
-#include "report/shader_probe.hpp"
+#include "selftest/shader_probe.hpp"
 #include "support/gpu.hpp"
 #include "support/picture.hpp"
 
@@ -34,11 +34,11 @@ double arithmeticError(const optics::MeasuredBrdf& brdf, optics::LookUp lookUp, 
   const optics::MeasuredBrdf packed = frame::unpackMeasured(frame::packMeasured(brdf), brdf);
   const auto onGpu = frame::uploadMeasured(brdf);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::measuredBinding, onGpu->buffer.id());
-  report::Probe probe{{"measured_table.glsl"}, "out0.xyz = measuredBrdf(in0.xyz, in1.xyz);", 2, 1};
+  selftest::Probe probe{{"measured_table.glsl"}, "out0.xyz = measuredBrdf(in0.xyz, in1.xyz);", 2, 1};
   probe.defines.push_back({brdf.kind == optics::MeasuredKind::merl ? "MERL_BRDF" : "UTIA_BRDF"});
   if (lookUp == optics::LookUp::nearest) probe.defines.push_back({"MEASURED_NEAREST"});
   const std::vector<glm::vec4> inputs = pairInputs(optics::testPairs(count));
-  const auto out = report::runProbe(probe, inputs, shading::shaderReader());
+  const auto out = selftest::runProbe(probe, inputs, shading::shaderReader());
   REQUIRE(out);
   double sum = 0;
   size_t off = 0;
@@ -84,8 +84,8 @@ TEST_CASE("The points of a spiral on the GPU are those of double precision", "[g
   std::vector<glm::vec4> inputs;
   for (const int n : {4, 64, 1024})
     for (int i = 0; i < n; ++i) inputs.emplace_back(i, n, 0, 0);
-  const auto out = report::runProbe({{"sequence.glsl"}, "out0.xy = spiralPoint(int(in0.x), int(in0.y));"}, inputs,
-                                    shading::shaderReader());
+  const auto out = selftest::runProbe({{"sequence.glsl"}, "out0.xy = spiralPoint(int(in0.x), int(in0.y));"}, inputs,
+                                      shading::shaderReader());
   REQUIRE(out);
   double largest = 0;
   for (size_t i = 0; i < inputs.size(); ++i) {

@@ -7,7 +7,7 @@
 #include "optics/mapping.hpp"
 #include "optics/quadrature.hpp"
 #include "optics/reference.hpp"
-#include "report/shader_probe.hpp"
+#include "selftest/shader_probe.hpp"
 #include "support/gpu.hpp"
 
 using namespace facet;
@@ -21,7 +21,7 @@ std::vector<glm::dvec3> probe(const ibl::Tables& tables, const std::string& body
   tables.roughLayers.bind(layout::roughLayersUnit);
   std::vector<glm::vec4> inputs;
   for (const glm::dvec3& d : directions) inputs.emplace_back(glm::vec3(d), float(w));
-  const auto out = report::runProbe({{"image_light.glsl", "dfg_table.glsl"}, body}, inputs, shading::shaderReader());
+  const auto out = selftest::runProbe({{"image_light.glsl", "dfg_table.glsl"}, body}, inputs, shading::shaderReader());
   REQUIRE(out);
   std::vector<glm::dvec3> values;
   for (const glm::vec4& value : *out) values.push_back(glm::dvec3(value) * double(tables.radianceScale));

@@ -10,7 +10,7 @@
 #include "optics/mapping.hpp"
 #include "optics/quadrature.hpp"
 #include "optics/reference.hpp"
-#include "report/shader_probe.hpp"
+#include "selftest/shader_probe.hpp"
 #include "support/gpu.hpp"
 
 using namespace facet;
@@ -61,7 +61,7 @@ void bind(const ibl::Tables& tables) {
 
 std::vector<glm::vec4> probe(const ibl::Tables& tables, const std::string& body, const std::vector<glm::vec4>& inputs) {
   bind(tables);
-  const auto out = report::runProbe({{"image_light.glsl", "dfg_table.glsl"}, body}, inputs, shading::shaderReader());
+  const auto out = selftest::runProbe({{"image_light.glsl", "dfg_table.glsl"}, body}, inputs, shading::shaderReader());
   REQUIRE(out);
   return *out;
 }

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "report/shader_probe.hpp"
+#include "selftest/shader_probe.hpp"
 #include "support/gpu.hpp"
 #include "support/skip.hpp"
 #include "support/temporary_folder.hpp"
@@ -10,9 +10,9 @@
 using namespace facet;
 
 TEST_CASE("A probe runs a chunk's function over an array") {
-  const report::Probe probe{{"fresnel.glsl"}, "out0 = vec4(F_Schlick(in0.x, in0.yyy, 1.0), in0.w);"};
+  const selftest::Probe probe{{"fresnel.glsl"}, "out0 = vec4(F_Schlick(in0.x, in0.yyy, 1.0), in0.w);"};
   const std::vector<glm::vec4> inputs = {{1, 0.04f, 0, 7}, {0, 0.04f, 0, 8}, {0.5f, 0.5f, 0, 9}};
-  const auto out = report::runProbe(probe, inputs, shading::shaderReader());
+  const auto out = selftest::runProbe(probe, inputs, shading::shaderReader());
   REQUIRE(out);
   CHECK((*out)[0].x == Approx(0.04));
   CHECK((*out)[1].x == Approx(1.0));
@@ -26,7 +26,7 @@ TEST_CASE("A compiler message names the chunk and its line") {
     return shading::shaderReader()(path);
   };
   const auto out =
-      report::runProbe({{"constants.glsl", "broken.glsl"}, "out0.x = two();"}, std::vector<glm::vec4>(1), reader);
+      selftest::runProbe({{"constants.glsl", "broken.glsl"}, "out0.x = two();"}, std::vector<glm::vec4>(1), reader);
   REQUIRE_FALSE(out);
   CHECK_THAT(out.error().problem, Catch::Contains("shaders/broken.glsl:2:"));
 }
