@@ -22,6 +22,10 @@ struct Elements {
 // Bytes of one element without padding between elements; 0 for an unknown type. Columns of matrices are padded to 4.
 size_t elementSize(int componentType, int type);
 
+inline const tinygltf::Accessor& accessorAt(const Document& doc, int index) {
+  return doc.gltf.accessors[static_cast<size_t>(index)];
+}
+
 // Errors: an index out of range, an element outside its view, a view outside its buffer, sparse indices that do not
 // rise.
 Result<void> checkBufferViews(const Document& doc);

@@ -15,6 +15,8 @@
 #include <string_view>
 #include <thread>
 
+#include "io/little_endian.hpp"
+
 namespace facet::io {
 
 namespace {
@@ -22,13 +24,8 @@ namespace {
 using Bytes = std::span<const uint8_t>;
 using Imath::Box2i;
 
-constexpr const char* convertIt = "convert it to a single-part scan-line image";
+constexpr const char* convertExr = "convert it to a single-part scan-line image";
 constexpr const char* copyAgain = "copy or download it again";
-
-uint32_t littleEndian(Bytes bytes, size_t at) {
-  return static_cast<uint32_t>(bytes[at]) | static_cast<uint32_t>(bytes[at + 1]) << 8 |
-         static_cast<uint32_t>(bytes[at + 2]) << 16 | static_cast<uint32_t>(bytes[at + 3]) << 24;
-}
 
 struct Window {
   int64_t left = 0, top = 0, right = -1, bottom = -1;  // inclusive
@@ -80,8 +77,8 @@ Result<void> checkWindow(const std::optional<Window>& window, const char* what, 
 Result<void> checkVersion(Bytes bytes, const std::string& name) {
   if (bytes.size() < 8) return fail(name, "", "the file is cut off", copyAgain);
   const uint32_t flags = littleEndian(bytes, 4);
-  if (flags & 0x800) return fail(name, "byte 4", "deep images are not supported", convertIt);
-  if (flags & 0x1000) return fail(name, "byte 4", "images of several parts are not supported", convertIt);
+  if (flags & 0x800) return fail(name, "byte 4", "deep images are not supported", convertExr);
+  if (flags & 0x1000) return fail(name, "byte 4", "images of several parts are not supported", convertExr);
   return {};
 }
 

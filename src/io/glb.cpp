@@ -3,17 +3,14 @@
 #include <algorithm>
 #include <string>
 
+#include "io/little_endian.hpp"
+
 namespace facet::io {
 
 namespace {
 
 constexpr uint64_t headerSize = 12, chunkHeaderSize = 8;
 constexpr uint32_t jsonChunk = 0x4E4F534A, binaryChunk = 0x004E4942;  // "JSON", "BIN\0"
-
-uint32_t littleEndian(std::span<const uint8_t> bytes, uint64_t offset) {
-  return static_cast<uint32_t>(bytes[offset]) | static_cast<uint32_t>(bytes[offset + 1]) << 8 |
-         static_cast<uint32_t>(bytes[offset + 2]) << 16 | static_cast<uint32_t>(bytes[offset + 3]) << 24;
-}
 
 tl::unexpected<Error> error(uint64_t offset, std::string problem, std::string remedy = "export the model again") {
   return fail("", "byte " + std::to_string(offset), std::move(problem), std::move(remedy));

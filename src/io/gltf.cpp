@@ -6,6 +6,7 @@
 #include "io/accessors.hpp"
 #include "io/glb.hpp"
 #include "io/gltf_document.hpp"
+#include "io/json_section.hpp"
 #include "io/uri.hpp"
 
 namespace facet::io {
@@ -26,12 +27,6 @@ Json member(const Document& doc, std::string_view key) {
   if (found == nullptr) return nullptr;
   const std::string_view text = doc.json.substr(found->begin, found->end - found->begin);
   return Json::parse(text.begin(), text.end(), nullptr, false);
-}
-
-std::string stringAt(const Json& object, const char* key) {
-  if (!object.is_object()) return {};
-  const auto found = object.find(key);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
 Result<void> readAsset(Document& doc) {

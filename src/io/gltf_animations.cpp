@@ -36,7 +36,7 @@ struct Wanted {
   auto operator<=>(const Wanted&) const = default;
 };
 
-struct Reader {
+struct AnimationReader {
   Document& doc;
   const MeshUsers& users;
   uint64_t& bytes;  // of all animations so far
@@ -46,10 +46,6 @@ struct Reader {
   // By sampler of the file and what is wanted of it: index in animation.samplers; -1: cannot be used, said already.
   std::map<std::pair<int, Wanted>, int> known = {};
 };
-
-const tinygltf::Accessor& accessorAt(const Document& doc, int index) {
-  return doc.gltf.accessors[static_cast<size_t>(index)];
-}
 
 // Notes what is wrong and gives up the sampler.
 std::nullopt_t refuse(Document& doc, const std::string& place, std::string problem) {
@@ -154,7 +150,7 @@ bool fits(Document& doc, const scene::AnimationSampler& sampler, const Wanted& w
   return false;
 }
 
-Result<MaybeSampler> readSampler(Reader& reader, int index, const Wanted& wanted) {
+Result<MaybeSampler> readSampler(AnimationReader& reader, int index, const Wanted& wanted) {
   Document& doc = reader.doc;
   const Json& from = (*reader.samplers)[static_cast<size_t>(index)];
   const std::string place = pointer(reader.place + "/samplers", static_cast<size_t>(index));
@@ -187,7 +183,7 @@ Result<MaybeSampler> readSampler(Reader& reader, int index, const Wanted& wanted
 }
 
 // Index in animation.samplers; -1 where it cannot be used.
-Result<int> samplerFor(Reader& reader, int index, const Wanted& wanted) {
+Result<int> samplerFor(AnimationReader& reader, int index, const Wanted& wanted) {
   const auto [known, isNew] = reader.known.try_emplace({index, wanted}, -1);
   if (!isNew) return known->second;
   auto sampler = readSampler(reader, index, wanted);
@@ -199,14 +195,14 @@ Result<int> samplerFor(Reader& reader, int index, const Wanted& wanted) {
   return known->second;
 }
 
-Result<void> checkBytes(const Reader& reader) {
+Result<void> checkBytes(const AnimationReader& reader) {
   if (reader.bytes <= reader.doc.limits.geometryBytes) return {};
   return reader.doc.error(reader.place,
                           "the animations take more than " + std::to_string(reader.doc.limits.geometryBytes) + " bytes",
                           "use a smaller model");
 }
 
-Result<void> readChannel(Reader& reader, const Json& from, const std::string& place) {
+Result<void> readChannel(AnimationReader& reader, const Json& from, const std::string& place) {
   Document& doc = reader.doc;
   if (!from.is_object()) return doc.error(place, "is not an object");
   const auto found = from.find("sampler");
@@ -255,7 +251,7 @@ Result<void> readAnimations(Document& doc) {
   uint64_t bytes = 0;
   for (size_t i = 0; i < animations->size(); ++i) {
     const Json& from = (*animations)[i];
-    Reader reader{doc, users, bytes};
+    AnimationReader reader{doc, users, bytes};
     reader.place = pointer("/animations", i);
     reader.samplers = &arrayAt(from, "samplers");
     reader.animation.name = stringAt(from, "name");

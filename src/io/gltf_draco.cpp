@@ -8,20 +8,18 @@
 
 #include <cstring>
 
+#include "io/accessors.hpp"
+
 namespace facet::io {
 
 namespace {
 
 using tinygltf::Value;
 
-constexpr const char* extensionName = "KHR_draco_mesh_compression";
-constexpr const char* remedy = "export the model again, or without Draco compression";
+constexpr const char* dracoExtension = "KHR_draco_mesh_compression";
+constexpr const char* dracoRemedy = "export the model again, or without Draco compression";
 
-std::string placeOf(const std::string& primitive) { return primitive + "/extensions/" + extensionName; }
-
-const tinygltf::Accessor& accessorAt(const Document& doc, int index) {
-  return doc.gltf.accessors[static_cast<size_t>(index)];
-}
+std::string placeOf(const std::string& primitive) { return primitive + "/extensions/" + dracoExtension; }
 
 // ---- Counts, before anything is allocated for them ------------------------------------------------------------------
 
@@ -77,7 +75,7 @@ Result<void> checkTriangles(const Document& doc, const tinygltf::Primitive& prim
   return doc.error(place,
                    "its data has " + std::to_string(triangles) + " triangles, but the accessor of the indices has " +
                        std::to_string(indices) + " elements",
-                   remedy);
+                   dracoRemedy);
 }
 
 Result<void> checkPoints(const Document& doc, const tinygltf::Primitive& primitive, uint64_t points,
@@ -87,13 +85,13 @@ Result<void> checkPoints(const Document& doc, const tinygltf::Primitive& primiti
   return doc.error(place,
                    "its data has " + std::to_string(points) + " vertices, but the accessors have " +
                        std::to_string(vertices) + " elements",
-                   remedy);
+                   dracoRemedy);
 }
 
 Result<void> checkCounts(const Document& doc, const tinygltf::Primitive& primitive, std::span<const uint8_t> bytes,
                          const std::string& place) {
   const auto counts = readCounts(bytes);
-  if (!counts) return doc.error(place, "its data " + counts.error(), remedy);
+  if (!counts) return doc.error(place, "its data " + counts.error(), dracoRemedy);
   if (auto ok = checkTriangles(doc, primitive, counts->triangles, place); !ok) return ok;
   if (counts->points != 0) {
     if (auto ok = checkPoints(doc, primitive, counts->points, place); !ok) return ok;
@@ -102,7 +100,7 @@ Result<void> checkCounts(const Document& doc, const tinygltf::Primitive& primiti
     return doc.error(
         place,
         std::to_string(bytes.size()) + " bytes are too few for " + std::to_string(counts->triangles) + " triangles",
-        remedy);
+        dracoRemedy);
   }
   return {};
 }
@@ -183,7 +181,7 @@ Result<std::vector<uint8_t>> readAttribute(const Document& doc, const draco::Mes
                                            const std::string& place) {
   const draco::PointAttribute* attribute = mesh.GetAttributeByUniqueId(static_cast<uint32_t>(id));
   if (attribute == nullptr) {
-    return doc.error(place, "its data has no attribute with the identifier " + std::to_string(id), remedy);
+    return doc.error(place, "its data has no attribute with the identifier " + std::to_string(id), dracoRemedy);
   }
   const auto& a = accessorAt(doc, accessor);
   const int components = tinygltf::GetNumComponentsInType(static_cast<uint32_t>(a.type));
@@ -191,41 +189,41 @@ Result<std::vector<uint8_t>> readAttribute(const Document& doc, const draco::Mes
     return doc.error(place,
                      "its data has " + std::to_string(static_cast<int>(attribute->num_components())) +
                          " components, but the accessor has " + std::to_string(components),
-                     remedy);
+                     dracoRemedy);
   }
-  if (!valuesExist(*attribute, mesh.num_points())) return doc.error(place, "its data is damaged", remedy);
+  if (!valuesExist(*attribute, mesh.num_points())) return doc.error(place, "its data is damaged", dracoRemedy);
   std::vector<uint8_t> bytes(mesh.num_points() * elementSize(a.componentType, a.type));
   if (!copyValues(*attribute, mesh.num_points(), a.componentType, bytes.data())) {
-    return doc.error(place, "its data does not fit the accessor's component type", remedy);
+    return doc.error(place, "its data does not fit the accessor's component type", dracoRemedy);
   }
   return bytes;
 }
 
 }  // namespace
 
-bool isDraco(const tinygltf::Primitive& primitive) { return primitive.extensions.count(extensionName) > 0; }
+bool isDraco(const tinygltf::Primitive& primitive) { return primitive.extensions.count(dracoExtension) > 0; }
 
 Result<void> checkDraco(const Document& doc, const tinygltf::Primitive& primitive, const std::string& place) {
-  const Value& extension = primitive.extensions.at(extensionName);
+  const Value& extension = primitive.extensions.at(dracoExtension);
   const std::string at = placeOf(place);
   if (primitive.mode != TINYGLTF_MODE_TRIANGLES && primitive.mode != TINYGLTF_MODE_TRIANGLE_STRIP) {
-    return doc.error(at, "is for triangles and triangle strips only", remedy);
+    return doc.error(at, "is for triangles and triangle strips only", dracoRemedy);
   }
-  if (primitive.indices == -1) return doc.error(place, "has Draco data, but no accessor for indices", remedy);
+  if (primitive.indices == -1) return doc.error(place, "has Draco data, but no accessor for indices", dracoRemedy);
   const Value &view = memberValue(extension, "bufferView"), &attributes = memberValue(extension, "attributes");
-  if (!view.IsInt()) return doc.error(at + "/bufferView", "is not a whole number", remedy);
+  if (!view.IsInt()) return doc.error(at + "/bufferView", "is not a whole number", dracoRemedy);
   if (auto ok = checkIndex(doc, view.GetNumberAsInt(), doc.gltf.bufferViews.size(), at + "/bufferView", "buffer view");
       !ok) {
     return ok;
   }
-  if (!attributes.IsObject()) return doc.error(at + "/attributes", "is not an object", remedy);
+  if (!attributes.IsObject()) return doc.error(at + "/attributes", "is not an object", dracoRemedy);
   for (const std::string& name : attributes.Keys()) {
     const Value& id = memberValue(attributes, name);
     if (!id.IsInt() || id.GetNumberAsInt() < 0) {
-      return doc.error(at + "/attributes/" + name, "is not a whole number from 0 on", remedy);
+      return doc.error(at + "/attributes/" + name, "is not a whole number from 0 on", dracoRemedy);
     }
     if (primitive.attributes.count(name) == 0) {
-      return doc.error(at + "/attributes/" + name, "is no attribute of the primitive", remedy);
+      return doc.error(at + "/attributes/" + name, "is no attribute of the primitive", dracoRemedy);
     }
   }
   return {};
@@ -234,7 +232,7 @@ Result<void> checkDraco(const Document& doc, const tinygltf::Primitive& primitiv
 Result<DracoGeometry> decodeDraco(const Document& doc, const tinygltf::Primitive& primitive, const std::string& place,
                                   std::span<const char* const> wanted) {
   const std::string at = placeOf(place);
-  const Value& extension = primitive.extensions.at(extensionName);
+  const Value& extension = primitive.extensions.at(dracoExtension);
   const auto bytes = viewBytes(doc, extension.Get("bufferView").GetNumberAsInt());
   if (auto ok = checkCounts(doc, primitive, bytes, at); !ok) return tl::unexpected(ok.error());
   draco::DecoderBuffer buffer;
@@ -242,7 +240,7 @@ Result<DracoGeometry> decodeDraco(const Document& doc, const tinygltf::Primitive
   auto decoded = draco::Decoder().DecodeMeshFromBuffer(&buffer);
   if (!decoded.ok()) {
     const std::string reason = decoded.status().error_msg_string();
-    return doc.error(at, "its data is damaged or too short" + (reason.empty() ? "" : " (" + reason + ")"), remedy);
+    return doc.error(at, "its data is damaged or too short" + (reason.empty() ? "" : " (" + reason + ")"), dracoRemedy);
   }
   const std::unique_ptr<draco::Mesh> mesh = std::move(decoded).value();
   if (auto ok = checkTriangles(doc, primitive, mesh->num_faces(), at); !ok) return tl::unexpected(ok.error());

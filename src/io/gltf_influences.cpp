@@ -3,6 +3,7 @@
 #include <map>
 
 #include "base/whole_number.hpp"
+#include "io/accessors.hpp"
 #include "io/gltf_deformation.hpp"
 
 namespace facet::io {
@@ -30,10 +31,6 @@ std::map<int, Set> setsOf(const tinygltf::Primitive& primitive) {
     if (const int n = setNumber(name, "WEIGHTS_"); n >= 0) sets[n].weights = accessor;
   }
   return sets;
-}
-
-const tinygltf::Accessor& accessorAt(const Document& doc, int index) {
-  return doc.gltf.accessors[static_cast<size_t>(index)];
 }
 
 bool isVector4(const tinygltf::Accessor& accessor, bool floats) {

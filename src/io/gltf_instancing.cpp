@@ -9,7 +9,7 @@ namespace facet::io {
 
 namespace {
 
-constexpr const char* extensionName = "EXT_mesh_gpu_instancing";
+constexpr const char* instancingExtension = "EXT_mesh_gpu_instancing";
 
 // What one instance takes from the file to the picture, measured: matrices, boxes, uniforms and their copies.
 constexpr uint64_t instanceBytes = 800;
@@ -78,9 +78,9 @@ bool isFinite(const glm::dmat4& matrix) {
 
 Result<void> readInstances(Document& doc, const tinygltf::Node& from, const std::string& place, scene::Node& node,
                            uint64_t& bytes) {
-  const auto extension = from.extensions.find(extensionName);
+  const auto extension = from.extensions.find(instancingExtension);
   if (extension == from.extensions.end() || node.mesh == -1) return {};
-  const std::string extensionPlace = place + "/extensions/" + extensionName, at = extensionPlace + "/attributes";
+  const std::string extensionPlace = place + "/extensions/" + instancingExtension, at = extensionPlace + "/attributes";
   if (!extension->second.Has("attributes") || !extension->second.Get("attributes").IsObject()) {
     doc.warning(extensionPlace, "has no attributes: the mesh is shown once");
     return {};

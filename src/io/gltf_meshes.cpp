@@ -68,7 +68,7 @@ TexCoordSets wantedSets(const Document& doc, const scene::Primitive& primitive) 
   return sets;
 }
 
-int components(const Document& doc, int accessor) {
+int scalarOrVectorComponents(const Document& doc, int accessor) {
   const int type = doc.gltf.accessors[static_cast<size_t>(accessor)].type;
   return type <= TINYGLTF_TYPE_VEC4 || type == TINYGLTF_TYPE_SCALAR
              ? tinygltf::GetNumComponentsInType(static_cast<uint32_t>(type))
@@ -95,7 +95,7 @@ Result<void> checkTypes(const Document& doc, const tinygltf::Primitive& primitiv
   for (const auto& rule : attributeRules) {
     const auto found = primitive.attributes.find(rule.name);
     if (found == primitive.attributes.end()) continue;
-    const int n = components(doc, found->second);
+    const int n = scalarOrVectorComponents(doc, found->second);
     if (n < rule.minComponents || n > rule.maxComponents) {
       return doc.error(place + "/attributes/" + rule.name,
                        "is not a vector of " + std::to_string(rule.minComponents) + " components");

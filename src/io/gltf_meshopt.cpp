@@ -22,7 +22,7 @@ using Json = nlohmann::json;
 
 constexpr const char* extensionNames[] = {"EXT_meshopt_compression", "KHR_meshopt_compression"};
 constexpr size_t khr = 1;
-constexpr const char* remedy = "export the model again, or without meshopt compression";
+constexpr const char* meshoptRemedy = "export the model again, or without meshopt compression";
 
 enum class Mode { attributes, triangles, indices };
 enum class Filter { none, octahedral, quaternion, exponential, color };
@@ -58,9 +58,9 @@ Result<uint64_t> whole(const Document& doc, const Json& object, const char* key,
                        std::optional<uint64_t> otherwise = {}) {
   const auto found = object.find(key);
   if (found == object.end() && otherwise) return *otherwise;
-  if (found == object.end()) return doc.error(place + "/" + key, "is missing", remedy);
+  if (found == object.end()) return doc.error(place + "/" + key, "is missing", meshoptRemedy);
   if (!found->is_number_unsigned() || found->get<uint64_t>() >> 53 != 0) {
-    return doc.error(place + "/" + key, "is not a whole number of 0 to 2^53 - 1", remedy);
+    return doc.error(place + "/" + key, "is not a whole number of 0 to 2^53 - 1", meshoptRemedy);
   }
   return found->get<uint64_t>();
 }
@@ -75,13 +75,13 @@ Result<int> named(const Document& doc, const Json& object, const char* key, cons
     if (text == entry.name) return entry.value;
     known += (known.empty() ? "" : ", ") + std::string(entry.name);
   }
-  return doc.error(place + "/" + key, inQuotes(text) + " is none of " + known, remedy);
+  return doc.error(place + "/" + key, inQuotes(text) + " is none of " + known, meshoptRemedy);
 }
 
 // The extension's table of valid strides and counts.
 Result<void> checkLayout(const Document& doc, const CompressedView& v) {
   const auto wrong = [&](const char* key, uint64_t value, const char* rule) {
-    return doc.error(v.place + "/" + key, std::to_string(value) + " is not " + rule, remedy);
+    return doc.error(v.place + "/" + key, std::to_string(value) + " is not " + rule, meshoptRemedy);
   };
   if (v.mode == Mode::attributes) {
     if (v.stride == 0 || v.stride > 256 || v.stride % 4 != 0) {
@@ -89,7 +89,8 @@ Result<void> checkLayout(const Document& doc, const CompressedView& v) {
     }
   } else {
     if (v.stride != 2 && v.stride != 4) return wrong("byteStride", v.stride, "2 or 4, as indices ask for");
-    if (v.filter != Filter::none) return doc.error(v.place + "/filter", "filters are for the mode ATTRIBUTES", remedy);
+    if (v.filter != Filter::none)
+      return doc.error(v.place + "/filter", "filters are for the mode ATTRIBUTES", meshoptRemedy);
   }
   if (v.mode == Mode::triangles && v.count % 3 != 0) return wrong("count", v.count, "a multiple of 3");
   if (v.filter == Filter::octahedral && v.stride != 4 && v.stride != 8) {
@@ -110,23 +111,23 @@ constexpr uint64_t largestRatio = 64;
 Result<void> checkSizes(const Document& doc, const CompressedView& v) {
   const auto& view = doc.gltf.bufferViews[v.view];
   if (v.count > std::numeric_limits<uint32_t>::max()) {
-    return doc.error(v.place + "/count", std::to_string(v.count) + " elements are more than 2^32 - 1", remedy);
+    return doc.error(v.place + "/count", std::to_string(v.count) + " elements are more than 2^32 - 1", meshoptRemedy);
   }
   if (view.byteStride != 0 && view.byteStride != v.stride) {
     return doc.error(v.place + "/byteStride",
                      "is " + std::to_string(v.stride) + ", but the buffer view's is " + std::to_string(view.byteStride),
-                     remedy);
+                     meshoptRemedy);
   }
   if (v.bytes() != view.byteLength) {
     return doc.error(v.place + "/count",
                      std::to_string(v.count) + " elements of " + std::to_string(v.stride) + " bytes do not make the " +
                          std::to_string(view.byteLength) + " bytes of the buffer view",
-                     remedy);
+                     meshoptRemedy);
   }
   if (v.bytes() / largestRatio > v.encoded.size()) {
     return doc.error(v.place + "/byteLength",
                      std::to_string(v.encoded.size()) + " bytes are too few to decode to " + std::to_string(v.bytes()),
-                     remedy);
+                     meshoptRemedy);
   }
   return {};
 }
@@ -142,18 +143,18 @@ Result<std::span<const uint8_t>> encodedBytes(const Document& doc, const Json& e
     return doc.error(
         place + "/buffer",
         "buffer " + std::to_string(*buffer) + " does not exist; there are " + std::to_string(doc.buffers.size()),
-        remedy);
+        meshoptRemedy);
   }
   if (doc.isFallback[*buffer]) {
     return doc.error(place + "/buffer", "buffer " + std::to_string(*buffer) + " is a fallback, which holds no data",
-                     remedy);
+                     meshoptRemedy);
   }
   const auto bytes = doc.buffers[*buffer];
   if (*offset + *length > bytes.size()) {
     return doc.error(place,
                      "ends at byte " + std::to_string(*offset + *length) + " of buffer " + std::to_string(*buffer) +
                          ", which has " + std::to_string(bytes.size()),
-                     remedy);
+                     meshoptRemedy);
   }
   return bytes.subspan(*offset, *length);
 }
@@ -266,7 +267,7 @@ Result<std::vector<CompressedView>> readExtensions(const Document& doc) {
     if (extension == nullptr && doc.isFallback[static_cast<size_t>(buffer)]) {
       return doc.error(place + "/buffer",
                        "buffer " + std::to_string(buffer) + " is a fallback, which only compressed views may use",
-                       remedy);
+                       meshoptRemedy);
     }
   }
   return found;
@@ -292,7 +293,7 @@ Result<void> decodeMeshopt(Document& doc) {
   }
   parallelFor(views->size(), [&](size_t i) { decode((*views)[i]); });
   for (CompressedView& v : *views) {
-    if (v.status != 0) return doc.error(v.place, problemOf(v), remedy);
+    if (v.status != 0) return doc.error(v.place, problemOf(v), meshoptRemedy);
     auto& view = doc.gltf.bufferViews[v.view];
     view.buffer = static_cast<int>(doc.buffers.size());
     view.byteOffset = 0;

@@ -23,12 +23,12 @@ constexpr const TargetRule* targetRules[] = {&positionRule, &normalRule, &tangen
 
 using Target = std::map<std::string, int>;
 
-int components(const Document& doc, int accessor) {
+int vectorComponents(const Document& doc, int accessor) {
   const int type = doc.gltf.accessors[static_cast<size_t>(accessor)].type;
   return type >= TINYGLTF_TYPE_VEC2 && type <= TINYGLTF_TYPE_VEC4 ? type : 0;
 }
 
-struct Reader {
+struct MorphReader {
   const Document& doc;
   const tinygltf::Primitive& from;
   const std::string& place;
@@ -41,7 +41,7 @@ struct Reader {
 
 // Differences of one attribute; empty where the target has none or all are zero.
 template <class V>
-void readDifferences(Reader& reader, size_t target, const TargetRule& rule, std::vector<V>& out) {
+void readDifferences(MorphReader& reader, size_t target, const TargetRule& rule, std::vector<V>& out) {
   const auto found = reader.from.targets[target].find(rule.name);
   if (found == reader.from.targets[target].end()) return;
   out.assign(reader.doc.gltf.accessors[static_cast<size_t>(found->second)].count, V(0));
@@ -65,7 +65,7 @@ void readDifferences(Reader& reader, size_t target, const TargetRule& rule, std:
 }
 
 // Whether what the rule changes is there; says once where it is not.
-bool isThere(Reader& reader, const TargetRule& rule, bool there) {
+bool isThere(MorphReader& reader, const TargetRule& rule, bool there) {
   if (there) return true;
   const auto& targets = reader.from.targets;
   const auto n = std::count_if(targets.begin(), targets.end(), [&](const Target& t) { return t.count(rule.name) > 0; });
@@ -76,7 +76,7 @@ bool isThere(Reader& reader, const TargetRule& rule, bool there) {
   return false;
 }
 
-void noteTextureCoordinates(Reader& reader) {
+void noteTextureCoordinates(MorphReader& reader) {
   size_t n = 0;
   for (const Target& target : reader.from.targets) {
     const auto found = target.lower_bound("TEXCOORD_");
@@ -105,7 +105,7 @@ Result<void> checkTargets(const Document& doc, const tinygltf::Primitive& primit
     for (const TargetRule* rule : targetRules) {
       const auto found = primitive.targets[i].find(rule->name);
       if (found == primitive.targets[i].end()) continue;
-      const int n = components(doc, found->second);
+      const int n = vectorComponents(doc, found->second);
       if (n >= rule->minComponents && n <= rule->maxComponents) continue;
       return doc.error(pointer(place + "/targets", i) + "/" + rule->name, "is not a vector of 3 components");
     }
@@ -127,7 +127,7 @@ uint64_t targetBytes(const Document& doc, const tinygltf::Primitive& primitive, 
 void readTargets(const Document& doc, const tinygltf::Primitive& from, size_t count, const std::string& place,
                  scene::Primitive& primitive, Notes& notes) {
   if (from.targets.empty()) return;
-  Reader reader{doc, from, place, notes};
+  MorphReader reader{doc, from, place, notes};
   const bool normals = isThere(reader, normalRule, !primitive.normals.empty());
   const bool tangents = isThere(reader, tangentRule, !primitive.tangents.empty());
   const bool colors = isThere(reader, colorRule, !primitive.colors.empty());

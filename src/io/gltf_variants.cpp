@@ -9,7 +9,7 @@ namespace {
 
 using Value = tinygltf::Value;
 
-constexpr const char* extensionName = "KHR_materials_variants";
+constexpr const char* variantsExtension = "KHR_materials_variants";
 
 // The whole number at value[key], which has to be an index below count.
 Result<int> indexAt(const Document& doc, const Value& value, size_t count, const std::string& place, const char* what) {
@@ -43,9 +43,9 @@ Result<void> readMapping(Document& doc, const Value& mapping, const std::string&
 }  // namespace
 
 Result<void> readVariants(Document& doc) {
-  const auto extension = doc.gltf.extensions.find(extensionName);
+  const auto extension = doc.gltf.extensions.find(variantsExtension);
   if (extension == doc.gltf.extensions.end()) return {};
-  const std::string place = std::string("/extensions/") + extensionName + "/variants";
+  const std::string place = std::string("/extensions/") + variantsExtension + "/variants";
   const Value& variants = memberValue(extension->second, "variants");
   if (!variants.IsArray()) return doc.error(place, "is not a list of variants");
   for (size_t i = 0; i < variants.ArrayLen(); ++i) {
@@ -59,9 +59,9 @@ Result<void> readVariants(Document& doc) {
 Result<std::vector<int>> variantMaterials(Document& doc, const tinygltf::Primitive& primitive,
                                           const std::string& place) {
   std::vector<int> materials;
-  const auto extension = primitive.extensions.find(extensionName);
+  const auto extension = primitive.extensions.find(variantsExtension);
   if (extension == primitive.extensions.end()) return materials;
-  const std::string at = place + "/extensions/" + extensionName + "/mappings";
+  const std::string at = place + "/extensions/" + variantsExtension + "/mappings";
   const Value& mappings = memberValue(extension->second, "mappings");
   if (!mappings.IsArray()) return doc.error(at, "is not a list of mappings");
   for (size_t i = 0; i < mappings.ArrayLen(); ++i) {

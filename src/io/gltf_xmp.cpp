@@ -10,12 +10,12 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* extensionName = "KHR_xmp_json_ld";
+constexpr const char* xmpExtension = "KHR_xmp_json_ld";
 
 void addReference(Document& doc, const Json& object, const std::string& place) {
-  const Json* extension = extensionOf(object, extensionName);
+  const Json* extension = extensionOf(object, xmpExtension);
   if (extension == nullptr) return;
-  const std::string at = place + "/extensions/" + extensionName + "/packet";
+  const std::string at = place + "/extensions/" + xmpExtension + "/packet";
   const auto packet = extension->find("packet");
   if (packet == extension->end() || !packet->is_number_unsigned()) {
     doc.warning(at, "is not a whole number: ignored");
@@ -42,9 +42,9 @@ J memberOf(const Document& doc, std::string_view key) {
 
 void readPackets(Document& doc) {
   const auto extensions = memberOf<nlohmann::ordered_json>(doc, "extensions");
-  const auto extension = extensions.find(extensionName);
+  const auto extension = extensions.find(xmpExtension);
   const auto packets = extension->is_object() ? extension->find("packets") : extension->end();
-  const std::string place = std::string("/extensions/") + extensionName + "/packets";
+  const std::string place = std::string("/extensions/") + xmpExtension + "/packets";
   if (packets == extension->end() || !packets->is_array()) {
     doc.warning(place, "is not a list of packets: ignored");
     return;
@@ -56,7 +56,7 @@ void readPackets(Document& doc) {
 }  // namespace
 
 Result<void> readXmp(Document& doc) {
-  if (doc.gltf.extensions.count(extensionName) == 0) return {};
+  if (doc.gltf.extensions.count(xmpExtension) == 0) return {};
   readPackets(doc);
   addReference(doc, memberOf<Json>(doc, "asset"), "/asset");
   for (const char* key : {"scenes", "nodes", "meshes", "materials", "images", "animations"}) {

@@ -15,9 +15,9 @@ namespace {
 
 using Bytes = std::span<const uint8_t>;
 
-constexpr const char* convertIt = "convert it to OpenEXR or to an ordinary .hdr";
+constexpr const char* convertHdr = "convert it to OpenEXR or to an ordinary .hdr";
 
-struct Reader {
+struct HdrReader {
   Bytes bytes;
   const std::string& name;
   size_t at = 0;
@@ -36,7 +36,7 @@ struct Reader {
   }
 };
 
-struct Header {
+struct HdrHeader {
   int width = 0, height = 0;
   double exposure = 1;
 };
@@ -49,26 +49,26 @@ bool parseNumber(std::string_view text, T& value) {
   return code == std::errc() && end == text.data() + text.size();
 }
 
-Result<void> readResolution(Reader& reader, Header& header) {
+Result<void> readResolution(HdrReader& reader, HdrHeader& header) {
   const size_t begin = reader.at;
   const std::string_view line = reader.line();
   reader.at = begin;
   const size_t x = line.find("+X ");
   if (!line.starts_with("-Y ") || x == std::string_view::npos) {
     return reader.error("the resolution line " + inQuotes(line) + " is not of the form \"-Y height +X width\"",
-                        convertIt);
+                        convertHdr);
   }
   if (!parseNumber(line.substr(3, x - 3), header.height) || !parseNumber(line.substr(x + 3), header.width) ||
       header.width <= 0 || header.height <= 0) {
-    return reader.error("the resolution line " + inQuotes(line) + " holds no positive size", convertIt);
+    return reader.error("the resolution line " + inQuotes(line) + " holds no positive size", convertHdr);
   }
   reader.line();
   return {};
 }
 
-Result<Header> readHeader(Reader& reader) {
+Result<HdrHeader> readHeader(HdrReader& reader) {
   constexpr std::string_view format = "FORMAT=", exposure = "EXPOSURE=";
-  Header header;
+  HdrHeader header;
   reader.line();  // "#?RADIANCE"
   while (reader.at < reader.bytes.size()) {
     const size_t begin = reader.at;
@@ -80,13 +80,13 @@ Result<Header> readHeader(Reader& reader) {
     if (line.starts_with(format) && line.substr(format.size()) != "32-bit_rle_rgbe") {
       reader.at = begin;
       return reader.error("the pixel format " + inQuotes(line.substr(format.size())) + " is not 32-bit_rle_rgbe",
-                          convertIt);
+                          convertHdr);
     }
     if (line.starts_with(exposure)) {
       double value = 0;
       if (!parseNumber(line.substr(exposure.size()), value) || !(value > 0) || !std::isfinite(value)) {
         reader.at = begin;
-        return reader.error(inQuotes(line) + " is not a positive number", convertIt);
+        return reader.error(inQuotes(line) + " is not a positive number", convertHdr);
       }
       header.exposure *= value;  // each program on the way multiplied by its own
     }
@@ -95,7 +95,7 @@ Result<Header> readHeader(Reader& reader) {
 }
 
 // Run-length coded channel by channel (since 1991). `row` is planar: width bytes each of R, G, B, E.
-bool readNewRow(Reader& reader, size_t width, uint8_t* row) {
+bool readNewRow(HdrReader& reader, size_t width, uint8_t* row) {
   const Bytes bytes = reader.bytes;
   size_t at = reader.at + 4;
   for (uint8_t *out = row, *end = row + width * 4; out < end;) {
@@ -119,7 +119,7 @@ bool readNewRow(Reader& reader, size_t width, uint8_t* row) {
 }
 
 // Whole pixels; (1, 1, 1, n) repeats the last one n times, several in a row count as digits of 8 bits, lowest first.
-bool readOldRow(Reader& reader, size_t width, uint8_t* row) {
+bool readOldRow(HdrReader& reader, size_t width, uint8_t* row) {
   size_t filled = 0;
   int shift = 0;
   while (filled < width) {
@@ -145,7 +145,7 @@ bool readOldRow(Reader& reader, size_t width, uint8_t* row) {
   return true;
 }
 
-bool isNewRow(const Reader& reader, size_t width) {
+bool isNewRow(const HdrReader& reader, size_t width) {
   const Bytes rest = reader.bytes.subspan(reader.at);
   return width >= 8 && width <= 32767 && rest.size() >= 4 && rest[0] == 2 && rest[1] == 2 && rest[2] < 128 &&
          (static_cast<size_t>(rest[2]) << 8 | rest[3]) == width;
@@ -166,7 +166,7 @@ bool isHdr(Bytes bytes) {
 }
 
 Result<RadianceImage> decodeHdr(Bytes bytes, const std::string& name, const Limits& limits) {
-  Reader reader{bytes, name};
+  HdrReader reader{bytes, name};
   const auto header = readHeader(reader);
   if (!header) return tl::unexpected(header.error());
   const auto width = static_cast<size_t>(header->width), height = static_cast<size_t>(header->height);

@@ -22,7 +22,7 @@ namespace {
 
 using Bytes = std::span<const uint8_t>;
 
-struct Header {
+struct ImageHeader {
   int width = 0, height = 0, channels = 0;
   bool sixteenBit = false;
   bool webp = false;
@@ -59,7 +59,7 @@ const char* foreignFormat(Bytes bytes) {
   return nullptr;
 }
 
-std::string sizeText(const Header& h) { return std::to_string(h.width) + " x " + std::to_string(h.height); }
+std::string sizeText(const ImageHeader& h) { return std::to_string(h.width) + " x " + std::to_string(h.height); }
 
 // Deflate cannot shrink more than this (zlib's manual: 1032:1), so a header that claims more lies.
 constexpr uint64_t largestDeflateRatio = 1040;
@@ -67,18 +67,18 @@ constexpr uint64_t largestDeflateRatio = 1040;
 bool isWebp(Bytes bytes) { return startsWith(bytes, "RIFF") && startsWith(bytes, "WEBP", 8); }
 
 // Errors come without a name.
-Result<Header> readWebpHeader(Bytes bytes) {
+Result<ImageHeader> readWebpHeader(Bytes bytes) {
   WebPBitstreamFeatures features;
   if (WebPGetFeatures(bytes.data(), bytes.size(), &features) != VP8_STATUS_OK || features.width <= 0 ||
       features.height <= 0) {
     return fail("", "", "the image's header is damaged", "save it again");
   }
   if (features.has_animation) return fail("", "", "is an animated WebP image", "use a still image");
-  return Header{features.width, features.height, features.has_alpha ? 4 : 3, false, true};
+  return ImageHeader{features.width, features.height, features.has_alpha ? 4 : 3, false, true};
 }
 
-Result<Header> readStbHeader(Bytes bytes) {
-  Header header;
+Result<ImageHeader> readStbHeader(Bytes bytes) {
+  ImageHeader header;
   const int size = static_cast<int>(bytes.size());
   if (!stbi_info_from_memory(bytes.data(), size, &header.width, &header.height, &header.channels) ||
       header.width <= 0 || header.height <= 0) {
@@ -87,7 +87,7 @@ Result<Header> readStbHeader(Bytes bytes) {
   return header;
 }
 
-Result<Header> readHeader(Bytes bytes, const std::string& name, const Limits& limits) {
+Result<ImageHeader> readHeader(Bytes bytes, const std::string& name, const Limits& limits) {
   constexpr const char* convert = "convert it to PNG or JPEG";
   const bool png = startsWith(bytes, pngMagic);
   const bool webp = isWebp(bytes);
@@ -104,7 +104,7 @@ Result<Header> readHeader(Bytes bytes, const std::string& name, const Limits& li
   }
   auto read = webp ? readWebpHeader(bytes) : readStbHeader(bytes);
   if (!read) return fail(name, "", read.error().problem, read.error().remedy);
-  Header header = *read;
+  ImageHeader header = *read;
   if (header.pixels() > limits.imagePixels) {
     return fail(
         name, "",
@@ -128,7 +128,7 @@ struct Free {
   void operator()(void* data) const { stbi_image_free(data); }
 };
 
-Result<Pixels> decodeWebp(Bytes bytes, const Header& header, const std::string& name) {
+Result<Pixels> decodeWebp(Bytes bytes, const ImageHeader& header, const std::string& name) {
   Pixels pixels;
   pixels.width = header.width;
   pixels.height = header.height;
@@ -141,7 +141,7 @@ Result<Pixels> decodeWebp(Bytes bytes, const Header& header, const std::string& 
   return pixels;
 }
 
-Result<Pixels> decode(Bytes bytes, const Header& header, const std::string& name) {
+Result<Pixels> decode(Bytes bytes, const ImageHeader& header, const std::string& name) {
   if (header.webp) return decodeWebp(bytes, header, name);
   Pixels pixels;
   const int size = static_cast<int>(bytes.size());
@@ -165,7 +165,7 @@ struct Work {
   size_t index = 0;
   FileBytes file;
   Bytes bytes;
-  Header header;
+  ImageHeader header;
   std::string problem;  // not empty: placeholder
 };
 

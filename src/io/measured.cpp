@@ -6,6 +6,7 @@
 #include "base/nearest.hpp"
 #include "io/merl.hpp"
 #include "io/safe_files.hpp"
+#include "io/sources.hpp"
 #include "io/uri.hpp"
 #include "optics/synthetic_brdf.hpp"
 
@@ -15,7 +16,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view builtinPrefix = "builtin:";
 constexpr std::array<std::string_view, 3> decodeNames = {"raw", "srgb", "srgb140"};
 
 // Picture formats that are often confused with data, by their first bytes.

@@ -13,8 +13,6 @@ namespace facet::io {
 
 namespace {
 
-constexpr std::string_view builtinPrefix = "builtin:";
-
 bool isBuiltin(const std::string& source) { return source.starts_with(builtinPrefix); }
 
 Result<LoadedModel> readModel(const std::string& source, const Limits& limits) {

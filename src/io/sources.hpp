@@ -3,6 +3,7 @@
 // Models and environments by the names that people give: a file, or "builtin:NAME".
 
 #include <string>
+#include <string_view>
 
 #include "base/error.hpp"
 #include "io/bump.hpp"
@@ -10,6 +11,8 @@
 #include "scene/environment.hpp"
 
 namespace facet::io {
+
+inline constexpr std::string_view builtinPrefix = "builtin:";
 
 // The file or built-in scene, geometry completed (scene::completeGeometry). A bump is for built-in scenes alone: files
 // bring normal textures of their own, and texture coordinates that only their authors know.
