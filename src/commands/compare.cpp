@@ -118,7 +118,7 @@ int runCompare(const CompareSettings& settings) {
   if (!reference) return badInput(reference.error());
   const Result<io::RadianceImage> picture = compare::readPicture(settings.picture);
   if (!picture) return badInput(picture.error());
-  Result<Comparison> comparison = compare::compare(*reference, *picture, task->options);
+  Result<Comparison> comparison = compare::comparePictures(*reference, *picture, task->options);
   if (!comparison) {
     comparison.error().file = settings.reference + " and " + settings.picture;
     return badInput(comparison.error());

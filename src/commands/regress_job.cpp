@@ -51,7 +51,7 @@ Result<void> compareWithBaseline(const Suite& suite, const SuiteJob& job, const 
   const Result<io::RadianceImage> before = compare::readPicture(file);
   if (!before) return tl::unexpected(before.error());
   const io::RadianceImage after = compare::linearPicture(display);
-  const Result<compare::Comparison> comparison = compare::compare(*before, after);
+  const Result<compare::Comparison> comparison = compare::comparePictures(*before, after);
   if (!comparison) {
     result.status = JobStatus::differs;
     result.message = comparison.error().problem;

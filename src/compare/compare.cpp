@@ -144,8 +144,8 @@ double displayDifference(const glm::vec4& reference, const glm::vec4& picture) {
   return std::max({d.r, d.g, d.b, alpha});
 }
 
-Result<Comparison> compare(const io::RadianceImage& reference, const io::RadianceImage& picture,
-                           const CompareOptions& options) {
+Result<Comparison> comparePictures(const io::RadianceImage& reference, const io::RadianceImage& picture,
+                                   const CompareOptions& options) {
   if (auto checked = checkSizes(reference, picture); !checked) return tl::unexpected(checked.error());
   const size_t width = static_cast<size_t>(reference.width), height = static_cast<size_t>(reference.height);
   std::vector<float> lumaReference(width * height), lumaPicture(width * height);

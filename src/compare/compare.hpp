@@ -46,8 +46,8 @@ Result<io::RadianceImage> readPicture(const std::filesystem::path& path, const i
 io::RadianceImage linearPicture(const io::Pixels& pixels);
 
 // Errors: sizes differ; the mask is empty.
-Result<Comparison> compare(const io::RadianceImage& reference, const io::RadianceImage& picture,
-                           const CompareOptions& options = {});
+Result<Comparison> comparePictures(const io::RadianceImage& reference, const io::RadianceImage& picture,
+                                   const CompareOptions& options = {});
 
 // Largest display difference of the channels and alpha at a pixel, [0, 1]; 1 where either is not finite.
 double displayDifference(const glm::vec4& reference, const glm::vec4& picture);

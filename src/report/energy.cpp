@@ -182,7 +182,7 @@ Result<Table> pictureTable(const ReportInput& input) {
           input.session->render(input.model, settings, {.radiance = true, .repeat = repeat}, notes, stages);
       if (!picture) return tl::unexpected(picture.error());
       if (energy.model == EnergyModel::automatic) usual = *picture;
-      const Result<compare::Comparison> c = compare::compare(usual->radiance, picture->radiance, options);
+      const Result<compare::Comparison> c = compare::comparePictures(usual->radiance, picture->radiance, options);
       if (!c) return tl::unexpected(c.error());
       std::vector<double> times = picture->statistics.frameMs;
       if (times.size() > 1) times.erase(times.begin());

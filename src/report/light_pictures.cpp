@@ -70,7 +70,7 @@ Result<Report> lightPictures(const ReportInput& input) {
   const Result<frame::Picture> reference = draw(input, converged, 0);
   if (!reference) return tl::unexpected(reference.error());
   const compare::CompareOptions options{.maskFromAlpha = true};
-  const Result<compare::Comparison> moved = compare::compare(reference->radiance, half->radiance, options);
+  const Result<compare::Comparison> moved = compare::comparePictures(reference->radiance, half->radiance, options);
   if (!moved) return tl::unexpected(moved.error());
   char note[256];
   std::snprintf(note, sizeof note,
@@ -88,7 +88,7 @@ Result<Report> lightPictures(const ReportInput& input) {
     input.progress("pictures: " + way.name + ", " + std::to_string(way.settings.quality.samples) + " samples");
     const Result<frame::Picture> picture = draw(input, way.settings, timedFrames);
     if (!picture) return tl::unexpected(picture.error());
-    const Result<compare::Comparison> c = compare::compare(reference->radiance, picture->radiance, options);
+    const Result<compare::Comparison> c = compare::comparePictures(reference->radiance, picture->radiance, options);
     if (!c) return tl::unexpected(c.error());
     const std::vector<double>& times = picture->statistics.frameMs;
     const double ms = median({times.begin() + 1, times.end()});

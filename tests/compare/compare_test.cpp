@@ -8,7 +8,7 @@
 #include "base/srgb.hpp"
 
 using namespace facet;
-using compare::compare;
+using compare::comparePictures;
 using compare::Comparison;
 
 namespace {
@@ -33,7 +33,7 @@ glm::vec4 grey(double encoded) {
 TEST_CASE("a picture does not differ from itself") {
   io::RadianceImage image = uniform(9, 5, glm::vec4(0.2f, 0.4f, 3.0f, 1));
   at(image, 4, 2) = glm::vec4(1e5f, -1, 0, 0.5f);
-  const Result<Comparison> c = compare(image, image);
+  const Result<Comparison> c = comparePictures(image, image);
   REQUIRE(c);
   CHECK(c->relRmse == 0);
   CHECK(c->bias == std::array<double, 3>{0, 0, 0});
@@ -47,7 +47,7 @@ TEST_CASE("a picture does not differ from itself") {
 
 TEST_CASE("a constant offset gives the figures of its closed form") {
   const Result<Comparison> c =
-      compare(uniform(16, 12, {0.5f, 0.25f, 0.75f, 1}), uniform(16, 12, {0.6f, 0.25f, 0.5f, 1}));
+      comparePictures(uniform(16, 12, {0.5f, 0.25f, 0.75f, 1}), uniform(16, 12, {0.6f, 0.25f, 0.5f, 1}));
   REQUIRE(c);
   CHECK(c->relRmse == Approx(std::sqrt((0.01 + 0 + 0.0625) / 3) / 0.5).epsilon(1e-6));
   CHECK(c->bias[0] == Approx(0.2).epsilon(1e-6));
@@ -63,7 +63,7 @@ TEST_CASE("one bad pixel is found, and what it adds is known") {
   io::RadianceImage picture = uniform(10, 10, glm::vec4(0.25f, 0.25f, 0.25f, 1));
   const io::RadianceImage reference = picture;
   at(picture, 3, 7) = glm::vec4(1, 1, 1, 1);
-  const Result<Comparison> c = compare(reference, picture);
+  const Result<Comparison> c = comparePictures(reference, picture);
   REQUIRE(c);
   CHECK(c->relRmse == Approx(0.75 / 10 / 0.25));
   CHECK(c->bias[1] == Approx(0.75 / 100 / 0.25));
@@ -77,12 +77,12 @@ TEST_CASE("one bad pixel is found, and what it adds is known") {
 
 TEST_CASE("the tolerance separates what counts as different") {
   const io::RadianceImage reference = uniform(4, 4, grey(0.5)), picture = uniform(4, 4, grey(0.52));
-  CHECK(compare(reference, picture, {.tolerance = 0.0199})->shareAbove == 1);
-  CHECK(compare(reference, picture, {.tolerance = 0.0201})->shareAbove == 0);
+  CHECK(comparePictures(reference, picture, {.tolerance = 0.0199})->shareAbove == 1);
+  CHECK(comparePictures(reference, picture, {.tolerance = 0.0201})->shareAbove == 0);
 }
 
 TEST_CASE("display figures clamp, linear ones do not") {
-  const Result<Comparison> c = compare(uniform(3, 3, {2, 2, 2, 1}), uniform(3, 3, {4, 4, 4, 1}));
+  const Result<Comparison> c = comparePictures(uniform(3, 3, {2, 2, 2, 1}), uniform(3, 3, {4, 4, 4, 1}));
   REQUIRE(c);
   CHECK(c->relRmse == Approx(1));
   CHECK(c->displayRmse == 0);
@@ -90,7 +90,7 @@ TEST_CASE("display figures clamp, linear ones do not") {
 }
 
 TEST_CASE("a wrong alpha is a difference even where the colour is black") {
-  const Result<Comparison> c = compare(uniform(2, 2, {0, 0, 0, 1}), uniform(2, 2, {0, 0, 0, 0.75f}));
+  const Result<Comparison> c = comparePictures(uniform(2, 2, {0, 0, 0, 1}), uniform(2, 2, {0, 0, 0, 0.75f}));
   REQUIRE(c);
   CHECK(c->largest == 0.25);
   CHECK(c->shareAbove == 1);
@@ -103,7 +103,7 @@ TEST_CASE("not finite: counted, never within, zero in the sums") {
   io::RadianceImage reference = uniform(10, 10, {0.5f, 0.5f, 0.5f, 1}), picture = reference;
   at(picture, 6, 1)[channel] = bad;
   SECTION("in the picture") {
-    const Result<Comparison> c = compare(reference, picture, {.tolerance = 0.999});
+    const Result<Comparison> c = comparePictures(reference, picture, {.tolerance = 0.999});
     REQUIRE(c);
     CHECK(c->nonFinitePicture == 1);
     CHECK(c->nonFiniteReference == 0);
@@ -116,7 +116,7 @@ TEST_CASE("not finite: counted, never within, zero in the sums") {
     CHECK(std::isfinite(c->ssim));
   }
   SECTION("in both at one place: they still fail") {
-    const Result<Comparison> c = compare(picture, picture);
+    const Result<Comparison> c = comparePictures(picture, picture);
     REQUIRE(c);
     CHECK(c->nonFinitePicture == 1);
     CHECK(c->nonFiniteReference == 1);
@@ -131,38 +131,38 @@ TEST_CASE("the mask is where the reference's alpha is above one half") {
   at(reference, 1, 0).a = 0.51f;
   at(picture, 0, 0) = {9, 9, 9, 1};
   at(picture, 3, 0) = {1, 1, 1, 1};
-  const Result<Comparison> c = compare(reference, picture, {.maskFromAlpha = true});
+  const Result<Comparison> c = comparePictures(reference, picture, {.maskFromAlpha = true});
   REQUIRE(c);
   CHECK(c->pixels == 3);
   CHECK(c->bias[0] == Approx(0.5 / 3 / 0.5));
   CHECK(c->largestX == 1);  // 0.49 of alpha is more than what white differs from 0.5
   SECTION("NaN outside the mask is still counted") {
     at(picture, 0, 0).r = notANumber;
-    const Result<Comparison> outside = compare(reference, picture, {.maskFromAlpha = true});
+    const Result<Comparison> outside = comparePictures(reference, picture, {.maskFromAlpha = true});
     CHECK(outside->nonFinitePicture == 1);
     CHECK(outside->bias[0] == Approx(0.5 / 3 / 0.5));
   }
   SECTION("an empty mask is an error") {
-    const Result<Comparison> none = compare(uniform(4, 1, glm::vec4(0)), picture, {.maskFromAlpha = true});
+    const Result<Comparison> none = comparePictures(uniform(4, 1, glm::vec4(0)), picture, {.maskFromAlpha = true});
     REQUIRE_FALSE(none);
     CHECK(describe(none.error()) == "no pixel of the reference has an alpha above 0.5; compare without the mask.");
   }
 }
 
 TEST_CASE("a black reference keeps the relative figures finite") {
-  const Result<Comparison> same = compare(uniform(3, 3, {0, 0, 0, 1}), uniform(3, 3, {0, 0, 0, 1}));
+  const Result<Comparison> same = comparePictures(uniform(3, 3, {0, 0, 0, 1}), uniform(3, 3, {0, 0, 0, 1}));
   CHECK(same->relRmse == 0);
-  const Result<Comparison> other = compare(uniform(3, 3, {0, 0, 0, 1}), uniform(3, 3, {1, 1, 1, 1}));
+  const Result<Comparison> other = comparePictures(uniform(3, 3, {0, 0, 0, 1}), uniform(3, 3, {1, 1, 1, 1}));
   CHECK(other->relRmse == Approx(1e9));
   CHECK(other->bias[2] == Approx(1e9));
 }
 
 TEST_CASE("pictures of different sizes are refused") {
-  const Result<Comparison> c = compare(uniform(4, 6, glm::vec4(1)), uniform(6, 4, glm::vec4(1)));
+  const Result<Comparison> c = comparePictures(uniform(4, 6, glm::vec4(1)), uniform(6, 4, glm::vec4(1)));
   REQUIRE_FALSE(c);
   CHECK(describe(c.error()) == "the sizes differ, 4x6 and 6x4; compare pictures of one size.");
   CHECK_FALSE(compare::heatMap(uniform(4, 6, glm::vec4(1)), uniform(6, 4, glm::vec4(1))));
-  CHECK_FALSE(compare({}, {}));
+  CHECK_FALSE(comparePictures({}, {}));
 }
 
 TEST_CASE("heat map: the scale's stops and what lies between") {

@@ -95,5 +95,6 @@ TEST_CASE("the comparison's SSIM is the mean of the map over the mask") {
   facet::io::RadianceImage red = grey;
   for (glm::vec4& pixel : red.pixels) pixel = glm::vec4(1, 0, 0, 1);
   const double a = 1.055 * std::pow(0.2, 1 / 2.4) - 0.055, b = 0.2126;  // luma of the shown colours
-  CHECK(facet::compare::compare(grey, red)->ssim == Approx((2 * a * b + c1) / (a * a + b * b + c1)).epsilon(1e-5));
+  CHECK(facet::compare::comparePictures(grey, red)->ssim ==
+        Approx((2 * a * b + c1) / (a * a + b * b + c1)).epsilon(1e-5));
 }

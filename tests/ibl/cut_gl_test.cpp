@@ -4,6 +4,7 @@
 #include <iostream>
 #include <string>
 
+#include "base/angle.hpp"
 #include "ibl/cut.hpp"
 #include "ibl/tables.hpp"
 #include "io/radiance.hpp"
@@ -16,8 +17,6 @@
 using namespace facet;
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 // A few texels of a layer, each made by its own cut: the direction and what the shader stored.
 struct Texels {

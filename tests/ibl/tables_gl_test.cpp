@@ -4,6 +4,7 @@
 #include <functional>
 #include <iostream>
 
+#include "base/angle.hpp"
 #include "ibl/layers.hpp"
 #include "ibl/tables.hpp"
 #include "optics/energy.hpp"
@@ -16,8 +17,6 @@
 using namespace facet;
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 // For tests that look at the cube only: one sample a layer.
 constexpr ibl::Method cubeOnly{.ld = ibl::LdMethod::filtered, .samples = 1, .irradianceSize = 8};

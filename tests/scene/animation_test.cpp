@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "base/angle.hpp"
 #include "scene/nodes.hpp"
 
 using namespace facet;
@@ -11,7 +12,6 @@ using namespace facet::scene;
 
 namespace {
 
-const double pi = std::acos(-1.0);
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 

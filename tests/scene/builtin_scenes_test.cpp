@@ -8,14 +8,14 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/angle.hpp"
 #include "scene/builtin_environments.hpp"
 #include "scene/shapes.hpp"
 
+using facet::pi;
 using namespace facet::scene;
 
 namespace {
-
-const double pi = std::acos(-1.0);
 
 uint32_t word(const std::vector<uint8_t>& bytes, size_t at) {
   uint32_t value = 0;

@@ -4,11 +4,12 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "base/angle.hpp"
+
+using facet::pi;
 using namespace facet::scene;
 
 namespace {
-
-const double pi = std::acos(-1.0);
 
 glm::dvec3 ndc(const glm::dmat4& clip, const glm::dvec3& p) {
   const glm::dvec4 c = clip * glm::dvec4(p, 1);

@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <random>
 
+#include "base/angle.hpp"
 #include "scene/animation.hpp"
 #include "scene/geometry.hpp"
 
@@ -12,8 +13,6 @@ using namespace facet;
 using namespace facet::scene;
 
 namespace {
-
-const double pi = std::acos(-1.0);
 
 // An arm along +X: vertices at 0, 1 (half each joint's) and 2; joint nodes 1 (at the origin) and 2 (one metre on),
 // drawn by node 0 with mesh and skin 0.

@@ -4,13 +4,14 @@
 #include <cfloat>
 #include <cmath>
 
+#include "base/angle.hpp"
 #include "scene/builtin_environments.hpp"
 
+using facet::pi;
 using namespace facet::scene;
 
 namespace {
 
-const double pi = std::acos(-1.0);
 const float notANumber = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
 
 Environment grid(int width, int height, float value) {

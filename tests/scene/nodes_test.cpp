@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "base/angle.hpp"
 #include "scene/animation.hpp"
 #include "scene/deformation.hpp"
 #include "scene/geometry.hpp"
@@ -11,8 +12,6 @@
 using namespace facet::scene;
 
 namespace {
-
-const double pi = std::acos(-1.0);
 
 // A mesh with the unit cube [-1, 1]^3 as bounds.
 Mesh cubeMesh() {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iostream>
 
+#include "base/angle.hpp"
 #include "io/radiance.hpp"
 #include "optics/mapping.hpp"
 #include "optics/microfacet.hpp"
@@ -15,8 +16,6 @@ using namespace facet;
 using scene::Environment;
 
 namespace {
-
-constexpr double pi = optics::pi;
 
 Environment grey(int width, int height, float value) {
   Environment e;

@@ -8,14 +8,14 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "base/angle.hpp"
 #include "scene/shapes.hpp"
 #include "support/skip.hpp"
 
+using facet::pi;
 using namespace facet::scene;
 
 namespace {
-
-const double pi = std::acos(-1.0);
 
 // Unit square in the plane z = 0 seen from +Z, u to the right and v down as an image has it.
 Primitive quad() {
