@@ -81,7 +81,8 @@ struct PlacedMesh {
   }
 };
 
-void pickPrimitive(const Primitive& p, const PlacedMesh& shape, const Ray& ray, const Hit& head, std::vector<Hit>& hits) {
+void pickPrimitive(const Primitive& p, const PlacedMesh& shape, const Ray& ray, const Hit& head,
+                   std::vector<Hit>& hits) {
   // A rigid shape is met in its own space, where no vertex has to be moved; distances stay the same.
   Ray local = ray;
   const glm::dmat4 world = shape.instance.worldFromNode;
