@@ -9,8 +9,11 @@
 #include "commands/inspect_parts.hpp"
 #include "commands/notes_json.hpp"
 #include "commands/picture_options.hpp"
+#include "frame/choose.hpp"
+#include "frame/gpu_scene.hpp"
 #include "frame/left_out.hpp"
-#include "frame/picture.hpp"
+#include "frame/list_notes.hpp"
+#include "frame/measured_gpu.hpp"
 #include "io/image.hpp"
 #include "io/measured.hpp"
 #include "io/sources.hpp"
@@ -178,7 +181,7 @@ Result<Json> readMeasured(const frame::PictureSettings& settings, frame::DrawOpt
   const Result<optics::MeasuredBrdf> brdf = io::readMeasured(*source, {.utiaDecode = settings.sources.utiaDecode});
   if (!brdf) return tl::unexpected(brdf.error());
   std::ranges::move(io::measuredNotes(*brdf), std::back_inserter(notes));
-  frame::setMeasured(options.features, settings, brdf->kind, optics::fitProxy(*brdf));
+  frame::setMeasured(options.features, settings.look, brdf->kind, optics::fitProxy(*brdf));
   return describeMeasured(*brdf, *source);
 }
 
@@ -188,9 +191,9 @@ int runInspect(const InspectArguments& arguments) {
   Result<io::LoadedModel> loaded = io::loadModel(arguments.model);
   if (!loaded) return badInput(loaded.error());
   const scene::Model& model = loaded->model;
-  const Result<int> scene = frame::chooseScene(settings, model);
+  const Result<int> scene = frame::chooseScene(settings.placement, model);
   if (!scene) return badInput(scene.error());
-  const Result<int> variant = frame::chooseVariant(settings, model);
+  const Result<int> variant = frame::chooseVariant(settings.look, model);
   if (!variant) return badInput(variant.error());
   frame::DrawOptions options = frame::drawOptions(settings, true);
   options.variant = *variant;
@@ -198,7 +201,8 @@ int runInspect(const InspectArguments& arguments) {
   if (!measured) return badInput(measured.error());
   const frame::DrawList list = frame::buildDrawList(model, *scene, options);
   checkImages(model, list, loaded->notes);
-  if (!measured->is_null()) frame::noteMeasured(list, loaded->notes);
+  if (!measured->is_null())
+    std::ranges::move(frame::listNotes(list, list.needs(false)), std::back_inserter(loaded->notes));
   const Json out = describeModel(model, loaded->notes, list, *scene, *measured);
   if (arguments.asJson)
     std::cout << out.dump(2, ' ', false, Json::error_handler_t::replace) << std::endl;

@@ -234,8 +234,8 @@ std::string writeBrdfSamples(const PictureSettings& settings) {
 
 // Nothing is compared where nothing is measured.
 std::string writeBrdfCompare(const PictureSettings& settings) {
-  if (settings.sources.brdf.empty() || settings.display.brdfCompare == frame::BrdfCompare::none) return {};
-  return writeName<comparisons, &S::display, &frame::Display::brdfCompare>(settings);
+  if (settings.sources.brdf.empty() || settings.comparison.brdfCompare == frame::BrdfCompare::none) return {};
+  return writeName<comparisons, &S::comparison, &frame::BrdfComparison::brdfCompare>(settings);
 }
 
 std::string writeTime(const PictureSettings& settings) {
@@ -439,13 +439,13 @@ constexpr PictureOption optionTable[] = {
     {"brdf-compare", "NAME",
      "the model fitted to it, GGX over --diffuse: fit, in its place; split, at its right; difference, of what the "
      "screen shows of both (none)",
-     parseName<comparisons, &S::display, &frame::Display::brdfCompare>, writeBrdfCompare},
+     parseName<comparisons, &S::comparison, &frame::BrdfComparison::brdfCompare>, writeBrdfCompare},
     {"brdf-split", "0..1", "where the fitted model begins, in widths of the picture (0.5)",
-     parseNumberInto<0, 1, &S::display, &frame::Display::brdfSplit>,
-     writeNumber<&S::display, &frame::Display::brdfSplit>},
+     parseNumberInto<0, 1, &S::comparison, &frame::BrdfComparison::brdfSplit>,
+     writeNumber<&S::comparison, &frame::BrdfComparison::brdfSplit>},
     {"brdf-difference-scale", "X", "factor on that difference (4)",
-     parseNumberInto<0, 1000, &S::display, &frame::Display::brdfDifferenceScale>,
-     writeNumber<&S::display, &frame::Display::brdfDifferenceScale>},
+     parseNumberInto<0, 1000, &S::comparison, &frame::BrdfComparison::brdfDifferenceScale>,
+     writeNumber<&S::comparison, &frame::BrdfComparison::brdfDifferenceScale>},
     {"occlusion", "0..1", "scales the occlusion textures' strength (1)",
      parseNumberInto<0, 1, &S::frame, &frame::FrameSettings::occlusion>,
      writeNumber<&S::frame, &frame::FrameSettings::occlusion>},
@@ -567,7 +567,7 @@ Result<void> apply(const nlohmann::json& object, std::span<const Text> others, c
 Result<void> checkTogether(const PictureSettings& settings) {
   if (settings.placement.timeSeconds != 0 && settings.placement.animation.empty())
     return fail({}, "--time", "nothing moves without an animation", "give --animation NAME, or --animation all");
-  if (settings.display.brdfCompare != frame::BrdfCompare::none && settings.sources.brdf.empty())
+  if (settings.comparison.brdfCompare != frame::BrdfCompare::none && settings.sources.brdf.empty())
     return fail({}, "--brdf-compare", "there is no measured BRDF to compare", "give --brdf, too");
   if (settings.viewpoint.camera.empty() || (!settings.viewpoint.orbit && !settings.viewpoint.target)) return {};
   return fail({}, settings.viewpoint.orbit ? "--orbit" : "--target", "the camera of the file has its own place",

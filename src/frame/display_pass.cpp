@@ -30,7 +30,7 @@ void drawFullscreen(const gl::Framebuffer& target, const Targets& targets, const
 }
 
 bool comparing(const FrameInput& in) {
-  const BrdfCompare compare = in.settings.display.brdfCompare;
+  const BrdfCompare compare = in.settings.comparison.brdfCompare;
   return in.list.compared && (compare == BrdfCompare::split || compare == BrdfCompare::difference);
 }
 
@@ -47,9 +47,9 @@ Result<void> showPicture(const FrameInput& in, const Targets& targets, float sca
   (*program)->set(0, display.parameters);
   (*program)->set(1, display.backdrop);
   if (comparing(in)) {
-    const float difference = in.settings.display.brdfCompare == BrdfCompare::difference ? 1 : 0;
-    (*program)->set(2, glm::vec4(in.settings.display.brdfSplit * static_cast<float>(in.settings.frame.width),
-                                 in.settings.display.brdfDifferenceScale, difference, 0));
+    const float difference = in.settings.comparison.brdfCompare == BrdfCompare::difference ? 1 : 0;
+    (*program)->set(2, glm::vec4(in.settings.comparison.brdfSplit * static_cast<float>(in.settings.frame.width),
+                                 in.settings.comparison.brdfDifferenceScale, difference, 0));
     targets.fitted.bind(layout::comparedUnit);
   }
   drawFullscreen(shown.shown, targets, targets.sum ? targets.sum : targets.color, **program);

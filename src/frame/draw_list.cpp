@@ -6,6 +6,7 @@
 #include <map>
 #include <tuple>
 
+#include "frame/material_choice.hpp"
 #include "ibl/taps.hpp"
 #include "optics/microfacet.hpp"
 #include "optics/normal_spread.hpp"
@@ -79,7 +80,7 @@ std::vector<int> addJoints(DrawList& list, const scene::FlatScene& flat) {
 
 int materialIndex(const scene::Primitive& primitive, const DrawList& list, const DrawOptions& options) {
   const int defaultMaterial = static_cast<int>(list.materials.size()) - 1;
-  if (options.material) return 0;
+  if (options.material.on) return 0;
   const auto variant = static_cast<size_t>(options.variant);
   if (options.variant >= 0 && variant < primitive.variantMaterials.size() && primitive.variantMaterials[variant] >= 0)
     return primitive.variantMaterials[variant];
@@ -158,8 +159,8 @@ Placed place(const scene::Model& model, const scene::FlatScene& flat, const scen
 }
 
 void addMaterials(DrawList& list, const scene::Model& model, const DrawOptions& options, const scene::Pose& pose) {
-  if (options.material) {
-    list.materials = {*options.material};
+  if (options.material.on) {
+    list.materials = {overridingMaterial(options.material)};
   } else {
     list.materials = model.materials;
     for (const auto& [index, material] : pose.materials.changed) list.materials[static_cast<size_t>(index)] = material;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "frame/settings.hpp"
 #include "ibl/tables.hpp"
 #include "layout.h"
 #include "scene/model.hpp"
@@ -17,18 +18,17 @@
 
 namespace facet::frame {
 
-// One material for everything, in place of the file's.
-using MaterialOverride = std::optional<scene::Material>;
-
 struct DrawOptions {
   shading::FrameFeatures features = {};  // punctualLights is set by buildDrawList
   bool sceneLights = true;               // the file's lights
   bool demoLights = false;               // four point lights around the scene
   std::optional<scene::Sun> sun = {};    // the environment's, where its tables do without it
-  MaterialOverride material = {};
-  int variant = -1;       // index in Model::variants; -1: the primitives' own materials
-  bool compared = false;  // drawn a second time, of the model fitted to its measured BRDF
-  bool moving = false;    // other poses will follow: morph targets keep their program while all weights are 0
+  MaterialChoice material = {};          // in place of the file's, where it is on
+  int variant = -1;                      // index in Model::variants; -1: the primitives' own materials
+  bool compared = false;                 // drawn a second time, of the model fitted to its measured BRDF
+  bool moving = false;  // other poses will follow: morph targets keep their program while all weights are 0
+
+  bool operator==(const DrawOptions&) const = default;
 };
 
 // One instanced draw call.

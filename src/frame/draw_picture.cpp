@@ -41,11 +41,11 @@ void placeBand(std::vector<T>& picture, const std::vector<T>& band, size_t rowLe
 
 // As compare.frag.glsl does it with display values; the difference is not scaled.
 void compareRadiance(io::RadianceImage& picture, const io::RadianceImage& fitted, const PictureSettings& settings) {
-  const float split = settings.display.brdfSplit * static_cast<float>(picture.width);
+  const float split = settings.comparison.brdfSplit * static_cast<float>(picture.width);
   for (size_t i = 0; i < picture.pixels.size(); ++i) {
     glm::vec4& p = picture.pixels[i];
     const glm::vec4& f = fitted.pixels[i];
-    if (settings.display.brdfCompare == BrdfCompare::difference)
+    if (settings.comparison.brdfCompare == BrdfCompare::difference)
       p = glm::vec4(glm::abs(glm::vec3(p) - glm::vec3(f)), 1);
     else if (static_cast<float>(i % static_cast<size_t>(picture.width)) + 0.5f >= split)
       p = f;
@@ -135,15 +135,37 @@ Targets createTargets(const PictureSettings& settings, const gl::ContextInfo& co
                        gather ? 1 : std::min(settings.quality.samples, context.maxSamples), gather);
 }
 
-Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& request, PreparedPicture prepared,
-                            const SceneOnGpu& scene, const EnvironmentOnGpu& environment,
-                            shading::ProgramStore& programs, const gl::ContextInfo& context, Stages& stages) {
+namespace {
+
+// Once for all frames of an animation.
+scene::Bounds framingOf(const Drawable& drawable, const PictureSettings& settings) {
+  const scene::Bounds& poseBounds = drawable.list.bounds;
+  const Viewpoint& viewpoint = settings.viewpoint;
+  const Placement& placement = settings.placement;
+  const bool viewGiven = !viewpoint.camera.empty() || (viewpoint.target && viewpoint.orbit && viewpoint.orbit->radius);
+  if (placement.animation.empty() || viewGiven) return poseBounds;
+  const int scene = drawable.inputs.list.scene;
+  std::optional<Framing>& known = drawable.scene->framing;
+  if (!known || known->scene != scene || known->animation != placement.animation)
+    known = Framing{scene, placement.animation, framingBounds(placement, drawable.scene->model(), scene, poseBounds)};
+  return known->bounds;
+}
+
+}  // namespace
+
+Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& request, const Drawable& drawable,
+                            PictureStatistics statisticsBefore, shading::ProgramStore& programs,
+                            const gl::ContextInfo& context, Stages& stages) {
   Picture picture;
-  picture.statistics = std::move(prepared.statistics);
+  picture.statistics = std::move(statisticsBefore);
   PictureStatistics& statistics = picture.statistics;
-  const DrawList& list = prepared.list;
+  const DrawList& list = drawable.list;
   PictureSettings settings = asked.quality.maxError ? withSamples(asked, firstSamples(asked)) : asked;
-  const FrameInput input{*scene.model, list, scene.gpu, environment.tables, prepared.view, settings};
+  const Result<scene::View> view = chooseView(settings.viewpoint, aspectOf(settings.frame), drawable.scene->source,
+                                              drawable.scene->model(), list, framingOf(drawable, settings));
+  if (!view) return tl::unexpected(view.error());
+  const FrameInput input = frameInput(drawable, *view, settings);
+  const GpuScene& gpu = drawable.scene->gpu;
   const int rows = std::min(bandRows(settings, list, context), settings.frame.height);
   Targets targets = pictureTargets(settings, context, rows, asked.quality.maxError.has_value());
   prepareBehind(targets, list);
@@ -154,7 +176,7 @@ Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& 
 
   for (int samples = settings.quality.samples; samples > 0;) {
     settings.quality.samples = samples;
-    setTextureDetail(scene.gpu, gatheredDraws(settings, targets), context);
+    setTextureDetail(gpu, gatheredDraws(settings, targets), context);
     std::vector<ComparisonSums> comparison;
     Result<DrawnFrame> drawn = drawBands(input, targets, programs, [&](const FrameInput& band) -> Result<void> {
       stages.mark("first frame");
@@ -182,9 +204,9 @@ Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& 
     statistics.frameMs.push_back(drawn->milliseconds);
     stages.mark("repeated frames");
   }
-  statistics.textureBytes = scene.gpu.textureBytes();
-  statistics.geometryBytes = scene.gpu.geometryBytes();
-  statistics.tableBytes = environment.tables.bytes();
+  statistics.textureBytes = gpu.textureBytes();
+  statistics.geometryBytes = gpu.geometryBytes();
+  statistics.tableBytes = drawable.environment->tables.bytes();
   statistics.targetBytes = targetBytes(targets);
   statistics.variants = variantsOf(list);
   if (request.radiance) countExtremes(picture.radiance, statistics);

@@ -88,10 +88,9 @@ Result<std::shared_ptr<const FittedOnGpu>> findFit(MeasuredStore& store, const M
   return store.fits.front();
 }
 
-void setFitted(DrawOptions& options, const PictureSettings& settings) {
-  options.features.measuredFitted = settings.display.brdfCompare == BrdfCompare::fit;
-  options.compared =
-      settings.display.brdfCompare == BrdfCompare::split || settings.display.brdfCompare == BrdfCompare::difference;
+void setFitted(DrawOptions& options, BrdfCompare compare) {
+  options.features.measuredFitted = compare == BrdfCompare::fit;
+  options.compared = compare == BrdfCompare::split || compare == BrdfCompare::difference;
 }
 
 }  // namespace facet::frame

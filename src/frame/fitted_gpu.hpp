@@ -33,6 +33,6 @@ Result<std::shared_ptr<const FittedOnGpu>> findFit(MeasuredStore& store, const M
                                                    optics::DiffuseModel diffuse);
 
 // The fitted model in the table's place, or beside it, as the settings have it.
-void setFitted(DrawOptions& options, const PictureSettings& settings);
+void setFitted(DrawOptions& options, BrdfCompare compare);
 
 }  // namespace facet::frame

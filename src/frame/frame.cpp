@@ -198,8 +198,8 @@ Result<void> drawTransmitting(const FrameInput& in, const VisibleDraws& visible,
 // The table, or the model that was fitted to it.
 void bindMeasured(const FrameInput& in) {
   if (in.list.features.measured == shading::Measured::none) return;
-  const gl::Buffer* buffer = in.gpu.measured ? &in.gpu.measured->buffer : nullptr;
-  if ((in.fitted || in.list.features.measuredFitted) && in.gpu.fitted) buffer = &in.gpu.fitted->buffer;
+  const gl::Buffer* buffer = in.measured;
+  if ((in.fitted || in.list.features.measuredFitted) && in.fittedModel) buffer = in.fittedModel;
   if (buffer) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::measuredBinding, buffer->id());
 }
 

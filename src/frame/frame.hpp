@@ -8,6 +8,7 @@
 #include "frame/draw_list.hpp"
 #include "frame/gpu_scene.hpp"
 #include "frame/settings.hpp"
+#include "gl/buffer.hpp"
 #include "gl/texture.hpp"
 #include "gl/vertex_array.hpp"
 #include "ibl/tables.hpp"
@@ -67,8 +68,10 @@ struct FrameInput {
   const ibl::Tables& tables;
   const scene::View& view;
   const PictureSettings& settings;
-  int firstRow = 0;     // the targets hold the picture's rows from here on, counted from the bottom
-  bool fitted = false;  // draws the fitted model in the measured BRDF's place
+  const gl::Buffer* measured = nullptr;     // of the measured BRDF in the materials' place
+  const gl::Buffer* fittedModel = nullptr;  // of the model fitted to it, where it is drawn in its place or beside it
+  int firstRow = 0;                         // the targets hold the picture's rows from here on, counted from the bottom
+  bool fitted = false;                      // draws the fitted model in the measured BRDF's place
 };
 
 // Binds the tables that are there to the units of their names.

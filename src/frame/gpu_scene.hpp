@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "frame/draw_list.hpp"
-#include "frame/measured_gpu.hpp"
 #include "gl/buffer.hpp"
 #include "gl/context.hpp"
 #include "gl/texture.hpp"
@@ -75,8 +74,6 @@ struct GpuScene {
   gl::Texture placeholder;
   gl::Buffer materials, instances, lights, joints, morphWeights;
   size_t materialStride = 0;
-  std::shared_ptr<const MeasuredOnGpu> measured;  // in the place of the materials
-  std::shared_ptr<const FittedOnGpu> fitted;      // to it; where it is drawn in its place or beside it
   int imagesDecoded = 0;
   std::optional<PrimitiveUpload> primitiveUpload;  // the next one of primitives
   std::optional<TextureUpload> textureUpload;      // the next one of textures

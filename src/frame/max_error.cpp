@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "frame/picture.hpp"
+#include "frame/choose.hpp"
 
 namespace facet::frame {
 

@@ -100,9 +100,7 @@ optics::MeasuredBrdf unpackMeasured(const std::vector<glm::uvec2>& cells, const 
   return brdf;
 }
 
-MeasuredSource measuredSource(const PictureSettings& settings) {
-  return {settings.sources.brdf, settings.sources.brdfDir, settings.sources.utiaDecode};
-}
+MeasuredSource measuredSource(const Sources& sources) { return {sources.brdf, sources.brdfDir, sources.utiaDecode}; }
 
 Result<MeasuredBytes> readMeasuredBytes(const MeasuredSource& source) {
   Clock clock;
@@ -166,11 +164,11 @@ Result<std::shared_ptr<const MeasuredOnGpu>> findMeasured(MeasuredStore& store, 
   return found;
 }
 
-void setMeasured(shading::FrameFeatures& features, const PictureSettings& settings, optics::MeasuredKind kind,
+void setMeasured(shading::FrameFeatures& features, const Look& look, optics::MeasuredKind kind,
                  const optics::MeasuredProxy& proxy) {
   features.measured = kind == optics::MeasuredKind::merl ? shading::Measured::merl : shading::Measured::utia;
-  features.measuredNearest = settings.look.brdfLookUp == optics::LookUp::nearest;
-  features.measuredLightSamples = settings.look.brdfSamples > 0 ? settings.look.brdfSamples : measuredSamples(proxy);
+  features.measuredNearest = look.brdfLookUp == optics::LookUp::nearest;
+  features.measuredLightSamples = look.brdfSamples > 0 ? look.brdfSamples : measuredSamples(proxy);
 }
 
 }  // namespace facet::frame

@@ -33,7 +33,7 @@ struct MeasuredSource {
   io::UtiaDecode decode = io::UtiaDecode::raw;
   bool operator==(const MeasuredSource&) const = default;
 };
-MeasuredSource measuredSource(const PictureSettings& settings);
+MeasuredSource measuredSource(const Sources& sources);
 
 struct MeasuredTimes {
   double readMs = 0, fitMs = 0, packMs = 0, uploadMs = 0;  // read: and checked; fit: of the lobe
@@ -86,7 +86,7 @@ void keepMeasured(MeasuredStore& store, std::shared_ptr<const MeasuredOnGpu> mad
 Result<std::shared_ptr<const MeasuredOnGpu>> findMeasured(MeasuredStore& store, const MeasuredSource& source,
                                                           Notes& notes);
 
-void setMeasured(shading::FrameFeatures& features, const PictureSettings& settings, optics::MeasuredKind kind,
+void setMeasured(shading::FrameFeatures& features, const Look& look, optics::MeasuredKind kind,
                  const optics::MeasuredProxy& proxy);
 
 }  // namespace facet::frame

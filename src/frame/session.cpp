@@ -2,6 +2,10 @@
 
 #include <malloc.h>
 
+#include <algorithm>
+#include <thread>
+
+#include "frame/user_stores.hpp"
 #include "io/sources.hpp"
 
 namespace facet::frame {
@@ -10,18 +14,60 @@ namespace {
 
 constexpr size_t keptEnvironments = 4;
 
-std::string driverName(const gl::ContextInfo& info) { return info.vendor + "\n" + info.renderer + "\n" + info.version; }
+Result<LoadedEnvironment*> findEnvironment(Shelf& shelf, const std::string& source, Notes& notes) {
+  std::unique_ptr<LoadedEnvironment>& entry = shelf.environments[source];
+  if (entry) return entry.get();
+  auto made = std::make_unique<LoadedEnvironment>();
+  made->source = source;
+  made->cache = shelf.tableCache;
+  if (source != "none") {
+    Result<scene::Environment> loaded = io::loadEnvironmentSource(source, notes);
+    if (!loaded) return tl::unexpected(loaded.error());
+    made->environment = std::make_shared<const scene::Environment>(std::move(*loaded));
+    findSun(*made);
+  }
+  entry = std::move(made);
+  LoadedEnvironment* const found = entry.get();
+  // A suite that goes through many maps should not keep them all.
+  if (shelf.environments.size() > keptEnvironments)
+    std::erase_if(shelf.environments, [&](const auto& kept) { return kept.second.get() != found; });
+  malloc_trim(0);  // what was needed only while reading goes back to the system
+  return found;
+}
+
+// A few at a time, so that never more of them than the machine decodes at once are in memory twice.
+Result<bool> decodeSome(LoadedScene& scene, const std::vector<bool>& missing, Notes& notes) {
+  const size_t atOnce = std::max(2u, std::thread::hardware_concurrency());
+  std::vector<bool> some(missing.size(), false);
+  size_t count = 0;
+  for (size_t image = 0; image < missing.size() && count < atOnce; ++image)
+    if (missing[image]) some[image] = true, ++count;
+  scene.pixels = io::decodeImages(scene.model(), some, notes);
+  return true;
+}
 
 }  // namespace
 
+Supply supplyAtOnce(Shelf& shelf, shading::ProgramStore& programs, Notes& notes) {
+  Supply supply;
+  supply.environment = [&](const std::string& source) { return findEnvironment(shelf, source, notes); };
+  supply.measured = [&](const MeasuredSource& source) { return findMeasured(shelf.measured, source, notes); };
+  supply.fitted = [&](const MeasuredSource& source, optics::DiffuseModel diffuse) {
+    return findFit(shelf.measured, source, diffuse);
+  };
+  supply.images = [&](LoadedScene& scene, const std::vector<bool>& missing) {
+    return decodeSome(scene, missing, notes);
+  };
+  supply.tables = [&](LoadedEnvironment& environment, const ibl::Needs& needs) {
+    return prepareTables(environment, needs, programs);
+  };
+  return supply;
+}
+
 Session::Session(gl::HeadlessContext context, const SessionOptions& options)
     : context_(std::move(context)),
-      programs_(shading::shaderReader(options.shaderDir),
-                options.diskCache && context_.info().programBinaries ? userCacheFolder() : std::filesystem::path(),
-                driverName(context_.info())) {
-  // Shaders of the user's may make other tables.
-  if (options.diskCache && options.shaderDir.empty()) tableCache_ = ibl::userTableCache(driverName(context_.info()));
-}
+      programs_(userPrograms(context_.info(), options.shaderDir, options.diskCache)),
+      shelf_{userTables(context_.info(), options.shaderDir, options.diskCache)} {}
 
 Result<std::unique_ptr<Session>> Session::create(const SessionOptions& options) {
   Result<gl::HeadlessContext> context = gl::HeadlessContext::create(options.debug);
@@ -31,35 +77,13 @@ Result<std::unique_ptr<Session>> Session::create(const SessionOptions& options) 
 
 Result<void> Session::loadScene(const std::string& source, const io::Bump& bump, Notes& notes) {
   if (scene_ && scene_->source == source && scene_->bump == bump) return {};
-  scene_.reset();  // frees the old one before the new one grows
+  scene_.reset(), model_.reset();  // frees the old one before the new one grows
   Result<io::LoadedModel> loaded = io::loadModel(source, {}, bump);
   if (!loaded) return tl::unexpected(loaded.error());
-  scene_ = std::make_unique<LoadedScene>(LoadedScene{source, bump, std::move(*loaded), {}});
-  scene_->onGpu.source = source;
-  scene_->onGpu.model = &scene_->loaded.model;
-  scene_->onGpu.measured = measured_;
-  notes.insert(notes.end(), scene_->loaded.notes.begin(), scene_->loaded.notes.end());
+  model_ = std::make_shared<io::LoadedModel>(std::move(*loaded));
+  scene_ = std::make_unique<LoadedScene>(LoadedScene{.source = source, .bump = bump, .loaded = model_});
+  notes.insert(notes.end(), model_->notes.begin(), model_->notes.end());
   return {};
-}
-
-Result<LoadedEnvironment*> Session::findEnvironment(const std::string& source, Notes& notes) {
-  std::unique_ptr<LoadedEnvironment>& entry = environments_[source];
-  if (entry) return entry.get();
-  auto made = std::make_unique<LoadedEnvironment>();
-  if (source != "none") {
-    Result<scene::Environment> loaded = io::loadEnvironmentSource(source, notes);
-    if (!loaded) return tl::unexpected(loaded.error());
-    made->environment = std::move(*loaded);
-    made->onGpu.environment = &made->environment;
-    findSun(made->onGpu);
-  }
-  made->onGpu.cache = tableCache_;
-  entry = std::move(made);
-  LoadedEnvironment* const found = entry.get();
-  // A suite that goes through many maps should not keep them all.
-  if (environments_.size() > keptEnvironments)
-    std::erase_if(environments_, [&](const auto& kept) { return kept.second.get() != found; });
-  return found;
 }
 
 Result<Picture> Session::render(const std::string& model, const PictureSettings& settings,
@@ -67,23 +91,17 @@ Result<Picture> Session::render(const std::string& model, const PictureSettings&
   if (Result<void> r = loadScene(model, {settings.sources.bump, settings.sources.bumpScale}, notes); !r)
     return tl::unexpected(r.error());
   stages.mark("read model");
-  const Result<int> scene = chooseScene(settings, scene_->loaded.model);
-  if (!scene) return tl::unexpected(scene.error());
-  environmentName_ = chooseEnvironment(settings, model, scene_->loaded.model, *scene);
-  Result<LoadedEnvironment*> environment = findEnvironment(environmentName_, notes);
-  if (!environment) return tl::unexpected(environment.error());
-  malloc_trim(0);  // what was needed only while reading goes back to the system
-  stages.mark("read environment");
-  Result<PreparedPicture> prepared =
-      preparePicture(settings, scene_->onGpu, (*environment)->onGpu, programs_, notes, stages);
-  if (!prepared) return tl::unexpected(prepared.error());
+  PictureStatistics statistics;
+  const Supply supply = supplyAtOnce(shelf_, programs_, notes);
+  const Result<Drawable> drawable = preparePicture(settings, *scene_, supply, programs_, statistics, notes, stages);
+  if (!drawable) return tl::unexpected(drawable.error());
+  environmentName_ = drawable->environment->source;
   if (request.last) {
-    (*environment)->environment.radiance = {};
-    for (scene::Image& image : scene_->loaded.model.images) image.encoded = {};
+    drawable->environment->environment.reset();
+    for (scene::Image& image : model_->model.images) image.encoded = {};
   }
   malloc_trim(0);
-  return drawPicture(settings, request, std::move(*prepared), scene_->onGpu, (*environment)->onGpu, programs_,
-                     context_.info(), stages);
+  return drawPicture(settings, request, *drawable, std::move(statistics), programs_, context_.info(), stages);
 }
 
 }  // namespace facet::frame

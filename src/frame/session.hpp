@@ -14,17 +14,15 @@
 
 namespace facet::frame {
 
-struct LoadedEnvironment {
-  scene::Environment environment;
-  EnvironmentOnGpu onGpu;
+// What is read and kept for several pictures.
+struct Shelf {
+  ibl::TableCache tableCache;  // the default: none
+  std::map<std::string, std::unique_ptr<LoadedEnvironment>> environments = {};
+  MeasuredStore measured = {};
 };
 
-struct LoadedScene {
-  std::string source;
-  io::Bump bump;
-  io::LoadedModel loaded;
-  SceneOnGpu onGpu;
-};
+// Everything at once, from the shelf or read; the notes of what is read, too. All of them must outlive the supply.
+Supply supplyAtOnce(Shelf& shelf, shading::ProgramStore& programs, Notes& notes);
 
 struct SessionOptions {
   std::string shaderDir;  // empty: the embedded shaders
@@ -44,19 +42,17 @@ class Session {
 
   const gl::ContextInfo& context() const { return context_.info(); }
   // The model of the last picture.
-  const io::LoadedModel* model() const { return scene_ ? &scene_->loaded : nullptr; }
+  const io::LoadedModel* model() const { return model_.get(); }
   std::string environmentName() const { return environmentName_; }
 
  private:
   explicit Session(gl::HeadlessContext context, const SessionOptions& options);
   Result<void> loadScene(const std::string& source, const io::Bump& bump, Notes& notes);
-  Result<LoadedEnvironment*> findEnvironment(const std::string& source, Notes& notes);
 
   gl::HeadlessContext context_;  // first: everything below is freed before it
   shading::ProgramStore programs_;
-  ibl::TableCache tableCache_;
-  std::map<std::string, std::unique_ptr<LoadedEnvironment>> environments_;
-  std::shared_ptr<MeasuredStore> measured_ = std::make_shared<MeasuredStore>();
+  Shelf shelf_;
+  std::shared_ptr<io::LoadedModel> model_;  // of the scene
   std::unique_ptr<LoadedScene> scene_;
   std::string environmentName_;
 };

@@ -108,11 +108,17 @@ struct FrameSettings {
 struct Display {
   float exposureStops = 0;  // factor 2^stops before tone mapping, [-32, 32]
   ToneMapper toneMapper = ToneMapper::neutral;
+
+  bool operator==(const Display&) const = default;
+};
+
+// How a measured BRDF and the model fitted to it are shown.
+struct BrdfComparison {
   BrdfCompare brdfCompare = BrdfCompare::none;  // with GGX over models.diffuse
   float brdfSplit = 0.5f;                       // where the fitted model begins, in widths of the picture, [0, 1]
   float brdfDifferenceScale = 4;                // factor on the difference of display values, [0, 1000]
 
-  bool operator==(const Display&) const = default;
+  bool operator==(const BrdfComparison&) const = default;
 };
 
 // How far the picture goes towards the converged one.
@@ -125,6 +131,9 @@ struct Quality {
   bool operator==(const Quality&) const = default;
 };
 
+// Width over height.
+inline double aspectOf(const FrameSettings& frame) { return static_cast<double>(frame.width) / frame.height; }
+
 struct PictureSettings {
   Sources sources;
   Placement placement;
@@ -132,6 +141,7 @@ struct PictureSettings {
   Look look;
   FrameSettings frame;
   Display display;
+  BrdfComparison comparison;
   Quality quality;
 
   bool operator==(const PictureSettings&) const = default;

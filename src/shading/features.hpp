@@ -40,6 +40,8 @@ struct FrameFeatures {
   bool measuredNearest = false;   // looks up the nearest cell instead of interpolating
   int measuredLightSamples = 64;  // of the environment where imageLightSamples is 0
   bool measuredFitted = false;    // the model that was fitted to it, over models.diffuse, in its place
+
+  bool operator==(const FrameFeatures&) const = default;
 };
 
 // What moves the vertices of a drawn instance besides its matrix.

@@ -5,10 +5,6 @@
 
 namespace facet::view {
 
-ComparisonShown comparisonOf(const frame::PictureSettings& settings) {
-  return {settings.display.brdfCompare, settings.display.brdfSplit, settings.display.brdfDifferenceScale};
-}
-
 Result<void> compare(Viewport& viewport, const frame::FrameInput& in, const frame::Targets& targets, float scale,
                      bool last) {
   Comparison& comparison = viewport.comparison;
@@ -24,7 +20,7 @@ Result<void> compare(Viewport& viewport, const frame::FrameInput& in, const fram
 
 Result<void> showPicture(Viewport& viewport, const frame::FrameInput& in, const frame::Targets& targets, float scale,
                          bool last) {
-  viewport.comparison.shown = comparisonOf(in.settings);
+  viewport.comparison.shown = in.settings.comparison;
   if (Result<void> shown = frame::showPicture(in, targets, scale, viewport.targets, viewport.programs); !shown)
     return shown;
   return compare(viewport, in, targets, scale, last);
@@ -34,13 +30,8 @@ Result<bool> showAnew(Viewport& viewport, const frame::PictureSettings& settings
   const Refinement& r = viewport.refinement;
   const bool gathered = r.shown && r.gathering;
   if (gathered && r.gathering->rows != 0) return false;
-  const frame::FrameInput in{viewport.scene->loaded->model,
-                             viewport.list,
-                             viewport.scene->onGpu.gpu,
-                             viewport.environments.shown->onGpu.tables,
-                             view,
-                             settings};
-  viewport.comparison.shown = comparisonOf(settings);
+  const frame::FrameInput in = frame::frameInput(viewport.shown, view, settings);
+  viewport.comparison.shown = settings.comparison;
   return frame::showPicture(in, gathered ? r.targets : viewport.targets, gathered ? frame::meanScale(*r.gathering) : 1,
                             viewport.targets, viewport.programs)
       .map([] { return true; });

@@ -13,18 +13,9 @@ namespace facet::view {
 
 struct Viewport;
 
-// A change of this asks for no new picture, only for showing it anew.
-struct ComparisonShown {
-  frame::BrdfCompare compare = frame::BrdfCompare::none;
-  float split = 0, differenceScale = 0;
-
-  bool operator==(const ComparisonShown&) const = default;
-};
-
-ComparisonShown comparisonOf(const frame::PictureSettings& settings);
-
 struct Comparison {
-  std::optional<ComparisonShown> shown;           // that the display picture was made with
+  // That the display picture was made with: a change asks for no new picture, only for showing it anew.
+  std::optional<frame::BrdfComparison> shown;
   std::vector<frame::ComparisonSums> sums;        // of the picture on the screen, on their way
   std::chrono::steady_clock::time_point since{};  // when they were asked for
 };

@@ -15,11 +15,8 @@ void describeNotes(const Viewport& viewport, ShownScene& shown) {
   };
   add(viewport.scene->loaded->model.name, viewport.scene->notes);
   add(viewport.environments.shown->source, viewport.environments.shown->notes);
-  if (!viewport.built.measured) return;
-  add(viewport.built.measured->facts.path, viewport.built.measured->facts.notes);
-  Notes drawn;
-  frame::noteMeasured(viewport.list, drawn);
-  add("", drawn);
+  if (const auto& measured = viewport.shown.inputs.list.measured) add(measured->facts.path, measured->facts.notes);
+  add("", viewport.shown.notes);
 }
 
 }  // namespace
@@ -30,10 +27,10 @@ void describeShown(const Viewport& viewport, ViewerState& state) {
   shown.content = {viewport.scene->loaded, &model};
   shown.model = viewport.scene->source;
   shown.environment = viewport.environments.shown->source;
-  shown.scene = viewport.built.scene;
-  shown.bounds = viewport.list.bounds;
+  shown.scene = viewport.shown.inputs.list.scene;
+  shown.bounds = viewport.shown.list.bounds;
   shown.cameras.clear();
-  for (const frame::FileCamera& camera : viewport.list.cameras) {
+  for (const frame::FileCamera& camera : viewport.shown.list.cameras) {
     const std::string& node = model.nodes[static_cast<size_t>(camera.placed.node)].name;
     const std::string& name = camera.lens.name.empty() ? node : camera.lens.name;
     const std::string index = std::to_string(camera.placed.camera);
@@ -46,25 +43,25 @@ void describeShown(const Viewport& viewport, ViewerState& state) {
   shown.variants.clear();
   for (size_t i = 0; i < model.variants.size(); ++i)
     shown.variants.push_back(model.variants[i].empty() ? "variant " + std::to_string(i) : model.variants[i]);
-  shown.variant = viewport.built.variant;
+  shown.variant = viewport.shown.inputs.list.options.variant;
   shown.sceneLights = static_cast<int>(scene::flatten(model, shown.scene).lights.size());
   shown.measured.reset();
-  if (viewport.built.measured) shown.measured = viewport.built.measured->facts;
+  if (viewport.shown.inputs.list.measured) shown.measured = viewport.shown.inputs.list.measured->facts;
   shown.fit.reset();
-  if (viewport.built.fitted) shown.fit = viewport.built.fitted->fitted;
-  shown.compared = viewport.list.compared;
+  if (viewport.shown.inputs.list.fitted) shown.fit = viewport.shown.inputs.list.fitted->fitted;
+  shown.compared = viewport.shown.list.compared;
   shown.comparison.reset();
-  shown.statistics.variants = variantCount(viewport.list);
+  shown.statistics.variants = variantCount(viewport.shown.list);
   shown.statistics.images = static_cast<int>(model.images.size());
   describeNotes(viewport, shown);
 }
 
 void measureMemory(const Viewport& viewport, ViewerStatistics& statistics) {
-  const frame::GpuScene& gpu = viewport.scene->onGpu.gpu;
+  const frame::GpuScene& gpu = viewport.scene->gpu;
   statistics.imagesDecoded = gpu.imagesDecoded;
   statistics.textureBytes = gpu.textureBytes();
   statistics.geometryBytes = gpu.geometryBytes();
-  statistics.tableBytes = viewport.environments.shown->onGpu.tables.bytes();
+  statistics.tableBytes = viewport.environments.shown->tables.bytes();
   statistics.targetBytes = frame::targetBytes(viewport.targets) + frame::targetBytes(viewport.refinement.targets);
   statistics.measuredBytes = 0;
   for (const auto& kept : viewport.measured.store.kept) statistics.measuredBytes += kept->buffer.bytes();

@@ -32,7 +32,7 @@ void dragDivider(ViewerState& state, PanelResult& result, float x) {
     ImGui::InvisibleButton("grip", {2 * grasp, screen.y});
     if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, 0))
-      state.settings.display.brdfSplit = std::clamp(ImGui::GetIO().MousePos.x / screen.x, 0.0f, 1.0f);
+      state.settings.comparison.brdfSplit = std::clamp(ImGui::GetIO().MousePos.x / screen.x, 0.0f, 1.0f);
     result.areas.push_back(windowArea());
   }
   ImGui::End();
@@ -48,17 +48,17 @@ void drawDivider(ViewerState& state, PanelResult& result) {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   constexpr float top = 12, gap = 10;
   const std::string fitted = "fitted " + modelName(state.shown.fit->fit.model.diffuse);
-  if (settings.display.brdfCompare == frame::BrdfCompare::split) {
-    const float x = settings.display.brdfSplit * screen.x;
+  if (settings.comparison.brdfCompare == frame::BrdfCompare::split) {
+    const float x = settings.comparison.brdfSplit * screen.x;
     draw.AddLine({x, 0}, {x, screen.y}, shade, 3);
     draw.AddLine({x, 0}, {x, screen.y}, lineColor, 1);
     label(draw, x - gap, top, "measured", true);
     label(draw, x + gap, top, fitted, false);
     dragDivider(state, result, x);
-  } else if (settings.display.brdfCompare == frame::BrdfCompare::difference) {
+  } else if (settings.comparison.brdfCompare == frame::BrdfCompare::difference) {
     char factor[48];
     std::snprintf(factor, sizeof factor, ", display values times %g",
-                  static_cast<double>(settings.display.brdfDifferenceScale));
+                  static_cast<double>(settings.comparison.brdfDifferenceScale));
     char rms[32] = "";
     if (state.shown.comparison) std::snprintf(rms, sizeof rms, "; RMS %.2f/255", state.shown.comparison->rms);
     label(draw, result.left + gap, top, "|measured - " + fitted + "|" + factor + rms, false);

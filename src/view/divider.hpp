@@ -7,7 +7,7 @@
 
 namespace facet::view {
 
-// Behind all panels; stays where they are hidden. Dragged, it changes settings.display.brdfSplit.
+// Behind all panels; stays where they are hidden. Dragged, it changes settings.comparison.brdfSplit.
 void drawDivider(ViewerState& state, PanelResult& result);
 
 }  // namespace facet::view

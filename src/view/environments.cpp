@@ -50,26 +50,27 @@ Result<void> runFor(ibl::Precompute& work, double ms) {
 
 size_t EnvironmentSlot::bytes() const {
   size_t texels = environment ? environment->radiance.size() : 0;
-  if (onGpu.prepared) texels += onGpu.prepared->reduced.radiance.size();
-  return texels * sizeof(glm::vec3) + onGpu.tables.bytes();
+  if (prepared) texels += prepared->reduced.radiance.size();
+  return texels * sizeof(glm::vec3) + tables.bytes();
 }
 
 Result<void> provideTables(EnvironmentSlot& slot, const ibl::Needs& needs, shading::ProgramStore& programs,
                            double immediateMs) {
-  ibl::Tables& tables = slot.onGpu.tables;
+  ibl::Tables& tables = slot.tables;
+  if (slot.sharpening && slot.sharpening->method != slot.method) cancelSharpening(slot);
   // What does not depend on the environment, and a small map as background, which is not worth a preview.
   const ibl::Needs cheap{
       .dfg = needs.dfg, .taps = needs.taps, .sheen = needs.sheen, .background = needs.background && isSmall(slot)};
-  if (Result<void> r = frame::prepareTables(slot.onGpu, cheap, programs); !r) return r;
+  if (Result<void> r = frame::prepareTables(slot, cheap, programs); !r) return r;
   logTables(tables);
   if (slot.preview && covers(slot.sharpening->needs, needs)) return {};
   if (slot.preview) cancelSharpening(slot);
-  ibl::loadTables(tables, slot.onGpu.environment, slot.onGpu.content, needs, slot.onGpu.cache, slot.onGpu.method);
+  ibl::loadTables(tables, slot.environment.get(), slot.content, needs, slot.cache, slot.method);
   logTables(tables);
   const std::vector<ibl::Piece> missing = ibl::missingPieces(tables, needs);
   if (missing.empty() && (!needs.background || tables.background)) return {};
-  const ibl::PreparedEnvironment* const prepared = slot.onGpu.prepared.get();
-  ibl::Precompute work = ibl::planTables(tables, slot.onGpu.environment, prepared, needs, programs, slot.onGpu.method);
+  const ibl::PreparedEnvironment* const prepared = slot.prepared.get();
+  ibl::Precompute work = ibl::planTables(tables, slot.environment.get(), prepared, needs, programs, slot.method);
   slot.toStore.insert(slot.toStore.end(), missing.begin(), missing.end());
   if (Result<void> r = runFor(work, immediateMs); !r) return r;
   if (work.done()) return ibl::finish(std::move(work), tables), Result<void>();
@@ -79,8 +80,11 @@ Result<void> provideTables(EnvironmentSlot& slot, const ibl::Needs& needs, shadi
   if (Result<void> r = ibl::computeTables(tables, &prepared->reduced, needs, programs, previewMethod, &small); !r)
     return r;
   logTables(tables);
-  slot.sharpening = Sharpening{
-      .work = std::move(work), .needs = needs, .timer = gl::Timer::create(), .coarseBackground = coarseBackground};
+  slot.sharpening = Sharpening{.work = std::move(work),
+                               .needs = needs,
+                               .method = slot.method,
+                               .timer = gl::Timer::create(),
+                               .coarseBackground = coarseBackground};
   slot.preview = true;
   return {};
 }
@@ -95,7 +99,7 @@ Result<bool> sharpen(EnvironmentSlot& slot) {
         std::max(s.timer.milliseconds(), s.issueMs) / static_cast<double>(std::max<uint64_t>(1, s.issuedFetches));
   }
   if (s.work.done()) {
-    ibl::finish(std::move(s.work), slot.onGpu.tables);
+    ibl::finish(std::move(s.work), slot.tables);
     slot.sharpening.reset();
     slot.preview = false;
     log::debug("tables sharpened: " + slot.source);
@@ -125,7 +129,7 @@ void cancelSharpening(EnvironmentSlot& slot) {
   slot.packed.clear();
   if (!slot.preview) return;
   slot.preview = false;
-  ibl::Tables& tables = slot.onGpu.tables;
+  ibl::Tables& tables = slot.tables;
   for (gl::Texture* texture : {&tables.irradiance, &tables.mirrorLayers, &tables.roughLayers, &tables.cube})
     *texture = {};
   if (background) tables.background = {};
@@ -152,20 +156,19 @@ void showEnvironment(Environments& environments, EnvironmentSlot* slot) {
 bool storeTables(Environments& environments) {
   EnvironmentSlot* slot = environments.shown;
   if (!slot || slot->sharpening || (slot->toStore.empty() && slot->packed.empty())) return false;
-  if (slot->onGpu.cache.disk.folder.empty()) return slot->toStore.clear(), false;
+  if (slot->cache.disk.folder.empty()) return slot->toStore.clear(), false;
   if (!slot->toStore.empty()) {
-    slot->packed.push_back(ibl::packPiece(slot->onGpu.tables, slot->toStore.back(), slot->onGpu.content,
-                                          slot->onGpu.cache, slot->onGpu.method));
+    slot->packed.push_back(
+        ibl::packPiece(slot->tables, slot->toStore.back(), slot->content, slot->cache, slot->method));
     slot->toStore.pop_back();
     return true;
   }
   const bool busy = environments.storing.valid() &&
                     environments.storing.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
   if (busy) return true;
-  environments.storing =
-      std::async(std::launch::async, [disk = slot->onGpu.cache.disk, packed = std::move(slot->packed)] {
-        for (const ibl::PackedPiece& piece : packed) writeCached(disk, piece.key, piece.bytes);
-      });
+  environments.storing = std::async(std::launch::async, [disk = slot->cache.disk, packed = std::move(slot->packed)] {
+    for (const ibl::PackedPiece& piece : packed) writeCached(disk, piece.key, piece.bytes);
+  });
   slot->packed.clear();
   return false;
 }

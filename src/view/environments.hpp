@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "frame/picture.hpp"
+#include "frame/plan.hpp"
 #include "gl/timer.hpp"
 
 namespace facet::view {
@@ -18,6 +18,7 @@ namespace facet::view {
 struct Sharpening {
   ibl::Precompute work;
   ibl::Needs needs;
+  ibl::Method method;
   gl::Timer timer;
   bool pending = false;  // steps are on their way through the GPU
   uint64_t issuedFetches = 0;
@@ -26,16 +27,12 @@ struct Sharpening {
   bool coarseBackground = false;  // the background that is shown is of the reduced map, too
 };
 
-struct EnvironmentSlot {
-  std::string source;
-  bool stale = false;                                     // its file has been read again since
-  std::shared_ptr<const scene::Environment> environment;  // null: none
-  frame::EnvironmentOnGpu onGpu;
+struct EnvironmentSlot : frame::LoadedEnvironment {
+  bool stale = false;    // its file has been read again since
   bool preview = false;  // what of the tables depends on the environment is coarse
   std::optional<Sharpening> sharpening;
   std::vector<ibl::Piece> toStore;       // final, not in the disk cache yet
   std::vector<ibl::PackedPiece> packed;  // likewise, read back
-  Notes notes;
 
   size_t bytes() const;  // texels in main memory and tables
 };

@@ -17,8 +17,8 @@ FilesChanged follow(Followed& followed, const Viewport& viewport, Loader& loader
     const bool isFile = environment.environment && !environment.source.starts_with("builtin:");
     followed.environmentFiles = isFile ? watchFiles({environment.source}, now) : FileWatch{};
   }
-  if (followed.measured != viewport.built.measured.get()) {
-    followed.measured = viewport.built.measured.get();
+  if (followed.measured != viewport.shown.inputs.list.measured.get()) {
+    followed.measured = viewport.shown.inputs.list.measured.get();
     const auto watch =
         followed.measured ? viewport.measured.files.find(followed.measured->facts.path) : viewport.measured.files.end();
     followed.measuredFiles = watch != viewport.measured.files.end() ? watch->second : FileWatch{};

@@ -20,9 +20,9 @@ const scene::Model& modelOf(const Viewport& viewport) { return viewport.scene->l
 // The pose of what is shown, which the settings may have left already.
 Result<scene::Pose> shownPose(const Viewport& viewport) {
   frame::PictureSettings settings;
-  settings.placement.animation = viewport.built.animation;
-  settings.placement.timeSeconds = viewport.built.timeSeconds;
-  return frame::choosePose(settings, modelOf(viewport));
+  settings.placement.animation = viewport.shown.inputs.list.animation;
+  settings.placement.timeSeconds = viewport.shown.inputs.list.timeSeconds;
+  return frame::choosePose(settings.placement, modelOf(viewport));
 }
 
 // The draw of a node's primitive; null where it is not drawn.
@@ -47,15 +47,15 @@ Result<std::optional<glm::vec4>> valueAt(Viewport& viewport, const Inspection& a
   const scene::Model& model = modelOf(viewport);
   const scene::Primitive* primitive = &primitiveOf(model, hit);
   const frame::DrawList part = frame::partOf(
-      viewport.list, [&](int node, const scene::Primitive& p) { return node == hit.node && &p == primitive; }, channel);
-  if (part.opaque.empty() || !frame::isOnGpu(model, part, viewport.scene->onGpu.gpu)) return std::nullopt;
+      viewport.shown.list, [&](int node, const scene::Primitive& p) { return node == hit.node && &p == primitive; },
+      channel);
+  if (part.opaque.empty() || !frame::isOnGpu(model, part, viewport.scene->gpu)) return std::nullopt;
   frame::PictureSettings settings = shown;
   settings.look.channel = shading::channelNames[channel];
   settings.quality.samples = 1;
   settings.frame.background = frame::Background::transparent;
-  const frame::FrameInput in{
-      model,    part,           viewport.scene->onGpu.gpu, viewport.environments.shown->onGpu.tables, at.view,
-      settings, at.pixel.y & ~1};
+  frame::FrameInput in{model, part, viewport.scene->gpu, viewport.environments.shown->tables, at.view, settings};
+  in.firstRow = at.pixel.y & ~1;
   if (Result<void> r = frame::preparePrograms(in, viewport.programs); !r) return tl::unexpected(r.error());
   const frame::Targets targets = frame::createValueTargets(settings.frame.width, 2, GL_RGBA32F);
   frame::setTextureDetail(in.gpu, 1, viewport.context);
@@ -94,9 +94,9 @@ const scene::Hit* firstSeen(Viewport& viewport, const ViewerState& state, const 
                             const std::vector<scene::Hit>& hits) {
   const double nearest = at.view.orthographic ? 0 : at.view.zNear / std::sqrt(3.0) * 1e-9;
   for (const scene::Hit& hit : hits) {
-    const frame::Draw* draw = drawOf(viewport.list, hit.node, primitiveOf(modelOf(viewport), hit));
+    const frame::Draw* draw = drawOf(viewport.shown.list, hit.node, primitiveOf(modelOf(viewport), hit));
     if (!draw || hit.distance < nearest || (!hit.front && !draw->doubleSided)) continue;
-    const scene::Material& material = viewport.list.materials[static_cast<size_t>(draw->material)];
+    const scene::Material& material = viewport.shown.list.materials[static_cast<size_t>(draw->material)];
     if (material.alphaMode != scene::AlphaMode::mask) return &hit;
     const auto alpha = valueAt(viewport, at, state.settings, hit, shading::channelIndex("alpha"));
     if (!alpha || *alpha) return &hit;
@@ -213,7 +213,7 @@ std::string formatText(GLint format) {
 
 void addTextures(const Viewport& viewport, const scene::Material& material, std::vector<Detail>& details) {
   const scene::Model& model = modelOf(viewport);
-  const frame::GpuScene& gpu = viewport.scene->onGpu.gpu;
+  const frame::GpuScene& gpu = viewport.scene->gpu;
   for (const scene::TextureSlot slot : scene::textureSlots) {
     const scene::TextureRef& ref = textureRef(material, slot);
     if (!ref) continue;
@@ -249,7 +249,7 @@ bool isWithin(const scene::Model& model, int node, int ancestor) {
 scene::Bounds selectionBounds(const Viewport& viewport, const ViewerState& state) {
   const int selected = state.selection.node;
   if (selected < 0 || !viewport.scene) return {};
-  return frame::boundsOf(viewport.list, [&](int node) { return isWithin(modelOf(viewport), node, selected); });
+  return frame::boundsOf(viewport.shown.list, [&](int node) { return isWithin(modelOf(viewport), node, selected); });
 }
 
 std::vector<Detail> materialDetails(const Viewport& viewport, int index) {
@@ -295,7 +295,7 @@ void clickAt(Viewport& viewport, ViewerState& state, const glm::dvec2& at, const
   // Through the pixel's centre, where it is shaded.
   const PixelRay through = rayThroughPicture(*view, state.settings, glm::dvec2(inspection.pixel) + 0.5);
   const scene::Model& model = modelOf(viewport);
-  const scene::FlatScene flat = scene::flatten(model, viewport.built.scene, *pose);
+  const scene::FlatScene flat = scene::flatten(model, viewport.shown.inputs.list.scene, *pose);
   const std::vector<scene::Hit> hits = scene::pick(model, flat, *pose, {through.origin, through.direction});
   const scene::Hit* surface = firstSeen(viewport, state, inspection, hits);
   const Click click{flat, *pose, thinTolerance * state.settings.frame.height / windowSize.y};
@@ -303,15 +303,17 @@ void clickAt(Viewport& viewport, ViewerState& state, const glm::dvec2& at, const
   const scene::Hit* hit = thin ? &*thin : surface;
   if (!hit) return;
   const scene::Primitive& primitive = primitiveOf(model, *hit);
-  const frame::Draw* draw = drawOf(viewport.list, hit->node, primitive);
+  const frame::Draw* draw = drawOf(viewport.shown.list, hit->node, primitive);
   inspection.on = true;
   inspection.hit = *hit;
   inspection.uv = scene::interpolated(primitive.texCoords[0], *hit);
   inspection.material = draw->material;
-  const bool own = viewport.built.material.on == false && draw->material < static_cast<int>(model.materials.size());
+  const bool own =
+      !viewport.shown.inputs.list.options.material.on && draw->material < static_cast<int>(model.materials.size());
   if (own) inspection.materialName = model.materials[static_cast<size_t>(draw->material)].name;
   if (own && inspection.materialName.empty()) inspection.materialName = "material " + std::to_string(draw->material);
-  if (!own) inspection.materialName = viewport.built.material.on ? "one for everything" : "glTF's default";
+  if (!own)
+    inspection.materialName = viewport.shown.inputs.list.options.material.on ? "one for everything" : "glTF's default";
   inspection.materialDetails = own ? materialDetails(viewport, draw->material) : std::vector<Detail>{};
   inspection.measured = shading::isMeasured(draw->key) && state.shown.measured;
   if (inspection.measured) {
@@ -329,7 +331,7 @@ void readRadianceThere(const Viewport& viewport, ViewerState& state) {
   Inspection& at = state.inspection;
   if (!at.on || !viewport.targets.color || at.listNumber != viewport.listNumber || !viewport.drawn) return;
   const std::optional<scene::View> view = currentView(viewport, state);
-  if (!view || view->clipFromWorld != at.view.clipFromWorld || !viewport.drawn->settings.look.channel.empty()) return;
+  if (!view || view->clipFromWorld != at.view.clipFromWorld || viewport.shown.list.features.channel != 0) return;
   const frame::Targets& targets = viewport.targets;
   if (at.pixel.x >= targets.width || at.pixel.y >= targets.height) return;
   glm::vec4 value(0);
@@ -353,7 +355,7 @@ bool inspectNext(Viewport& viewport, ViewerState& state) {
   while (at.nextChannel < channels) {
     const int channel = at.nextChannel++;
     const scene::Primitive& primitive = primitiveOf(modelOf(viewport), at.hit);
-    const scene::Material& material = viewport.list.materials[static_cast<size_t>(at.material)];
+    const scene::Material& material = viewport.shown.list.materials[static_cast<size_t>(at.material)];
     const std::string_view name = shading::channelNames[channel];
     if (!hasChannel(primitive, material, name, at.measured)) continue;
     const auto value = valueAt(viewport, at, state.settings, at.hit, channel);

@@ -33,9 +33,9 @@ void noteSlowTurn(std::chrono::steady_clock::time_point start) {
 }
 
 void noteMeasuredShown(Viewport& viewport) {
-  if (!viewport.measured.asked || viewport.built.brdf != viewport.measured.asked->source) return;
+  if (!viewport.measured.asked || shownMeasured(viewport.shown) != viewport.measured.asked->source) return;
   log::debug("measured BRDF on the screen after " + rounded(millisecondsSince(viewport.measured.asked->since)) + ": " +
-             viewport.built.measured->facts.name);
+             viewport.shown.inputs.list.measured->facts.name);
   viewport.measured.asked.reset();
 }
 

@@ -2,25 +2,30 @@
 
 namespace facet::view {
 
-bool provideMeasured(MeasuredView& measured, const ListRequest& built, Loader& loader, ListRequest& request) {
-  const bool asked = measured.asked && measured.asked->source == request.brdf;
-  if (built.brdf != request.brdf && !asked)
-    measured.asked = MeasuredAsked{request.brdf, std::chrono::steady_clock::now()};
-  request.measured = frame::keptMeasured(measured.store, request.brdf);
-  if (request.measured) return true;
-  if (!loader.measured.running() || measured.loading != request.brdf) startMeasured(loader, request.brdf);
-  measured.loading = request.brdf;
-  return false;
+frame::MeasuredSource shownMeasured(const frame::Drawable& shown) {
+  const auto& measured = shown.inputs.list.measured;
+  return measured ? measured->facts.source : frame::MeasuredSource{};
 }
 
-void provideFit(MeasuredView& measured, const frame::PictureSettings& settings, Loader& loader, ListRequest& request) {
-  if (settings.display.brdfCompare == frame::BrdfCompare::none) return;
-  request.fitted = frame::keptFit(measured.store, request.brdf, settings.look.models.diffuse);
-  request.compared = request.fitted && settings.display.brdfCompare != frame::BrdfCompare::fit;
-  const FitAsked wanted{request.brdf, settings.look.models.diffuse};
-  if (request.fitted || measured.fitAsked == wanted) return;
+std::shared_ptr<const frame::MeasuredOnGpu> findOrRead(MeasuredView& measured, const frame::MeasuredSource& shown,
+                                                       const frame::MeasuredSource& source, Loader& loader) {
+  const bool asked = measured.asked && measured.asked->source == source;
+  if (shown != source && !asked) measured.asked = MeasuredAsked{source, std::chrono::steady_clock::now()};
+  auto found = frame::keptMeasured(measured.store, source);
+  if (found) return found;
+  if (!loader.measured.running() || measured.loading != source) startMeasured(loader, source);
+  measured.loading = source;
+  return nullptr;
+}
+
+std::shared_ptr<const frame::FittedOnGpu> findOrFit(MeasuredView& measured, const frame::MeasuredSource& source,
+                                                    optics::DiffuseModel diffuse, Loader& loader) {
+  auto found = frame::keptFit(measured.store, source, diffuse);
+  const FitAsked wanted{source, diffuse};
+  if (found || measured.fitAsked == wanted) return found;
   startFit(loader, wanted.source, wanted.diffuse);
   measured.fitAsked = wanted;
+  return nullptr;
 }
 
 }  // namespace facet::view

@@ -7,10 +7,9 @@
 #include <optional>
 #include <string>
 
-#include "frame/fitted_gpu.hpp"
+#include "frame/plan.hpp"
 #include "view/file_watch.hpp"
 #include "view/loader.hpp"
-#include "view/viewer_state.hpp"
 
 namespace facet::view {
 
@@ -35,10 +34,15 @@ struct MeasuredView {
   std::optional<FitAsked> fitAsked;  // what is being fitted, or could not be
 };
 
-// Asks the loader for the measured BRDF of the request where it is not there. True where it is. built: what is shown.
-bool provideMeasured(MeasuredView& measured, const ListRequest& built, Loader& loader, ListRequest& request);
+// What is shown; without a name where no measured BRDF is.
+frame::MeasuredSource shownMeasured(const frame::Drawable& shown);
 
-// The same for the model that is fitted to it, where the settings want one; until then the measured BRDF is shown.
-void provideFit(MeasuredView& measured, const frame::PictureSettings& settings, Loader& loader, ListRequest& request);
+// Null where it is not there: it is read then. shown: shownMeasured.
+std::shared_ptr<const frame::MeasuredOnGpu> findOrRead(MeasuredView& measured, const frame::MeasuredSource& shown,
+                                                       const frame::MeasuredSource& source, Loader& loader);
+
+// The same for the model that is fitted to it; until then the measured BRDF is shown.
+std::shared_ptr<const frame::FittedOnGpu> findOrFit(MeasuredView& measured, const frame::MeasuredSource& source,
+                                                    optics::DiffuseModel diffuse, Loader& loader);
 
 }  // namespace facet::view

@@ -123,15 +123,15 @@ void comparisonChoice(ViewerState& state) {
        "compensation for multiple scattering"},
       {"split", "measured at the left, fitted at the right of a divider, which can be dragged"},
       {"difference", "absolute, of what the screen shows of both"}};
-  chooseEnum("picture of", settings.display.brdfCompare, compares, BrdfCompare::none,
+  chooseEnum("picture of", settings.comparison.brdfCompare, compares, BrdfCompare::none,
              "the table, the analytic model that comes closest to it, or both");
-  if (settings.display.brdfCompare == BrdfCompare::none) return;
+  if (settings.comparison.brdfCompare == BrdfCompare::none) return;
   diffuseChoice(settings);
-  if (settings.display.brdfCompare == BrdfCompare::split)
-    slider("divider", settings.display.brdfSplit, 0, 1, "%.3f", 0.5f,
+  if (settings.comparison.brdfCompare == BrdfCompare::split)
+    slider("divider", settings.comparison.brdfSplit, 0, 1, "%.3f", 0.5f,
            "in widths of the picture; can be dragged there, too");
-  if (settings.display.brdfCompare == BrdfCompare::difference)
-    slider("factor", settings.display.brdfDifferenceScale, 0, 100, "%.1f", 4, "on the difference of display values",
+  if (settings.comparison.brdfCompare == BrdfCompare::difference)
+    slider("factor", settings.comparison.brdfDifferenceScale, 0, 100, "%.1f", 4, "on the difference of display values",
            ImGuiSliderFlags_Logarithmic);
   if (state.fitting) ImGui::TextDisabled("fitting ...");
 }

@@ -44,12 +44,8 @@ Result<void> drawMask(Viewport& viewport, const ViewerState& state, const scene:
   frame::PictureSettings settings = state.settings;
   settings.quality.samples = 1;
   settings.frame.background = frame::Background::transparent;
-  const frame::FrameInput in{viewport.scene->loaded->model,
-                             part,
-                             viewport.scene->onGpu.gpu,
-                             viewport.environments.shown->onGpu.tables,
-                             view,
-                             settings};
+  const frame::FrameInput in{viewport.scene->loaded->model,       part, viewport.scene->gpu,
+                             viewport.environments.shown->tables, view, settings};
   if (Result<void> r = frame::preparePrograms(in, viewport.programs); !r) return r;
   frame::Gathering gathering = frame::beginGathering(in, viewport.outline.mask);
   return frame::gatherRows(in, viewport.outline.mask, gathering, settings.frame.height, viewport.programs);
@@ -99,9 +95,9 @@ bool updateOutline(Viewport& viewport, ViewerState& state, float scale) {
   outline.shown = false;
   const scene::Model& model = viewport.scene->loaded->model;
   const frame::DrawList part = frame::partOf(
-      viewport.list, [&](int node, const scene::Primitive&) { return isWithin(model, node, selected); },
+      viewport.shown.list, [&](int node, const scene::Primitive&) { return isWithin(model, node, selected); },
       shading::channelIndex("alpha"));
-  if (part.opaque.empty() || !frame::isOnGpu(model, part, viewport.scene->onGpu.gpu)) return wasShown;
+  if (part.opaque.empty() || !frame::isOnGpu(model, part, viewport.scene->gpu)) return wasShown;
   Result<void> drawn = drawMask(viewport, state, *view, part);
   const int margin = static_cast<int>(std::ceil(3 * scale));
   if (drawn) drawn = drawLine(viewport, rectangleOf(part.bounds, *view, width, height, margin), scale);

@@ -16,12 +16,7 @@ constexpr double stepMs = 25;       // GPU time of a step
 constexpr int64_t fewestRows = 32;  // a draw's fixed costs count more in thinner bands
 
 frame::FrameInput frameInput(const Viewport& viewport, const scene::View& view) {
-  return {viewport.scene->loaded->model,
-          viewport.list,
-          viewport.scene->onGpu.gpu,
-          viewport.environments.shown->onGpu.tables,
-          view,
-          viewport.refinement.settings};
+  return frame::frameInput(viewport.shown, view, viewport.refinement.settings);
 }
 
 // As many samples as are gathered at first.
@@ -40,15 +35,15 @@ void giveUp(Refinement& refinement, ViewerState& state, const Error& error) {
 Result<bool> prepare(Viewport& viewport, const ViewerState& state, const scene::View& view) {
   Refinement& r = viewport.refinement;
   if (!r.movingFeatures) {
-    r.movingFeatures = viewport.list.features;
-    shading::FrameFeatures resting = viewport.list.features;
+    r.movingFeatures = viewport.shown.list.features;
+    shading::FrameFeatures resting = viewport.shown.list.features;
     const frame::DrawOptions options = frame::drawOptions(state.settings, resting.environment);
     resting.imageLightSamples = options.features.imageLightSamples;
     resting.shadedOnce = options.features.shadedOnce;
-    frame::setFeatures(viewport.list, resting);
+    frame::setFeatures(viewport.shown.list, resting);
   }
   EnvironmentSlot& environment = *viewport.environments.shown;
-  const ibl::Needs needs = viewport.list.needs(viewport.built.skyVisible);
+  const ibl::Needs needs = viewport.shown.list.needs(viewport.shown.inputs.tables.background);
   if (Result<void> provided = provideTables(environment, needs, viewport.programs, viewport.environments.immediateMs);
       !provided)
     return tl::unexpected(provided.error());
@@ -67,8 +62,8 @@ void begin(Viewport& viewport, ViewerState& state, const scene::View& view) {
     r.targets = {};  // the old ones go first
     r.targets = frame::createGatherTargets(s.frame.width, s.frame.height);
   }
-  frame::prepareBehind(r.targets, viewport.list);
-  frame::prepareComparison(r.targets, viewport.list);
+  frame::prepareBehind(r.targets, viewport.shown.list);
+  frame::prepareComparison(r.targets, viewport.shown.list);
   r.gathering = frame::beginGathering(frameInput(viewport, view), r.targets);
   r.estimateAt = 1;
   state.refinement.wanted = s.quality.samples;
@@ -164,18 +159,18 @@ void stopRefinement(Viewport& viewport, ViewerState& state) {
   r.errors.reset();
   r.pending = r.ended = r.shown = false;
   r.since = Clock::now();
-  if (r.movingFeatures) frame::setFeatures(viewport.list, *r.movingFeatures);
+  if (r.movingFeatures) frame::setFeatures(viewport.shown.list, *r.movingFeatures);
   r.movingFeatures.reset();
-  if (!frame::converges(state.settings)) r.targets = {};
+  if (!frame::converges(state.settings.quality)) r.targets = {};
   r.samples = firstAttempt(state.settings);
   state.refinement = {};
-  if (frame::converges(state.settings)) state.refinement.wanted = r.samples;
+  if (frame::converges(state.settings.quality)) state.refinement.wanted = r.samples;
 }
 
 bool refining(const Viewport& viewport, const ViewerState& state) {
   const bool preview = viewport.environments.shown && viewport.environments.shown->preview;
   return viewport.drawn && !viewport.next && !preview && !viewport.refinement.ended &&
-         frame::converges(state.settings) && !viewport.shadersBroken;
+         frame::converges(state.settings.quality) && !viewport.shadersBroken;
 }
 
 bool refine(Viewport& viewport, ViewerState& state, const scene::View& view) {
@@ -192,7 +187,7 @@ bool refine(Viewport& viewport, ViewerState& state, const scene::View& view) {
   }
   bool drew = false;
   const frame::FrameInput in = frameInput(viewport, view);
-  frame::setTextureDetail(viewport.scene->onGpu.gpu, r.gathering->draws(), viewport.context);
+  frame::setTextureDetail(viewport.scene->gpu, r.gathering->draws(), viewport.context);
   if (r.pending) {
     r.pending = false;
     adapt(r);
@@ -207,7 +202,7 @@ bool refine(Viewport& viewport, ViewerState& state, const scene::View& view) {
       const int64_t rows = r.rows;  // the steps know how long they take by now
       begin(viewport, state, view);
       r.rows = rows, r.shown = false;
-      frame::setTextureDetail(viewport.scene->onGpu.gpu, r.gathering->draws(), viewport.context);
+      frame::setTextureDetail(viewport.scene->gpu, r.gathering->draws(), viewport.context);
     } else if (last) {
       r.ended = true;
       log::debug("picture converged: " + std::to_string(r.gathering->draws()) + " samples");

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "base/log.hpp"
-#include "frame/picture.hpp"
+#include "frame/choose.hpp"
 #include "optics/presets.hpp"
 #include "scene/animation.hpp"
 #include "scene/builtin_environments.hpp"
@@ -61,46 +61,6 @@ void noteProblem(ViewerState& state) {
   if (problems.size() > most) problems.erase(problems.begin());
 }
 
-frame::PictureSettings movingSettings(const frame::PictureSettings& settings) {
-  frame::PictureSettings moving = settings;
-  moving.quality.samples = std::min(settings.quality.samples, frame::convergedAbove);
-  moving.quality.maxError.reset();
-  return moving;
-}
-
-frame::DrawOptions drawOptions(const ViewerState& state, int variant, bool hasEnvironment) {
-  frame::DrawOptions options = frame::drawOptions(movingSettings(state.settings), hasEnvironment);
-  options.variant = variant;
-  return options;
-}
-
-ListRequest listRequest(const ViewerState& state, int scene, int variant, bool hasEnvironment) {
-  const frame::DrawOptions options = frame::drawOptions(movingSettings(state.settings), hasEnvironment);
-  ListRequest request;
-  request.scene = scene;
-  request.variant = variant;
-  request.environment = options.features.environment;
-  request.occlusion = options.features.occlusion;
-  request.channel = options.features.channel;
-  request.imageLightSamples = options.features.imageLightSamples;
-  request.models = options.features.models;
-  request.maxError = state.settings.quality.maxError;
-  request.sceneLights = options.sceneLights;
-  request.demoLights = options.demoLights;
-  request.skyVisible =
-      hasEnvironment && request.channel == 0 && state.settings.frame.background == frame::Background::environment;
-  if (state.settings.look.material.on) request.material = state.settings.look.material;
-  if (!state.settings.sources.brdf.empty() && request.channel == 0) {
-    request.brdf = frame::measuredSource(state.settings);
-    request.brdfNearest = state.settings.look.brdfLookUp == optics::LookUp::nearest;
-    // What will be refined begins with few samples, by the program that refines it.
-    if (frame::converges(state.settings)) request.imageLightSamples = frame::convergedLightSamples;
-  }
-  request.animation = state.settings.placement.animation;
-  if (!request.animation.empty()) request.timeSeconds = state.settings.placement.timeSeconds;
-  return request;
-}
-
 MaterialSource materialSource(const frame::PictureSettings& settings) {
   if (!settings.sources.brdf.empty()) return MaterialSource::measured;
   return settings.look.material.on ? MaterialSource::one : MaterialSource::file;
@@ -134,11 +94,6 @@ std::string comparisonText(const frame::ComparisonFigures& figures) {
 
 const char* kindName(optics::MeasuredKind kind) { return kind == optics::MeasuredKind::merl ? "MERL" : "UTIA"; }
 
-bool differsInTimeOnly(ListRequest a, const ListRequest& b) {
-  a.timeSeconds = b.timeSeconds;
-  return a == b;
-}
-
 frame::PictureSettings commandSettings(const ViewerState& state) {
   frame::PictureSettings settings = state.settings;
   settings.sources.environment = state.shown.environment;
@@ -156,9 +111,9 @@ frame::PictureSettings commandSettings(const ViewerState& state) {
 }
 
 Result<scene::View> viewOf(const ViewerState& state, const scene::Model& model, const frame::DrawList& list) {
+  const double aspect = frame::aspectOf(state.settings.frame);
   if (!state.settings.viewpoint.camera.empty())
-    return frame::chooseView(state.settings, state.shown.model, model, list, list.bounds);
-  const double aspect = static_cast<double>(state.settings.frame.width) / state.settings.frame.height;
+    return frame::chooseView(state.settings.viewpoint, aspect, state.shown.model, model, list, list.bounds);
   return scene::orbitView(state.camera, aspect, list.bounds);
 }
 

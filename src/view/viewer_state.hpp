@@ -164,36 +164,6 @@ void complain(ViewerState& state, const Error& error);
 // Keeps what the status line says in state.problems where it is a new error; at most a hundred.
 void noteProblem(ViewerState& state);
 
-// The settings of the picture that is drawn while something changes: of few samples. At rest it is refined.
-frame::PictureSettings movingSettings(const frame::PictureSettings& settings);
-
-// What a draw list is made of; where it is unchanged, the draw list is still good.
-struct ListRequest {
-  int scene = 0;
-  int variant = -1;
-  bool environment = false, occlusion = true;
-  int channel = 0, imageLightSamples = 0;
-  optics::Models models;
-  std::optional<double> maxError;  // of the tables
-  bool sceneLights = true, demoLights = false;
-  std::optional<scene::Sun> sun;  // the environment's
-  bool skyVisible = false;
-  MaterialChoice material;
-  frame::MeasuredSource brdf;                            // without a name: none
-  bool brdfNearest = false;                              // looks up the nearest cell
-  std::shared_ptr<const frame::MeasuredOnGpu> measured;  // what it is on the GPU; null: not there yet
-  std::shared_ptr<const frame::FittedOnGpu> fitted;      // where it is to be drawn; likewise
-  bool compared = false;                                 // beside the measured BRDF, not in its place
-  std::string animation;
-  double timeSeconds = 0;  // where an animation is chosen
-
-  bool operator==(const ListRequest&) const = default;
-};
-// The same but for the time: only what moves is new.
-bool differsInTimeOnly(ListRequest a, const ListRequest& b);
-ListRequest listRequest(const ViewerState& state, int scene, int variant, bool hasEnvironment);
-frame::DrawOptions drawOptions(const ViewerState& state, int variant, bool hasEnvironment);
-
 // Where materials come from: the file, one for everything, a measured BRDF.
 enum class MaterialSource { file, one, measured };
 MaterialSource materialSource(const frame::PictureSettings& settings);

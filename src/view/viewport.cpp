@@ -11,24 +11,22 @@ namespace facet::view {
 
 std::optional<scene::View> currentView(const Viewport& viewport, ViewerState& state) {
   if (!viewport.scene) return std::nullopt;
-  const Result<scene::View> view = viewOf(state, viewport.scene->loaded->model, viewport.list);
+  const Result<scene::View> view = viewOf(state, viewport.scene->loaded->model, viewport.shown.list);
   if (view) return *view;
   complain(state, view.error());
   state.settings.viewpoint.camera.clear();
-  return viewOf(state, viewport.scene->loaded->model, viewport.list).value();
+  return viewOf(state, viewport.scene->loaded->model, viewport.shown.list).value();
 }
 
 void reloadShaders(Viewport& viewport, ViewerState& state) {
   stopRefinement(viewport, state);
   glUseProgram(0);  // else the one in use lives on as a name that can no longer be used
   viewport.programs.reload();
-  viewport.failed.reset();
+  viewport.plan.failed.reset();
   const std::optional<scene::View> view = currentView(viewport, state);
   if (!view) return;
   const Result<void> compiled =
-      frame::preparePrograms({viewport.scene->loaded->model, viewport.list, viewport.scene->onGpu.gpu,
-                              viewport.environments.shown->onGpu.tables, *view, state.settings},
-                             viewport.programs);
+      frame::preparePrograms(frame::frameInput(viewport.shown, *view, state.settings), viewport.programs);
   viewport.shadersBroken = !compiled;
   if (!compiled) return complain(state, compiled.error());
   viewport.drawn.reset();
@@ -62,52 +60,44 @@ bool atWork(const Viewport& viewport, const ViewerState& state) {
 
 namespace {
 
-// What the frame on the screen should be drawn from. The list's number stands for what is loaded and what lists are
-// made of; the comparison is shown anew without being drawn anew.
+// What the frame on the screen should be drawn from. How two pictures are compared is shown anew without their being
+// drawn anew.
 DrawnFrame wantedFrame(const Viewport& viewport, const ViewerState& state) {
-  DrawnFrame wanted{state.settings, state.camera, viewport.listNumber};
-  frame::PictureSettings& s = wanted.settings;
-  s.sources.environment.clear(), s.look.variant.clear(), s.sources.brdf.clear(), s.sources.brdfDir.clear();
-  s.placement.scene = -1;
-  s.look.material = {};
-  s.sources.utiaDecode = {}, s.look.brdfLookUp = {}, s.display.brdfCompare = {};
-  s.display.brdfSplit = s.display.brdfDifferenceScale = 0;
-  return wanted;
+  const frame::PictureSettings& s = state.settings;
+  return {viewport.listNumber, state.camera, s.viewpoint, s.frame, s.display, s.quality};
 }
 
 constexpr int64_t manyCorners = 1 << 20;  // of triangles, lines and points
 
 int64_t cornerCount(const Viewport& viewport) {
   int64_t corners = 0;
-  for (const std::vector<frame::Draw>* draws : viewport.list.classes())
+  for (const std::vector<frame::Draw>* draws : viewport.shown.list.classes())
     for (const frame::Draw& draw : *draws)
-      corners += int64_t{viewport.scene->onGpu.gpu.primitives.at(draw.primitive).count} * draw.instanceCount;
+      corners += int64_t{viewport.scene->gpu.primitives.at(draw.primitive).count} * draw.instanceCount;
   return corners;
 }
 
 // The picture of few samples that is shown while anything changes. Of a large model the first one has a single sample,
 // where it is refined anyway: on software OpenGL that is there in a fourth of the time.
 Result<void> drawMoving(Viewport& viewport, ViewerState& state, const scene::View& view) {
-  frame::PictureSettings s = movingSettings(state.settings);
-  const bool sketch = std::exchange(viewport.sketch, false) && !viewport.list.compared;
-  if (sketch && frame::converges(state.settings) && cornerCount(viewport) > manyCorners) s.quality.samples = 1;
+  frame::PictureSettings s = frame::movingSettings(state.settings);
+  const bool sketch = std::exchange(viewport.sketch, false) && !viewport.shown.list.compared;
+  if (sketch && frame::converges(state.settings.quality) && cornerCount(viewport) > manyCorners) s.quality.samples = 1;
   frame::Targets& targets = viewport.targets;
   if (targets.width != s.frame.width || targets.height != s.frame.height || targets.samples != s.quality.samples) {
     targets = {};  // the old ones go first
     targets = frame::createTargets(s, viewport.context);
   }
-  frame::prepareBehind(targets, viewport.list);
-  frame::prepareComparison(targets, viewport.list);
-  frame::setTextureDetail(viewport.scene->onGpu.gpu, 1, viewport.context);
-  const scene::Model& model = viewport.scene->loaded->model;
-  const frame::FrameInput input{
-      model, viewport.list, viewport.scene->onGpu.gpu, viewport.environments.shown->onGpu.tables, view, s};
+  frame::prepareBehind(targets, viewport.shown.list);
+  frame::prepareComparison(targets, viewport.shown.list);
+  frame::setTextureDetail(viewport.scene->gpu, 1, viewport.context);
+  const frame::FrameInput input = frame::frameInput(viewport.shown, view, s);
   const auto start = std::chrono::steady_clock::now();
   FrameClock::Slot* slot = viewport.clock.begin();
   Result<frame::FrameStatistics> drawn = frame::drawFrame(input, targets, viewport.programs);
   viewport.clock.end(slot);
   const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
-  viewport.comparison.shown = comparisonOf(s);
+  viewport.comparison.shown = s.comparison;
   if (!drawn) return tl::unexpected(drawn.error());
   state.shown.statistics.frame = std::move(*drawn);
   state.shown.statistics.cpuMs = spent.count();
@@ -128,7 +118,8 @@ bool drawViewport(Viewport& viewport, ViewerState& state) {
   const DrawnFrame wanted = wantedFrame(viewport, state);
   if (viewport.drawn == wanted) {
     const bool refined = refine(viewport, state, *view);
-    if (refined || !viewport.list.compared || viewport.comparison.shown == comparisonOf(state.settings)) return refined;
+    if (refined || !viewport.shown.list.compared || viewport.comparison.shown == state.settings.comparison)
+      return refined;
     const Result<bool> shown = showAnew(viewport, state.settings, *view);
     if (!shown) complain(state, shown.error());
     return !shown || *shown;

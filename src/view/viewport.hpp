@@ -20,21 +20,19 @@
 
 namespace facet::view {
 
-struct SceneSlot {
-  std::string source;
+struct SceneSlot : frame::LoadedScene {
   bool again = false;  // takes the place of what was read from the same file before
-  std::shared_ptr<const io::LoadedModel> loaded;
-  FileWatch watch;  // of its files, as they were before it was read
-  frame::SceneOnGpu onGpu;
-  Notes notes;                     // the model's and those of its images
-  std::vector<io::Pixels> pixels;  // decoded, not yet on the GPU
+  FileWatch watch;     // of its files, as they were before it was read
 };
 
 // What the last frame was drawn from; while it is unchanged, the frame is still good.
 struct DrawnFrame {
-  frame::PictureSettings settings;
+  int list = 0;  // Viewport::listNumber: what is loaded and what lists are made of
   scene::OrbitCamera camera;
-  int list = 0;
+  frame::Viewpoint viewpoint;
+  frame::FrameSettings frame;
+  frame::Display display;
+  frame::Quality quality;
 
   bool operator==(const DrawnFrame&) const = default;
 };
@@ -49,14 +47,13 @@ struct Viewport {
   std::unique_ptr<SceneSlot> scene;  // shown
   std::unique_ptr<SceneSlot> next;   // read, waits for what it needs
   Environments environments;
-  frame::DrawList list;
-  ListRequest built;                  // what the list was made of
-  std::optional<ListRequest> failed;  // could not be drawn; not tried again
-  std::optional<ListRequest> asked;   // its images have been asked for
+  frame::Drawable shown;                // of `scene`
+  frame::Plan plan = {.moving = true};  // of what comes next
+  std::vector<bool> imagesAsked;        // that the loader decodes
   std::string loadingEnvironment;
   MeasuredView measured;
   Comparison comparison;
-  int listNumber = 0;
+  int listNumber = 0;  // of shown
   frame::Targets targets;
   std::optional<DrawnFrame> drawn;
   FrameClock clock;

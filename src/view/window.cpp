@@ -10,6 +10,7 @@
 #include <chrono>
 
 #include "base/log.hpp"
+#include "frame/user_stores.hpp"
 #include "gl/context.hpp"
 #include "io/measured.hpp"
 #include "io/sources.hpp"
@@ -180,7 +181,7 @@ void followFiles(Loop& loop, const Viewport& viewport, Loader& loader) {
   const FilesChanged changed = follow(loop.followed, viewport, loader, loop.last);
   if (changed.model) forgetThumbnail(loop.browser, loop.model = viewport.scene->source);
   if (changed.environment) forgetThumbnail(loop.browser, viewport.environments.shown->source);
-  if (changed.measured) forgetThumbnail(loop.browser, viewport.built.measured->facts.path);
+  if (changed.measured) forgetThumbnail(loop.browser, viewport.shown.inputs.list.measured->facts.path);
 }
 
 // One turn of the loop. True while the window stays.
@@ -252,13 +253,9 @@ std::string openGLText(const gl::ContextInfo& info) {
 }
 
 Viewport createViewport(const gl::ContextInfo& info, const WindowOptions& options) {
-  const bool cached = options.diskCache && info.programBinaries;
-  const std::string driver = info.vendor + "\n" + info.renderer + "\n" + info.version;
-  Viewport viewport(info, shading::ProgramStore(shading::shaderReader(options.settings.sources.shaderDir),
-                                                cached ? userCacheFolder() : std::filesystem::path(), driver));
-  // Shaders of the user's may make other tables.
-  if (options.diskCache && options.settings.sources.shaderDir.empty())
-    viewport.tableCache = ibl::userTableCache(driver);
+  const std::string& shaderDir = options.settings.sources.shaderDir;
+  Viewport viewport(info, frame::userPrograms(info, shaderDir, options.diskCache));
+  viewport.tableCache = frame::userTables(info, shaderDir, options.diskCache);
   return viewport;
 }
 
@@ -269,7 +266,7 @@ void loadFirst(const WindowOptions& options, Loop& loop, Viewport& viewport, Vie
   if (!settings.sources.environment.empty())
     startEnvironment(loader, viewport.loadingEnvironment = settings.sources.environment);
   if (!settings.sources.brdf.empty())
-    startMeasured(loader, viewport.measured.loading = frame::measuredSource(settings));
+    startMeasured(loader, viewport.measured.loading = frame::measuredSource(settings.sources));
   nameWhatLoads(loader, viewport, loop.model, state);
 }
 

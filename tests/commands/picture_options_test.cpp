@@ -64,8 +64,8 @@ PictureSettings unusual() {
   s.sources.brdf = "steel", s.sources.brdfDir = "/brdf", s.look.brdfLookUp = optics::LookUp::nearest,
   s.sources.utiaDecode = io::UtiaDecode::srgb;
   s.look.brdfSamples = 128;
-  s.display.brdfCompare = frame::BrdfCompare::difference, s.display.brdfSplit = 0.1f,
-  s.display.brdfDifferenceScale = 12.5f;
+  s.comparison.brdfCompare = frame::BrdfCompare::difference, s.comparison.brdfSplit = 0.1f,
+  s.comparison.brdfDifferenceScale = 12.5f;
   s.placement.animation = "run's", s.placement.timeSeconds = 1.25;
   s.sources.environment = "it's here/a b.hdr";
   s.frame.environmentRotationDeg = -0.1f, s.frame.environmentStrength = 1e-3f;
@@ -100,10 +100,10 @@ TEST_CASE("a comparison needs a measured BRDF") {
         "--brdf-compare: there is no measured BRDF to compare; give --brdf, too.");
   const auto both = fromArguments({{"brdf-compare", "fit"}, {"brdf", "gold"}});
   REQUIRE(both);
-  CHECK(both->display.brdfCompare == frame::BrdfCompare::fit);
+  CHECK(both->comparison.brdfCompare == frame::BrdfCompare::fit);
   CHECK(commands::commandLine(*both, "a.glb") == "facet a.glb --brdf gold --brdf-compare fit");
   PictureSettings measured = *both;
-  measured.display.brdfCompare = frame::BrdfCompare::none;
+  measured.comparison.brdfCompare = frame::BrdfCompare::none;
   CHECK(commands::commandLine(measured, "a.glb") == "facet a.glb --brdf gold");
   PictureSettings without = *both;
   without.sources.brdf.clear();  // as the panel leaves it
@@ -149,8 +149,8 @@ TEST_CASE("each option sets its own field") {
   CHECK(set("material-ior", "2").look.material.ior == 2);
   CHECK(set("energy", "turquin").look.models.energy == optics::EnergyModel::turquin);
   CHECK(set("lights", "none").look.lights == frame::Lights::none);
-  CHECK(set("brdf-split", "0.25").display.brdfSplit == 0.25f);
-  CHECK(set("brdf-difference-scale", "10").display.brdfDifferenceScale == 10);
+  CHECK(set("brdf-split", "0.25").comparison.brdfSplit == 0.25f);
+  CHECK(set("brdf-difference-scale", "10").comparison.brdfDifferenceScale == 10);
   CHECK(set("occlusion", "0.5").frame.occlusion == 0.5f);
   CHECK(set("exposure", "-1.5").display.exposureStops == -1.5f);
   CHECK(set("tonemap", "agx").display.toneMapper == frame::ToneMapper::agx);

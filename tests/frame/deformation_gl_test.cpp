@@ -219,15 +219,14 @@ TEST_CASE("Deformation: a draw that reads less than the buffer holds finds its n
   loaded.model.meshes[0].weights = {0.5f, 0.5f};
   Notes notes;
   scene::completeGeometry(loaded.model, notes);
-  frame::SceneOnGpu onGpu;
-  onGpu.model = &loaded.model;
+  frame::LoadedScene onGpu = test::sceneOf(loaded);
   test::Studio studio;
   frame::PictureSettings s = settings();
   // All attributes first, then a view that does not read the colours.
-  test::checkPixel(test::pixel(studio.render(loaded, s, onGpu).radiance, size * 3 / 4, size / 2), {0.5f, 1, 1, 1});
+  test::checkPixel(test::pixel(studio.render(onGpu, s).radiance, size * 3 / 4, size / 2), {0.5f, 1, 1, 1});
   s.look.channel = "uv";
-  CHECK(test::pixel(studio.render(loaded, s, onGpu).radiance, size * 3 / 4, size / 2).w == 1);
-  CHECK(test::pixel(studio.render(loaded, s, onGpu).radiance, size / 2, size / 2).w == 0);
+  CHECK(test::pixel(studio.render(onGpu, s).radiance, size * 3 / 4, size / 2).w == 1);
+  CHECK(test::pixel(studio.render(onGpu, s).radiance, size / 2, size / 2).w == 0);
 }
 
 TEST_CASE("Deformation: what has no joints in a skinned mesh stays where its mesh is") {

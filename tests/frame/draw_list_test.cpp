@@ -237,12 +237,12 @@ TEST_CASE("Draw list: one material in place of all, and none of the model's") {
   test::GltfBuilder builder = test::triangle();
   builder.json["materials"] = {{{"alphaMode", "BLEND"}}};
   builder.json["meshes"][0]["primitives"][0]["material"] = 0;
-  scene::Material steel;
-  steel.name = "steel";
-  const frame::DrawList list = frame::buildDrawList(load(builder), 0, {.material = steel});
+  frame::DrawOptions options;
+  options.material = {true, {0.1f, 0.2f, 0.3f}, 1, 0.25f, 1.5f, {}};
+  const frame::DrawList list = frame::buildDrawList(load(builder), 0, options);
   REQUIRE(list.opaque.size() == 1);
   CHECK(list.blended.empty());
-  CHECK(list.materials[size_t(list.opaque[0].material)].name == "steel");
+  CHECK(list.materials[size_t(list.opaque[0].material)].perceptualRoughnessFactor == 0.25f);
 }
 
 TEST_CASE("Draw list: a variant's materials take the place of the primitives' own") {
@@ -257,7 +257,7 @@ TEST_CASE("Draw list: a variant's materials take the place of the primitives' ow
   const auto shown = [&](const std::string& variant) {
     frame::PictureSettings settings;
     settings.look.variant = variant;
-    const Result<int> index = frame::chooseVariant(settings, model);
+    const Result<int> index = frame::chooseVariant(settings.look, model);
     if (!index) return describe(index.error());
     const frame::DrawList list = frame::buildDrawList(model, 0, {.variant = *index});
     const std::vector<frame::Draw>& draws = list.opaque.empty() ? list.blended : list.opaque;
@@ -273,7 +273,7 @@ TEST_CASE("Draw list: a variant's materials take the place of the primitives' ow
   CHECK(shown("-1") == "m: the file has no material variant '-1'; it has 0 (day), 1 (night), 2 (1).");
   frame::PictureSettings settings;
   settings.look.variant = "night";
-  CHECK(describe(frame::chooseVariant(settings, {}).error()) ==
+  CHECK(describe(frame::chooseVariant(settings.look, {}).error()) ==
         "the file has no material variant 'night'; it has none at all: leave out --variant.");
 }
 
@@ -302,7 +302,5 @@ TEST_CASE("Framing takes in what moves far for a moment only") {
   sampler.values = {0, 0, 0, 0, 0, 0, 20, 0, 0, 0, 0, 0, 0, 0, 0};
   sampler.width = 3;
   model.animations = {{"jump", {sampler}, {{0, scene::AnimatedProperty::translation, 0, {}}}}};
-  frame::PictureSettings settings;
-  settings.placement.animation = "jump";
-  CHECK(frame::framingBounds(settings, model, 0, {}).max.x == Approx(21));
+  CHECK(frame::framingBounds({.animation = "jump"}, model, 0, {}).max.x == Approx(21));
 }

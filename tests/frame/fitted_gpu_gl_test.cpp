@@ -19,7 +19,7 @@ frame::PictureSettings plainSettings(const std::string& brdf, frame::BrdfCompare
   frame::PictureSettings settings = bareSettings(48, 32);
   settings.sources.environment = "builtin:studio";
   settings.sources.brdf = brdf;
-  settings.display.brdfCompare = compare;
+  settings.comparison.brdfCompare = compare;
   return settings;
 }
 
@@ -84,9 +84,9 @@ TEST_CASE("Side by side a measured BRDF and its fit are what each is alone, thei
   frame::PictureSettings settings = plainSettings("builtin:utia-brushed", frame::BrdfCompare::none);
   settings.quality.samples = GENERATE(1, 4, 6);
   settings.look.models.diffuse = optics::DiffuseModel::eon;
-  settings.display.brdfSplit = 0.375f, settings.display.brdfDifferenceScale = 2;
+  settings.comparison.brdfSplit = 0.375f, settings.comparison.brdfDifferenceScale = 2;
   const auto picture = [&](frame::BrdfCompare compare) {
-    settings.display.brdfCompare = compare;
+    settings.comparison.brdfCompare = compare;
     return studio.render(spheres, settings);
   };
   const frame::Picture measured = picture(frame::BrdfCompare::none), fitted = picture(frame::BrdfCompare::fit),

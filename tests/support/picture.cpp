@@ -26,36 +26,26 @@ io::LoadedModel loadBuiltin(const std::string& name) {
 
 Studio::Studio() : programs_(makeProgramStore()) {}
 
-frame::Picture Studio::render(const io::LoadedModel& model, const frame::PictureSettings& settings) {
-  frame::SceneOnGpu onGpu;
-  onGpu.source = model.model.name;
-  onGpu.model = &model.model;
-  return render(model, settings, onGpu);
+frame::LoadedScene sceneOf(const io::LoadedModel& model) {
+  return {.source = model.model.name, .loaded = {std::shared_ptr<void>(), &model}};
 }
 
-frame::Picture Studio::render(const io::LoadedModel& model, const frame::PictureSettings& settings,
-                              frame::SceneOnGpu& onGpu) {
+frame::Picture Studio::render(const io::LoadedModel& model, const frame::PictureSettings& settings) {
+  frame::LoadedScene scene = sceneOf(model);
+  return render(scene, settings);
+}
+
+frame::Picture Studio::render(frame::LoadedScene& scene, const frame::PictureSettings& settings) {
   notes.clear();
-  const auto scene = frame::chooseScene(settings, model.model);
-  REQUIRE(scene);
-  const std::string name = frame::chooseEnvironment(settings, model.model.name, model.model, *scene);
-  const auto [entry, isNew] = lights_.try_emplace(name);
-  Light& light = entry->second;
-  if (isNew && name != "none") {
-    Result<scene::Environment> loaded = io::loadEnvironmentSource(name, notes);
-    REQUIRE(loaded);
-    light.environment = std::move(*loaded);
-    light.onGpu.environment = &light.environment;
-    frame::findSun(light.onGpu);
-  }
   Stages stages;
-  Result<frame::PreparedPicture> prepared =
-      frame::preparePicture(settings, onGpu, light.onGpu, programs_, notes, stages);
-  INFO((prepared ? std::string() : describe(prepared.error())));
-  REQUIRE(prepared);
-  Result<frame::Picture> picture =
-      frame::drawPicture(settings, {.radiance = true, .display = true}, std::move(*prepared), onGpu, light.onGpu,
-                         programs_, contextInfo(), stages);
+  frame::PictureStatistics statistics;
+  const frame::Supply supply = frame::supplyAtOnce(shelf_, programs_, notes);
+  Result<frame::Drawable> drawable =
+      frame::preparePicture(settings, scene, supply, programs_, statistics, notes, stages);
+  INFO((drawable ? std::string() : describe(drawable.error())));
+  REQUIRE(drawable);
+  Result<frame::Picture> picture = frame::drawPicture(settings, {.radiance = true, .display = true}, *drawable,
+                                                      std::move(statistics), programs_, contextInfo(), stages);
   INFO((picture ? std::string() : describe(picture.error())));
   REQUIRE(picture);
   return std::move(*picture);

@@ -2,10 +2,9 @@
 
 // Pictures of models made in a test, in the test's own context.
 
-#include <map>
 #include <string>
 
-#include "frame/picture.hpp"
+#include "frame/session.hpp"
 #include "io/gltf.hpp"
 #include "support/gltf_builder.hpp"
 
@@ -14,6 +13,9 @@ namespace facet::test {
 io::LoadedModel loadBuilt(const GltfBuilder& builder);
 io::LoadedModel loadBuiltin(const std::string& name);  // "builtin:furnace"
 
+// The model must outlive it.
+frame::LoadedScene sceneOf(const io::LoadedModel& model);
+
 // Environments, their tables and programs are shared by its pictures; each picture uploads its model anew.
 class Studio {
  public:
@@ -21,16 +23,12 @@ class Studio {
   // radiance and display are both filled.
   frame::Picture render(const io::LoadedModel& model, const frame::PictureSettings& settings);
   // What the model has on the GPU stays for further pictures.
-  frame::Picture render(const io::LoadedModel& model, const frame::PictureSettings& settings, frame::SceneOnGpu& onGpu);
+  frame::Picture render(frame::LoadedScene& scene, const frame::PictureSettings& settings);
   Notes notes;  // of the last picture
 
  private:
-  struct Light {
-    scene::Environment environment;
-    frame::EnvironmentOnGpu onGpu;
-  };
   shading::ProgramStore programs_;
-  std::map<std::string, Light> lights_;
+  frame::Shelf shelf_;
 };
 
 // A grid of width x height samples a pixel 1, no environment, transparent background: for pictures with known values.

@@ -88,18 +88,19 @@ TEST_CASE("copied command: gives the bytes of the picture on the screen", "[gl]"
       {"measured, split",
        [](view::ViewerState& s) {
          view::chooseBrdf(s, "builtin:utia-satin");
-         s.settings.display.brdfCompare = frame::BrdfCompare::split, s.settings.display.brdfSplit = 0.4375f;
+         s.settings.comparison.brdfCompare = frame::BrdfCompare::split, s.settings.comparison.brdfSplit = 0.4375f;
        }},
       {"measured, difference, converged",
        [](view::ViewerState& s) {
          view::chooseBrdf(s, "builtin:utia-brushed");
-         s.settings.display.brdfCompare = frame::BrdfCompare::difference, s.settings.display.brdfDifferenceScale = 17;
+         s.settings.comparison.brdfCompare = frame::BrdfCompare::difference,
+         s.settings.comparison.brdfDifferenceScale = 17;
          s.settings.look.models.diffuse = optics::DiffuseModel::burley, s.settings.quality.samples = 6;
        }},
       {"fitted",
        [](view::ViewerState& s) {
          view::chooseBrdf(s, "builtin:utia-brushed");
-         s.settings.display.brdfCompare = frame::BrdfCompare::fit,
+         s.settings.comparison.brdfCompare = frame::BrdfCompare::fit,
          s.settings.look.models.diffuse = optics::DiffuseModel::eon;
        }},
       {"measured, from a folder, decoded",

@@ -75,8 +75,8 @@ TEST_CASE("environments: another choice cancels what sharpens", "[gl]") {
   viewer.settle();
   CHECK_FALSE(first.sharpening);
   CHECK_FALSE(first.preview);
-  CHECK_FALSE(first.onGpu.tables.irradiance);
-  CHECK_FALSE(first.onGpu.tables.roughLayers);
+  CHECK_FALSE(first.tables.irradiance);
+  CHECK_FALSE(first.tables.roughLayers);
   sharpened(viewer);
   viewer.state.settings.sources.environment = "builtin:studio";
   viewer.settle();
@@ -120,7 +120,7 @@ TEST_CASE("environments: with time enough there is no preview, the picture at re
   CHECK_FALSE(view::refining(viewer.viewport, viewer.state));
   CHECK(view::atWork(viewer.viewport, viewer.state));
   sharpened(viewer);
-  CHECK(shown(viewer).onGpu.tables.cube);
+  CHECK(shown(viewer).tables.cube);
   viewer.converge();
   CHECK((viewer.display().data == headless("builtin:spheres", viewer.state.settings).data));
 }

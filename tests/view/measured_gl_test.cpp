@@ -196,7 +196,7 @@ TEST_CASE("measured BRDF in the window: the fit comes beside it, the divider mov
   Furnace viewer;
   viewer.state.settings.quality.samples = 8;
   viewer.choose("builtin:utia-satin");
-  viewer.state.settings.display.brdfCompare = frame::BrdfCompare::split;
+  viewer.state.settings.comparison.brdfCompare = frame::BrdfCompare::split;
   view::bringUp(viewer.viewport, viewer.state, viewer.loader);
   CHECK(viewer.loader.fit.running());
   CHECK_FALSE(viewer.state.shown.compared);  // until it has come
@@ -215,25 +215,25 @@ TEST_CASE("measured BRDF in the window: the fit comes beside it, the divider mov
   CHECK(viewer.state.shown.comparison->rms < 4);
   const auto half = viewer.display().data;
 
-  viewer.state.settings.display.brdfSplit = 0;
+  viewer.state.settings.comparison.brdfSplit = 0;
   CHECK_FALSE(view::bringUp(viewer.viewport, viewer.state, viewer.loader));
   CHECK(view::drawViewport(viewer.viewport, viewer.state));
   CHECK(viewer.state.refinement.gathered == 8);  // nothing was thrown away
   CHECK((viewer.display().data != half));
   CHECK_FALSE(view::drawViewport(viewer.viewport, viewer.state));
-  viewer.state.settings.display.brdfCompare = frame::BrdfCompare::difference;
+  viewer.state.settings.comparison.brdfCompare = frame::BrdfCompare::difference;
   CHECK(view::drawViewport(viewer.viewport, viewer.state));
   CHECK(viewer.state.refinement.gathered == 8);
-  viewer.state.settings.display.brdfCompare = frame::BrdfCompare::split;
-  viewer.state.settings.display.brdfSplit = 0.5f;
+  viewer.state.settings.comparison.brdfCompare = frame::BrdfCompare::split;
+  viewer.state.settings.comparison.brdfSplit = 0.5f;
   CHECK(view::drawViewport(viewer.viewport, viewer.state));
   CHECK((viewer.display().data == half));
 
-  viewer.state.settings.display.brdfCompare = frame::BrdfCompare::none;
+  viewer.state.settings.comparison.brdfCompare = frame::BrdfCompare::none;
   viewer.settle();
   CHECK_FALSE(viewer.state.shown.compared);
   CHECK_FALSE(viewer.state.shown.fit);
-  viewer.state.settings.display.brdfCompare = frame::BrdfCompare::fit;  // it is still there
+  viewer.state.settings.comparison.brdfCompare = frame::BrdfCompare::fit;  // it is still there
   CHECK(view::bringUp(viewer.viewport, viewer.state, viewer.loader));
   CHECK(viewer.state.shown.fit);
 }

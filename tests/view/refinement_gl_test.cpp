@@ -82,13 +82,13 @@ TEST_CASE("refinement: an error to keep to asks for more samples until it is kep
   viewer.settle();
   viewer.converge();
   CHECK(viewer.state.refinement.shown == 8);
-  CHECK(viewer.viewport.environments.shown->onGpu.method.irradianceSize == 8);
+  CHECK(viewer.viewport.environments.shown->method.irradianceSize == 8);
   viewer.state.settings.quality.maxError.reset();
   viewer.state.settings.quality.samples = 16;
   viewer.settle();
   viewer.converge();
   CHECK(viewer.state.refinement.shown == 16);
-  CHECK(viewer.viewport.environments.shown->onGpu.method.irradianceSize == 32);
+  CHECK(viewer.viewport.environments.shown->method.irradianceSize == 32);
   CHECK((viewer.display().data == headless("builtin:poster", viewer.state.settings).data));
 }
 
@@ -117,7 +117,7 @@ TEST_CASE("refinement: any change starts with the cheap picture, and few samples
   view::drawViewport(viewer.viewport, viewer.state);
   CHECK_FALSE(view::refining(viewer.viewport, viewer.state));
   CHECK_FALSE(viewer.viewport.refinement.targets.sum);
-  CHECK_FALSE(viewer.viewport.environments.shown->onGpu.tables.cube);
+  CHECK_FALSE(viewer.viewport.environments.shown->tables.cube);
   CHECK(view::refinementText(viewer.state.refinement).empty());
   const io::Pixels cheap = viewer.display();
 

@@ -23,13 +23,17 @@ TEST_CASE("viewer state: a built-in scene brings its camera and environment, wha
   CHECK(frame::chooseEnvironment(settings, "builtin:furnace", model, 0) == "none");
 
   const scene::Bounds bounds = {glm::dvec3(-1), glm::dvec3(1)};
-  CHECK(frame::chooseOrbit(settings, "builtin:furnace", bounds).radius == 14);
-  CHECK(frame::chooseOrbit(settings, "furnace", bounds) == scene::frameBounds(bounds, 45, 800.0 / 600));
+  CHECK(frame::chooseOrbit(settings.viewpoint, frame::aspectOf(settings.frame), "builtin:furnace", bounds).radius ==
+        14);
+  CHECK(frame::chooseOrbit(settings.viewpoint, frame::aspectOf(settings.frame), "furnace", bounds) ==
+        scene::frameBounds(bounds, 45, 800.0 / 600));
   settings.frame.height = 1600;
-  CHECK(frame::chooseOrbit(settings, "builtin:furnace", bounds).radius == 28);
+  CHECK(frame::chooseOrbit(settings.viewpoint, frame::aspectOf(settings.frame), "builtin:furnace", bounds).radius ==
+        28);
   settings.viewpoint.orbit = frame::Orbit{10, 20, std::nullopt};
   settings.viewpoint.target = glm::dvec3(1, 2, 3);
-  const scene::OrbitCamera camera = frame::chooseOrbit(settings, "builtin:furnace", bounds);
+  const scene::OrbitCamera camera =
+      frame::chooseOrbit(settings.viewpoint, frame::aspectOf(settings.frame), "builtin:furnace", bounds);
   CHECK(camera.theta == 10);
   CHECK(camera.phi == 20);
   CHECK(camera.radius == 28);
@@ -55,59 +59,16 @@ TEST_CASE("viewer state: the copied command gives the same settings again") {
         "--channel normal");
 }
 
-TEST_CASE("viewer state: only what the draw list reads asks for a new one") {
-  view::ViewerState state;
-  const view::ListRequest before = view::listRequest(state, 0, -1, true);
-  state.settings.display.exposureStops = 3;
-  state.settings.frame.environmentRotationDeg = 90;
-  state.settings.frame.occlusion = 0.5f;
-  state.settings.look.material.metallic = 1;  // switched off
-  state.camera.theta = 9;
-  CHECK(view::listRequest(state, 0, -1, true) == before);
-  const auto changes = [&](auto change) {
-    view::ViewerState other = state;
-    change(other);
-    return view::listRequest(other, 0, -1, true) != before;
-  };
-  CHECK(changes([](view::ViewerState& s) { s.settings.frame.occlusion = 0; }));
-  CHECK(changes([](view::ViewerState& s) { s.settings.frame.environmentStrength = 0; }));
-  CHECK(changes([](view::ViewerState& s) { s.settings.look.channel = "uv"; }));
-  CHECK(changes([](view::ViewerState& s) { s.settings.look.lights = frame::Lights::demo; }));
-  CHECK(changes([](view::ViewerState& s) { s.settings.frame.background = frame::Background::transparent; }));
-  CHECK(changes([](view::ViewerState& s) { s.settings.look.material.on = true; }));
-  CHECK_FALSE(changes([](view::ViewerState& s) { s.settings.quality.samples = 16; }));  // only at rest
-  CHECK(changes([](view::ViewerState& s) { s.settings.look.models.diffuse = optics::DiffuseModel::eon; }));
-  CHECK(changes([](view::ViewerState& s) { s.settings.look.models.masking = optics::Masking::cavity; }));
-  CHECK(changes([](view::ViewerState& s) { s.settings.look.models.energy = optics::EnergyModel::none; }));
-  CHECK_FALSE(changes([](view::ViewerState& s) { s.settings.quality.samples = 2; }));
-  CHECK(view::listRequest(state, 1, -1, true) != before);
-  CHECK(view::listRequest(state, 0, 0, true) != before);
-  CHECK(view::listRequest(state, 0, -1, false) != before);
-}
-
 TEST_CASE("viewer state: a measured BRDF takes the materials' place, and gives it back") {
   view::ViewerState state;
   using view::MaterialSource;
   CHECK(view::materialSource(state.settings) == MaterialSource::file);
   state.settings.look.material = {true, {0.1f, 0.2f, 0.3f}, 0.75f, 0.25f, 1.5f, {}};
   CHECK(view::materialSource(state.settings) == MaterialSource::one);
-  const view::ListRequest before = view::listRequest(state, 0, -1, true);
   view::chooseBrdf(state, "a.binary");
   CHECK(view::materialSource(state.settings) == MaterialSource::measured);
   CHECK_FALSE(state.settings.look.material.on);
-  const view::ListRequest measured = view::listRequest(state, 0, -1, true);
-  CHECK(measured != before);
-  CHECK(measured.brdf.name == "a.binary");
-  state.settings.look.brdfLookUp = optics::LookUp::nearest;
-  CHECK(view::listRequest(state, 0, -1, true) != measured);
-  state.settings.look.brdfLookUp = optics::LookUp::interpolated;
-  state.settings.sources.utiaDecode = io::UtiaDecode::srgb;
-  CHECK(view::listRequest(state, 0, -1, true) != measured);
-  state.settings.look.channel = "normal";  // where no BRDF is seen none is read
-  CHECK(view::listRequest(state, 0, -1, true).brdf.name.empty());
-  state.settings.look.channel.clear();
-  state.settings.quality.samples = 16;  // the moving picture is drawn by the program of the resting one
-  CHECK(view::listRequest(state, 0, -1, true).imageLightSamples == frame::convergedLightSamples);
+  CHECK(state.settings.sources.brdf == "a.binary");
 
   view::chooseMaterialSource(state, MaterialSource::one);
   CHECK(state.settings.sources.brdf.empty());
@@ -131,7 +92,7 @@ TEST_CASE("viewer state: the material choice takes every draw's place") {
   REQUIRE(loaded);
   view::ViewerState state;
   state.settings.look.material = {true, {0.1f, 0.2f, 0.3f}, 0.75f, 0.25f, 1.5f, {}};
-  const frame::DrawList list = frame::buildDrawList(loaded->model, 0, view::drawOptions(state, -1, true));
+  const frame::DrawList list = frame::buildDrawList(loaded->model, 0, frame::drawOptions(state.settings, true));
   REQUIRE(list.opaque.size() == 1);
   const scene::Material& material = list.materials[static_cast<size_t>(list.opaque[0].material)];
   CHECK(material.baseColorFactor == glm::vec4(0.1f, 0.2f, 0.3f, 1));
@@ -170,17 +131,17 @@ TEST_CASE("Presets: a metal brings colour and conductor, a dielectric its index,
   state.settings.look.material.on = true;
   state.settings.look.material.perceptualRoughness = 0.25f;
   view::choosePreset(state.settings.look.material, "gold");
-  frame::DrawOptions options = view::drawOptions(state, -1, true);
-  CHECK(options.material->conductor == "gold");
-  CHECK(options.material->metallicFactor == 1);
-  CHECK(options.material->perceptualRoughnessFactor == 0.25f);
-  CHECK(options.material->baseColorFactor.r == Approx(optics::findMetal("gold")->f0().r));
+  scene::Material made = frame::overridingMaterial(state.settings.look.material);
+  CHECK(made.conductor == "gold");
+  CHECK(made.metallicFactor == 1);
+  CHECK(made.perceptualRoughnessFactor == 0.25f);
+  CHECK(made.baseColorFactor.r == Approx(optics::findMetal("gold")->f0().r));
   const glm::vec3 colour = state.settings.look.material.baseColor;
   view::choosePreset(state.settings.look.material, "diamond");
-  options = view::drawOptions(state, -1, true);
-  CHECK(options.material->conductor.empty());
-  CHECK(options.material->metallicFactor == 0);
-  CHECK(options.material->ior == Approx(2.4175));
+  made = frame::overridingMaterial(state.settings.look.material);
+  CHECK(made.conductor.empty());
+  CHECK(made.metallicFactor == 0);
+  CHECK(made.ior == Approx(2.4175));
   CHECK(state.settings.look.material.baseColor == colour);
   CHECK(view::presetText("gold").find("Johnson and Christy 1972") != std::string::npos);
   CHECK(view::presetText("diamond").find("2.417") != std::string::npos);

@@ -91,9 +91,9 @@ TEST_CASE("viewport: what a setting needs is fetched when it is set, a failed en
   viewer.state.settings.sources.environment = "builtin:white";
   viewer.settle();
   CHECK(viewer.state.shown.environment == "builtin:white");
-  CHECK(viewer.viewport.environments.shown->onGpu.tables.dfg);
-  CHECK(viewer.viewport.environments.shown->onGpu.tables.irradiance);
-  CHECK(viewer.viewport.environments.shown->onGpu.tables.background);
+  CHECK(viewer.viewport.environments.shown->tables.dfg);
+  CHECK(viewer.viewport.environments.shown->tables.irradiance);
+  CHECK(viewer.viewport.environments.shown->tables.background);
 }
 
 TEST_CASE("viewport: the copied command renders the picture on the screen, byte by byte", "[gl]") {

@@ -1,0 +1,165 @@
+#include "frame/choose.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "base/whole_number.hpp"
+#include "scene/animation.hpp"
+#include "scene/builtin_scenes.hpp"
+
+namespace facet::frame {
+
+namespace {
+
+// The file's camera by name, else by index.
+Result<FileCamera> findCamera(const std::string& wanted, const scene::Model& model, const DrawList& list) {
+  std::string known;
+  for (const FileCamera& camera : list.cameras) {
+    const std::string& name = camera.lens.name;
+    if (name == wanted || model.nodes[static_cast<size_t>(camera.placed.node)].name == wanted) return camera;
+    known +=
+        (known.empty() ? "" : ", ") + std::to_string(camera.placed.camera) + (name.empty() ? "" : " (" + name + ")");
+  }
+  if (const std::optional<int> index = wholeNumber(wanted))
+    for (const FileCamera& camera : list.cameras)
+      if (camera.placed.camera == *index) return camera;
+  return fail(model.name, "", "the scene has no camera '" + wanted + "'",
+              known.empty() ? "it has none at all: leave out --camera" : "it has " + known);
+}
+
+const scene::BuiltinScene* builtinOf(const std::string& source) {
+  return source.starts_with("builtin:") ? scene::findBuiltinScene(source) : nullptr;
+}
+
+}  // namespace
+
+PictureSettings movingSettings(const PictureSettings& settings) {
+  PictureSettings moving = settings;
+  moving.quality = {.samples = std::min(settings.quality.samples, convergedAbove), .maxError = {}};
+  return moving;
+}
+
+DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment) {
+  DrawOptions options;
+  options.features.environment = hasEnvironment && settings.frame.environmentStrength > 0;
+  options.features.occlusion = settings.frame.occlusion > 0;
+  options.features.channel = std::max(0, shading::channelIndex(settings.look.channel));
+  const bool converging = converges(settings.quality);
+  options.features.shadedOnce = !converging;
+  if (settings.look.models.imageLight == optics::ImageLight::sampled)
+    options.features.imageLightSamples = converging ? convergedLightSamples : onceLightSamples;
+  else if (settings.look.models.imageLight == optics::ImageLight::automatic && converging)
+    options.features.imageLightSamples = convergedLightSamples;
+  options.features.models = settings.look.models;
+  options.sceneLights = settings.look.lights != Lights::none;
+  options.demoLights = settings.look.lights == Lights::demo;
+  options.moving = !settings.placement.animation.empty();
+  if (settings.look.material.on) options.material = settings.look.material;
+  return options;
+}
+
+bool backgroundVisible(const PictureSettings& settings, bool hasEnvironment) {
+  return settings.frame.background == Background::environment && hasEnvironment && settings.look.channel.empty();
+}
+
+Result<int> chooseScene(const Placement& placement, const scene::Model& model) {
+  const int scene = placement.scene < 0 ? model.defaultScene : placement.scene;
+  if (scene >= static_cast<int>(model.scenes.size()) && placement.scene >= 0)
+    return fail(model.name, "", "there is no scene " + std::to_string(scene),
+                "the file has " + std::to_string(model.scenes.size()));
+  return scene;
+}
+
+Result<int> chooseVariant(const Look& look, const scene::Model& model) {
+  if (look.variant.empty()) return -1;
+  const int count = static_cast<int>(model.variants.size());
+  std::string known;
+  for (int i = 0; i < count; ++i) {
+    const std::string& name = model.variants[static_cast<size_t>(i)];
+    if (name == look.variant) return i;
+    known += (i == 0 ? "" : ", ") + std::to_string(i) + (name.empty() ? "" : " (" + name + ")");
+  }
+  if (const std::optional<int> index = wholeNumber(look.variant); index && *index >= 0 && *index < count) return *index;
+  return fail(model.name, "", "the file has no material variant '" + look.variant + "'",
+              known.empty() ? "it has none at all: leave out --variant" : "it has " + known);
+}
+
+Result<scene::Pose> choosePose(const Placement& placement, const scene::Model& model) {
+  const Result<std::vector<int>> animations = scene::chooseAnimations(model, placement.animation);
+  if (!animations) return tl::unexpected(animations.error());
+  return scene::poseAt(model, *animations, placement.timeSeconds);
+}
+
+namespace {
+
+// Evenly spread over the course, and as many of the keys: what moves far for a moment has one there.
+std::vector<double> framedMoments(const scene::Model& model, const std::vector<int>& animations, size_t count) {
+  std::set<double> keys;
+  for (const int animation : animations)
+    for (const scene::AnimationSampler& sampler : model.animations[static_cast<size_t>(animation)].samplers)
+      keys.insert(sampler.times.begin(), sampler.times.end());
+  if (keys.empty()) return {0};
+  std::vector<double> moments;
+  for (size_t i = 0; i < count; ++i)
+    moments.push_back(*keys.rbegin() * static_cast<double>(i) / static_cast<double>(count - 1));
+  const size_t step = (keys.size() + count - 1) / count;
+  size_t index = 0;
+  for (const double key : keys)
+    if (index++ % step == 0) moments.push_back(key);
+  return moments;
+}
+
+}  // namespace
+
+scene::Bounds framingBounds(const Placement& placement, const scene::Model& model, int scene,
+                            const scene::Bounds& poseBounds) {
+  const Result<std::vector<int>> animations = scene::chooseAnimations(model, placement.animation);
+  if (!animations || animations->empty()) return poseBounds;
+  // Large scenes take few moments, because each is a walk through all that they draw.
+  size_t work = 1 + model.nodes.size();
+  for (const scene::Node& node : model.nodes) work += node.instances.size();
+  scene::Bounds all;
+  for (const double time : framedMoments(model, *animations, std::clamp<size_t>(1'000'000 / work, 4, 48))) {
+    const scene::Bounds bounds = scene::sceneBounds(model, scene, scene::poseAt(model, *animations, time));
+    if (!bounds.empty()) all.add(bounds.min), all.add(bounds.max);
+  }
+  return all;
+}
+
+scene::OrbitCamera chooseOrbit(const Viewpoint& viewpoint, double aspect, const std::string& source,
+                               const scene::Bounds& bounds) {
+  const scene::BuiltinScene* builtin = builtinOf(source);
+  scene::OrbitCamera camera = scene::frameBounds(bounds, viewpoint.fovYDeg.value_or(45.0), aspect);
+  if (builtin && !viewpoint.fovYDeg) {
+    camera = builtin->camera;
+    camera.radius /= std::min(aspect, 1.0);  // it is made for square and wider pictures
+  }
+  if (viewpoint.target) camera.target = *viewpoint.target;
+  if (viewpoint.orbit) {
+    camera.theta = viewpoint.orbit->thetaDeg;
+    camera.phi = viewpoint.orbit->phiDeg;
+    if (viewpoint.orbit->radius) camera.radius = *viewpoint.orbit->radius;
+  }
+  return camera;
+}
+
+Result<scene::View> chooseView(const Viewpoint& viewpoint, double aspect, const std::string& source,
+                               const scene::Model& model, const DrawList& list, const scene::Bounds& framing) {
+  if (viewpoint.camera.empty())
+    return scene::orbitView(chooseOrbit(viewpoint, aspect, source, framing), aspect, list.bounds);
+  Result<FileCamera> camera = findCamera(viewpoint.camera, model, list);
+  if (!camera) return tl::unexpected(camera.error());
+  if (viewpoint.fovYDeg) camera->lens.fovY = glm::radians(*viewpoint.fovYDeg), camera->lens.aspectRatio = 0;
+  return scene::cameraView(camera->lens, camera->placed.worldFromNode, aspect, list.bounds);
+}
+
+std::string chooseEnvironment(const PictureSettings& settings, const std::string& source, const scene::Model& model,
+                              int scene) {
+  if (!settings.sources.environment.empty()) return settings.sources.environment;
+  if (const scene::BuiltinScene* builtin = builtinOf(source)) return std::string(builtin->environment);
+  const DrawOptions options = drawOptions(settings, true);
+  const bool shaded = options.features.channel == 0 && options.features.environment;
+  return shaded && scene::anythingLit(model, scene) ? "builtin:studio" : "none";
+}
+
+}  // namespace facet::frame

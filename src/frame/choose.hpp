@@ -1,0 +1,63 @@
+#pragma once
+
+// What a wish names of a model, and what it leaves open: scene, variant, pose, view, environment, options of the draw
+// list. No OpenGL.
+
+#include <string>
+
+#include "base/error.hpp"
+#include "frame/draw_list.hpp"
+#include "frame/settings.hpp"
+#include "scene/camera.hpp"
+#include "scene/model.hpp"
+#include "scene/pose.hpp"
+
+namespace facet::frame {
+
+// More samples a pixel than this: each is a draw of its own and samples the environment instead of reading the split
+// sum's tables, so that its specular part converges to the true integral, not to the approximation.
+inline constexpr int convergedAbove = 4;
+inline bool converges(const Quality& quality) {
+  return quality.maxError.has_value() || quality.samples > convergedAbove;
+}
+inline constexpr int convergedLightSamples = 4;  // environment samples per draw
+inline constexpr int onceLightSamples = 32;      // the same where there is but one draw
+
+// The settings of the picture that is drawn while something changes: of few samples.
+PictureSettings movingSettings(const PictureSettings& settings);
+
+// What the settings ask of the draw list, but for the variant, which needs the model, and the measured BRDF.
+DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment);
+
+// The environment is seen behind the model.
+bool backgroundVisible(const PictureSettings& settings, bool hasEnvironment);
+
+// Errors: no such scene in the model.
+Result<int> chooseScene(const Placement& placement, const scene::Model& model);
+
+// Index in model.variants, -1 for none. Errors: no such variant.
+Result<int> chooseVariant(const Look& look, const scene::Model& model);
+
+// The pose that is asked for, of the chosen scene. Errors: no such animation.
+Result<scene::Pose> choosePose(const Placement& placement, const scene::Model& model);
+
+// What a view of everything takes in, world: the scene's bounds; where an animation is chosen, those of its whole
+// course (of up to 48 moments, and as many keys), so that each of its frames gets the same view. scene: the chosen one.
+scene::Bounds framingBounds(const Placement& placement, const scene::Model& model, int scene,
+                            const scene::Bounds& poseBounds);
+
+// The orbit that the settings ask for: what they leave open, a built-in scene's own camera or a view of all of the
+// bounds fills in. source: the file, or builtin:NAME; aspect: width / height.
+scene::OrbitCamera chooseOrbit(const Viewpoint& viewpoint, double aspect, const std::string& source,
+                               const scene::Bounds& bounds);
+
+// The file's camera where one is named, else chooseOrbit of framing. Errors: no such camera.
+Result<scene::View> chooseView(const Viewpoint& viewpoint, double aspect, const std::string& source,
+                               const scene::Model& model, const DrawList& list, const scene::Bounds& framing);
+
+// The environment's name: the one that was chosen, else what a built-in scene is made for, else the studio, or none for
+// a scene that nothing could light.
+std::string chooseEnvironment(const PictureSettings& settings, const std::string& source, const scene::Model& model,
+                              int scene);
+
+}  // namespace facet::frame

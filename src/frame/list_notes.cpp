@@ -1,0 +1,75 @@
+#include "frame/list_notes.hpp"
+
+#include <algorithm>
+
+namespace facet::frame {
+
+namespace {
+
+void noteUnlit(const DrawList& list, const ibl::Needs& needs, Notes& notes) {
+  if (std::ranges::all_of(list.classes(), [](const auto* draws) { return draws->empty(); })) {
+    notes.push_back({Note::Severity::warning, "", "the scene draws nothing"});
+    return;
+  }
+  const auto lit = [](const Draw& draw) { return !shading::usesFeature(draw.key, "UNLIT"); };
+  const bool anyLit =
+      std::ranges::any_of(list.classes(), [&](const auto* draws) { return std::ranges::any_of(*draws, lit); });
+  if (anyLit && !needs.irradiance && !needs.cube && list.lights.empty() && list.features.channel == 0)
+    notes.push_back({Note::Severity::warning, "",
+                     "nothing lights the scene: it has no lights and --env is none; give --env or --lights demo"});
+}
+
+// What the chosen models do not reach.
+void noteModels(const DrawList& list, Notes& notes) {
+  const auto any = [&](auto test) {
+    return std::ranges::any_of(list.classes(), [&](const auto* draws) { return std::ranges::any_of(*draws, test); });
+  };
+  const auto warn = [&](const char* text) { notes.push_back({Note::Severity::warning, "", text}); };
+  const optics::Models& models = list.features.models;
+  if (models.distribution != optics::NormalDistribution::ggx || models.masking != optics::Masking::smith) {
+    if (!any([](const Draw& d) { return d.key.distribution != 0 || d.key.masking != 0; }))
+      warn("--ndf and --masking change nothing: they are for point, spot and directional lights, and none shines");
+    else if (list.features.environment)
+      warn("--ndf and --masking are for point, spot and directional lights: GGX reflects the environment");
+  }
+  if (models.fresnel == optics::FresnelModel::schlick) return;
+  const bool sampled = list.features.imageLightSamples != 0;
+  if (!any([](const Draw& d) { return d.key.fresnel != 0; }))
+    warn(
+        "--fresnel changes nothing: exact is for dielectrics and for metals whose index is known, f82 for the latter, "
+        "under point, spot and directional lights, or with more than 4 samples");
+  else if (list.features.environment && !sampled)
+    warn(
+        "--fresnel is for point, spot and directional lights: the environment's tables are Schlick's; more than 4 "
+        "samples do without them");
+}
+
+// Which draws do not show the measured BRDF, or not as it was meant.
+void noteMeasured(const DrawList& list, Notes& notes) {
+  size_t unlit = 0, levelled = 0;
+  for (const std::vector<Draw>* draws : list.classes())
+    for (const Draw& draw : *draws) {
+      if (!shading::isMeasured(draw.key)) ++unlit;
+      if (shading::usesFeature(draw.key, "UTIA_BRDF") && draw.primitive->tangents.empty()) ++levelled;
+    }
+  const auto warn = [&](const std::string& text) { notes.push_back({Note::Severity::warning, "", text}); };
+  if (list.features.channel == 0 && unlit > 0)
+    warn("--brdf: " + std::to_string(unlit) + " draws keep their own look, because they are unlit or have no normals");
+  if (levelled > 0)
+    warn("--brdf: " + std::to_string(levelled) +
+         " draws have no tangents: the BRDF's azimuths begin at their level direction");
+}
+
+}  // namespace
+
+Notes listNotes(const DrawList& list, const ibl::Needs& needs) {
+  Notes notes;
+  noteUnlit(list, needs, notes);
+  if (list.features.measured != shading::Measured::none)
+    noteMeasured(list, notes);
+  else
+    noteModels(list, notes);
+  return notes;
+}
+
+}  // namespace facet::frame
