@@ -16,7 +16,6 @@
 #include "commands/shard.hpp"
 #include "frame/left_out.hpp"
 #include "frame/session.hpp"
-#include "ibl/choice.hpp"
 
 namespace facet::commands {
 
@@ -93,12 +92,9 @@ nlohmann::ordered_json statsJson(const Job& job, const frame::Session& session, 
   out["tables"] = tables;
   if (job.settings.quality.maxError) {
     Json methods = Json::object();
-    constexpr std::pair<const char*, ibl::Part> parts[] = {
-        {"irradiance", ibl::Part::irradiance}, {"layers", ibl::Part::layers}, {"dfg", ibl::Part::dfg}};
-    for (const auto& [name, part] : parts) {
-      const ibl::Candidate& chosen = ibl::choose(part, *job.settings.quality.maxError);
-      methods[name] = {{"method", chosen.name}, {"error", chosen.error}};
-    }
+    constexpr const char* parts[] = {"irradiance", "layers", "dfg"};
+    for (const ibl::Candidate* chosen : s.methods)
+      methods[parts[static_cast<size_t>(chosen->part)]] = {{"method", chosen->name}, {"error", chosen->error}};
     out["methods"] = methods;
   }
   out["frame"] = {{"passes", s.frame.passes},

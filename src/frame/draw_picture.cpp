@@ -93,9 +93,23 @@ std::map<std::string, int> variantsOf(const DrawList& list) {
 }
 
 struct DrawnFrame {
-  FrameStatistics statistics;  // of the last band, but the error of all
+  FrameStatistics statistics;  // of all bands
   double milliseconds = 0;     // waited for
 };
+
+// A band's work onto that of the bands before.
+void add(FrameStatistics& sum, FrameStatistics band) {
+  auto place = sum.passes.begin();  // a pass that no band has had yet follows the one before it
+  for (std::string& pass : band.passes) {
+    const auto known = std::find(place, sum.passes.end(), pass);
+    place = known != sum.passes.end() ? known : sum.passes.insert(place, std::move(pass));
+    ++place;
+  }
+  sum.draws += band.draws;
+  sum.instances += band.instances;
+  sum.triangles += band.triangles;
+  sum.culled += band.culled;
+}
 
 // All bands; each goes to `read` when it is drawn.
 using ReadBand = std::function<Result<void>(const FrameInput& band)>;
@@ -109,8 +123,8 @@ Result<DrawnFrame> drawBands(FrameInput in, const Targets& targets, shading::Pro
     if (!drawn) return tl::unexpected(drawn.error());
     glFinish();
     frame.milliseconds += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    frame.statistics = std::move(*drawn);
-    const double error = frame.statistics.error;
+    const double error = drawn->error;
+    add(frame.statistics, std::move(*drawn));
     squares += error * error * std::min(targets.height, in.settings.frame.height - in.firstRow);
     if (Result<void> r = read ? read(in) : Result<void>(); !r) return tl::unexpected(r.error());
   }

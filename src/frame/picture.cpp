@@ -18,6 +18,7 @@ Result<Drawable> preparePicture(const PictureSettings& settings, LoadedScene& sc
   assert(step.progress == Progress::done && "the supply gives everything at once");
   notes.insert(notes.end(), plan.next.notes.begin(), plan.next.notes.end());
   statistics.tables = plan.next.environment->tables.statistics;
+  statistics.methods = plan.next.environment->chosen;
   statistics.imagesDecoded = scene.gpu.imagesDecoded - decodedBefore;
   statistics.programsCompiled = programs.statistics().compiled - before.compiled;
   statistics.programsFromDisk = programs.statistics().fromDisk - before.fromDisk;

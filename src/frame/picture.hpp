@@ -19,11 +19,12 @@ namespace facet::frame {
 Targets createTargets(const PictureSettings& settings, const gl::ContextInfo& context, int rows = 0);
 
 struct PictureStatistics {
-  FrameStatistics frame;  // of one band
+  FrameStatistics frame;  // of all bands
   int bands = 1;
   int imagesDecoded = 0;
   int programsCompiled = 0, programsFromDisk = 0;
   std::vector<ibl::TableStatistics> tables;
+  std::vector<const ibl::Candidate*> methods;  // of the tables, where an error decides
   size_t textureBytes = 0, geometryBytes = 0, tableBytes = 0, targetBytes = 0;
   std::map<std::string, int> variants;  // programs by name (shading::variantName) -> draws, before culling
   uint64_t clampedPixels = 0;    // all samples of a channel at the largest half float; counted where radiance is read

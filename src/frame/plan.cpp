@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "frame/list_notes.hpp"
-#include "ibl/choice.hpp"
 
 namespace facet::frame {
 
@@ -12,6 +11,7 @@ namespace {
 
 // The tables of other methods than those that the wish asks for are dropped.
 void chooseMethod(LoadedEnvironment& environment, const std::optional<double>& maxError) {
+  environment.chosen = maxError ? ibl::chosenFor(*maxError) : std::vector<const ibl::Candidate*>();
   ibl::Method method = maxError ? ibl::methodFor(*maxError) : ibl::Method();
   method.takeSunOut = environment.method.takeSunOut;
   if (method == environment.method) return;
@@ -138,14 +138,15 @@ void findSun(LoadedEnvironment& environment) {
   environment.sun.reset();
   if (environment.prepared)
     environment.sun = environment.prepared->sun;
-  else if (environment.environment)
-    if (auto found = scene::findSun(*environment.environment)) environment.sun = found->sun;
+  else if (environment.environment && (environment.found = scene::findSun(*environment.environment)))
+    environment.sun = environment.found->sun;
   environment.method.takeSunOut = environment.sun.has_value();
 }
 
 Result<void> prepareTables(LoadedEnvironment& environment, const ibl::Needs& needs, shading::ProgramStore& programs) {
   return ibl::prepareTables(environment.tables, environment.environment.get(), environment.content, needs, programs,
-                            environment.cache, environment.method, environment.prepared.get());
+                            environment.cache, environment.method, environment.prepared.get(),
+                            environment.found ? &*environment.found : nullptr);
 }
 
 ListInputs listInputs(const PictureSettings& settings, std::shared_ptr<const io::LoadedModel> model, int scene,

@@ -14,6 +14,7 @@
 #include "frame/fitted_gpu.hpp"
 #include "frame/frame.hpp"
 #include "ibl/cache.hpp"
+#include "ibl/choice.hpp"
 #include "io/bump.hpp"
 #include "io/gltf.hpp"
 
@@ -45,10 +46,12 @@ struct LoadedEnvironment {
   std::shared_ptr<const scene::Environment> environment;
   std::shared_ptr<const ibl::PreparedEnvironment> prepared = {};  // null: made when it is needed
   ibl::Tables tables = {};
-  std::optional<scene::Sun> sun = {};  // a light of its own, which the tables do without
-  ibl::Method method = {};             // of the tables
-  ibl::TableCache cache = {};          // the default: none
-  std::string content = {};            // ibl::contentKey, where it is known
+  std::optional<scene::FoundSun> found = {};       // the sun in the texels, where nothing is prepared
+  std::optional<scene::Sun> sun = {};              // a light of its own, which the tables do without
+  ibl::Method method = {};                         // of the tables
+  std::vector<const ibl::Candidate*> chosen = {};  // what makes up the method where an error decides
+  ibl::TableCache cache = {};                      // the default: none
+  std::string content = {};                        // ibl::contentKey, where it is known
   Notes notes = {};
 };
 

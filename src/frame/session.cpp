@@ -97,7 +97,7 @@ Result<Picture> Session::render(const std::string& model, const PictureSettings&
   if (!drawable) return tl::unexpected(drawable.error());
   environmentName_ = drawable->environment->source;
   if (request.last) {
-    drawable->environment->environment.reset();
+    drawable->environment->environment.reset(), drawable->environment->found.reset();
     for (scene::Image& image : model_->model.images) image.encoded = {};
   }
   malloc_trim(0);

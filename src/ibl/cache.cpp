@@ -206,11 +206,11 @@ void loadTables(Tables& tables, const scene::Environment* environment, std::stri
 
 Result<void> prepareTables(Tables& tables, const scene::Environment* environment, std::string& content,
                            const Needs& needs, shading::ProgramStore& programs, const TableCache& cache,
-                           const Method& method, const PreparedEnvironment* prepared) {
+                           const Method& method, const PreparedEnvironment* prepared, const scene::FoundSun* found) {
   loadTables(tables, environment, content, needs, cache, method);
   const std::vector<TableStatistics> loaded = tables.statistics;
   const std::vector<Piece> missing = missingPieces(tables, needs);
-  if (Result<void> r = computeTables(tables, environment, needs, programs, method, prepared); !r) return r;
+  if (Result<void> r = computeTables(tables, environment, needs, programs, method, prepared, found); !r) return r;
   if (!cache.disk.folder.empty())
     for (const Piece& piece : missing) {
       const PackedPiece packed = packPiece(tables, piece, content, cache, method);

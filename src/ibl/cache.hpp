@@ -51,6 +51,7 @@ PackedPiece packPiece(const Tables& tables, const Piece& piece, const std::strin
 // tables.statistics names what came from the cache, too.
 Result<void> prepareTables(Tables& tables, const scene::Environment* environment, std::string& content,
                            const Needs& needs, shading::ProgramStore& programs, const TableCache& cache,
-                           const Method& method = {}, const PreparedEnvironment* prepared = nullptr);
+                           const Method& method = {}, const PreparedEnvironment* prepared = nullptr,
+                           const scene::FoundSun* found = nullptr);
 
 }  // namespace facet::ibl

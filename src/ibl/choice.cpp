@@ -34,6 +34,10 @@ const Candidate& choose(Part part, double maxError) {
   return *best;
 }
 
+std::vector<const Candidate*> chosenFor(double maxError) {
+  return {&choose(Part::irradiance, maxError), &choose(Part::layers, maxError), &choose(Part::dfg, maxError)};
+}
+
 Method methodFor(double maxError) {
   const Method& irradiance = choose(Part::irradiance, maxError).method;
   Method method = choose(Part::layers, maxError).method;

@@ -4,6 +4,7 @@
 
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "ibl/method.hpp"
 
@@ -26,7 +27,9 @@ std::span<const Candidate> candidates();  // of each part the cheapest first
 
 // The cheapest candidate of the part whose error is within; the most accurate where none is.
 const Candidate& choose(Part part, double maxError);
-// All parts of them in one. Without an error to keep to, Method{} is used: within 1 %, and its DFG table finer, because
+// What is chosen of each part.
+std::vector<const Candidate*> chosenFor(double maxError);
+// All of them in one. Without an error to keep to, Method{} is used: within 1 %, and its DFG table finer, because
 // a white furnace shows its error at once.
 Method methodFor(double maxError);
 

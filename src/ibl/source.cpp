@@ -128,10 +128,12 @@ void blendPolarTexels(scene::Environment& environment, double maxWidth) {
   }
 }
 
-PreparedEnvironment prepareEnvironment(const scene::Environment& environment, const Method& method) {
+PreparedEnvironment prepareEnvironment(const scene::Environment& environment, const Method& method,
+                                       const scene::FoundSun* found) {
   PreparedEnvironment prepared{radianceScaleFor(environment), {}, {}};
-  std::optional<scene::FoundSun> found;
-  if (method.takeSunOut) found = scene::findSun(environment);
+  std::optional<scene::FoundSun> here;
+  if (!method.takeSunOut) found = nullptr;
+  if (method.takeSunOut && !found && (here = scene::findSun(environment))) found = &*here;
   if (found) prepared.sun = found->sun;
   prepared.reduced = reduceEquirect(found ? found->rest : environment, method.equirectWidth);
   return prepared;

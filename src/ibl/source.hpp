@@ -34,7 +34,9 @@ struct PreparedEnvironment {
   std::optional<scene::Sun> sun;  // taken out of `reduced`; only where the method asks for it
   scene::Environment reduced;     // at most method.equirectWidth wide
 };
-PreparedEnvironment prepareEnvironment(const scene::Environment& environment, const Method& method);
+// found: what scene::findSun says of it, where it is known to have a sun; null: it is asked where the method wants it.
+PreparedEnvironment prepareEnvironment(const scene::Environment& environment, const Method& method,
+                                       const scene::FoundSun* found = nullptr);
 // The same at another width.
 PreparedEnvironment reducedFurther(const PreparedEnvironment& prepared, int maxWidth);
 

@@ -103,7 +103,7 @@ LayerRange layersFor(float lowestRoughness, float highestRoughness) {
 }
 
 Precompute planTables(const Tables& tables, const scene::Environment* environment, const PreparedEnvironment* prepared,
-                      const Needs& needs, ProgramStore& programs, const Method& method) {
+                      const Needs& needs, ProgramStore& programs, const Method& method, const scene::FoundSun* found) {
   Precompute work;
   work.scratch = std::make_shared<Scratch>();
   work.made = std::make_unique<Tables>();
@@ -127,7 +127,7 @@ Precompute planTables(const Tables& tables, const scene::Environment* environmen
 
   assert(environment != nullptr && environment->width > 0);
   std::optional<PreparedEnvironment> here;
-  if (!prepared && filtered && !tables.cube) prepared = &here.emplace(prepareEnvironment(*environment, method));
+  if (!prepared && filtered && !tables.cube) prepared = &here.emplace(prepareEnvironment(*environment, method, found));
   made.radianceScale = prepared ? prepared->radianceScale : radianceScaleFor(*environment);
   if (background) addBackgroundSteps(work, *environment);
   if (!filtered) return work;
@@ -163,11 +163,12 @@ void finish(Precompute&& work, Tables& tables) {
 }
 
 Result<void> computeTables(Tables& tables, const scene::Environment* environment, const Needs& needs,
-                           ProgramStore& programs, const Method& method, const PreparedEnvironment* prepared) {
+                           ProgramStore& programs, const Method& method, const PreparedEnvironment* prepared,
+                           const scene::FoundSun* found) {
   std::vector<TableStatistics>& booked = tables.statistics;
   booked.clear();
   const Clock::time_point planned = Clock::now();
-  Precompute work = planTables(tables, environment, prepared, needs, programs, method);
+  Precompute work = planTables(tables, environment, prepared, needs, programs, method, found);
   const double planMs = std::chrono::duration<double, std::milli>(Clock::now() - planned).count();
   while (!work.done()) {
     const std::string_view table = work.steps[work.next].table;

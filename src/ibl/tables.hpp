@@ -73,10 +73,11 @@ struct Precompute {
 inline constexpr size_t backgroundTexelsAtOnce = size_t{1} << 19;
 
 // What is needed and not in the tables yet. environment may be null where nothing of it is needed. prepared: of it,
-// with the same method; null: it is made here where tables are filtered. programs and, where the background is needed,
-// the environment must outlive the result.
+// with the same method; null: it is made here where tables are filtered, of `found` where that is known. programs and,
+// where the background is needed, the environment must outlive the result.
 Precompute planTables(const Tables& tables, const scene::Environment* environment, const PreparedEnvironment* prepared,
-                      const Needs& needs, shading::ProgramStore& programs, const Method& method = {});
+                      const Needs& needs, shading::ProgramStore& programs, const Method& method = {},
+                      const scene::FoundSun* found = nullptr);
 // One step. Errors: a shader does not compile.
 Result<void> runStep(Precompute& work);
 // Moves what was made to the tables. All steps are run.
@@ -85,7 +86,7 @@ void finish(Precompute&& work, Tables& tables);
 // All of that at once; tables.statistics names what this call computed.
 Result<void> computeTables(Tables& tables, const scene::Environment* environment, const Needs& needs,
                            shading::ProgramStore& programs, const Method& method = {},
-                           const PreparedEnvironment* prepared = nullptr);
+                           const PreparedEnvironment* prepared = nullptr, const scene::FoundSun* found = nullptr);
 
 // First and last index of the layers that look-ups of that roughness touch.
 struct LayerRange {

@@ -51,6 +51,7 @@ void describeShown(const Viewport& viewport, ViewerState& state) {
   if (viewport.shown.inputs.list.fitted) shown.fit = viewport.shown.inputs.list.fitted->fitted;
   shown.compared = viewport.shown.list.compared;
   shown.comparison.reset();
+  shown.statistics.methods = viewport.environments.shown->chosen;
   shown.statistics.variants = variantCount(viewport.shown.list);
   shown.statistics.images = static_cast<int>(model.images.size());
   describeNotes(viewport, shown);

@@ -318,15 +318,11 @@ void accuracySection(ViewerState& state) {
   detail("its error", error);
   hint("root mean square of the colours on the screen: the first half of the samples against the second");
   detail("light tables", byteText(state.shown.statistics.tableBytes));
-  if (state.settings.quality.maxError) {
-    constexpr std::pair<const char*, ibl::Part> parts[] = {
-        {"irradiance", ibl::Part::irradiance}, {"reflections", ibl::Part::layers}, {"DFG", ibl::Part::dfg}};
-    for (const auto& [name, part] : parts) {
-      const ibl::Candidate& chosen = ibl::choose(part, *state.settings.quality.maxError);
-      char text[96];
-      std::snprintf(text, sizeof text, "%s: %.2g %%", chosen.name.data(), 100 * chosen.error);
-      detail(name, text);
-    }
+  constexpr const char* parts[] = {"irradiance", "reflections", "DFG"};
+  for (const ibl::Candidate* chosen : state.shown.statistics.methods) {
+    char text[96];
+    std::snprintf(text, sizeof text, "%s: %.2g %%", chosen->name.data(), 100 * chosen->error);
+    detail(parts[static_cast<size_t>(chosen->part)], text);
   }
   ImGui::EndTable();
 }

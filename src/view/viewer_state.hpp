@@ -15,6 +15,7 @@
 #include "frame/frame.hpp"
 #include "frame/material_choice.hpp"
 #include "frame/settings.hpp"
+#include "ibl/choice.hpp"
 #include "scene/camera.hpp"
 #include "scene/pick.hpp"
 #include "shading/features.hpp"
@@ -40,7 +41,8 @@ struct ViewerStatistics {
   int variants = 0;  // distinct programs in the draw list
   int programsCompiled = 0, programsFromDisk = 0;
   int imagesDecoded = 0, images = 0;
-  double cpuMs = 0, gpuMs = 0;  // of the last frame that was measured
+  double cpuMs = 0, gpuMs = 0;                 // of the last frame that was measured
+  std::vector<const ibl::Candidate*> methods;  // of the tables, where an error decides
   size_t textureBytes = 0, geometryBytes = 0, tableBytes = 0, targetBytes = 0, measuredBytes = 0;
 };
 

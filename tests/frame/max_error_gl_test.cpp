@@ -83,4 +83,9 @@ TEST_CASE("max error: what cannot be reached is drawn with as many samples as ar
   CHECK(picture.statistics.attempts[0].samples == 8);
   CHECK(picture.statistics.attempts[1].samples == 12);
   CHECK(picture.statistics.attempts[1].error > 255 * 1e-4);
+  // What is told of the tables is what was chosen for them.
+  REQUIRE(picture.statistics.methods.size() == 3);
+  CHECK(picture.statistics.methods == ibl::chosenFor(1e-4));
+  settings.quality.maxError.reset();
+  CHECK(studio.render(test::loadBuiltin("builtin:poster"), settings).statistics.methods.empty());
 }

@@ -328,3 +328,17 @@ TEST_CASE("Frugality: lights alone need the DFG table, an environment all tables
   const frame::Picture dark = test::Studio().render(model, settings);
   CHECK(dark.statistics.tables.empty());
 }
+
+TEST_CASE("Statistics are of all bands of a picture, not of its last") {
+  GltfBuilder builder = emptyScene();
+  builder.append("materials", test::unlit({1, 1, 1, 1}));
+  test::addMeshNode(builder, test::addQuad(builder, {-1, -1}, {1, -0.5}), 0);  // at the bottom: in the first band
+  test::addOrthographicCamera(builder, 1, 1);
+  PictureSettings settings = test::bareSettings(4096, 160);
+  settings.viewpoint.camera = "0";
+  const frame::PictureStatistics s = test::Studio().render(test::loadBuilt(builder), settings).statistics;
+  REQUIRE(s.bands > 1);
+  CHECK(s.frame.draws == 1);
+  CHECK(s.frame.triangles == 2);
+  CHECK(s.frame.passes == Names{"opaque", "display"});
+}
