@@ -13,6 +13,7 @@
 #include "commands/option_text.hpp"
 #include "frame/material_choice.hpp"
 #include "optics/presets.hpp"
+#include "shading/features.hpp"
 
 namespace facet::commands {
 
@@ -55,92 +56,35 @@ std::string writeNumber(const PictureSettings& settings) {
   }
 }
 
-template <class T>
-struct Named {
-  Text name;
-  T value;
-};
-
-constexpr Named<frame::ToneMapper> toneMappers[] = {{"none", frame::ToneMapper::none},
-                                                    {"reinhard", frame::ToneMapper::reinhard},
-                                                    {"uncharted2", frame::ToneMapper::uncharted2},
-                                                    {"aces", frame::ToneMapper::aces},
-                                                    {"agx", frame::ToneMapper::agx},
-                                                    {"neutral", frame::ToneMapper::neutral}};
-
-constexpr Named<frame::Lights> lightChoices[] = {
-    {"scene", frame::Lights::scene}, {"none", frame::Lights::none}, {"demo", frame::Lights::demo}};
-
-constexpr Named<optics::DiffuseModel> diffuseModels[] = {{"lambert", optics::DiffuseModel::lambert},
-                                                         {"burley", optics::DiffuseModel::burley},
-                                                         {"frostbite", optics::DiffuseModel::frostbite},
-                                                         {"oren-nayar", optics::DiffuseModel::orenNayar},
-                                                         {"eon", optics::DiffuseModel::eon},
-                                                         {"codww2", optics::DiffuseModel::callOfDuty}};
-
-constexpr Named<optics::FresnelModel> fresnelModels[] = {{"schlick", optics::FresnelModel::schlick},
-                                                         {"exact", optics::FresnelModel::exact},
-                                                         {"f82", optics::FresnelModel::f82Tint}};
-
-constexpr Named<optics::NormalDistribution> distributions[] = {{"ggx", optics::NormalDistribution::ggx},
-                                                               {"beckmann", optics::NormalDistribution::beckmann},
-                                                               {"blinn", optics::NormalDistribution::blinn}};
-
-constexpr Named<optics::Masking> maskings[] = {{"smith", optics::Masking::smith},
-                                               {"approximate", optics::Masking::approximate},
-                                               {"v-cavity", optics::Masking::cavity}};
-
-constexpr Named<optics::ImageLight> imageLights[] = {
-    {"auto", optics::ImageLight::automatic},  {"mirror", optics::ImageLight::mirror},
-    {"shifted", optics::ImageLight::shifted}, {"mean", optics::ImageLight::mean},
-    {"taps1", optics::ImageLight::taps1},     {"taps2", optics::ImageLight::taps2},
-    {"taps3", optics::ImageLight::taps3},     {"sampled", optics::ImageLight::sampled}};
-
-constexpr Named<optics::EnergyModel> energyModels[] = {{"auto", optics::EnergyModel::automatic},
-                                                       {"none", optics::EnergyModel::none},
-                                                       {"fdez-aguera", optics::EnergyModel::fdezAguera},
-                                                       {"kulla-conty", optics::EnergyModel::kullaConty},
-                                                       {"turquin", optics::EnergyModel::turquin}};
-
-constexpr Named<optics::LookUp> lookUps[] = {{"interpolated", optics::LookUp::interpolated},
-                                             {"nearest", optics::LookUp::nearest}};
-
-constexpr Named<io::UtiaDecode> utiaDecodes[] = {
-    {"raw", io::UtiaDecode::raw}, {"srgb", io::UtiaDecode::srgb}, {"srgb140", io::UtiaDecode::srgb140}};
-
-constexpr Named<frame::BrdfCompare> comparisons[] = {{"none", frame::BrdfCompare::none},
-                                                     {"fit", frame::BrdfCompare::fit},
-                                                     {"split", frame::BrdfCompare::split},
-                                                     {"difference", frame::BrdfCompare::difference}};
-
-constexpr Named<Text> channels[] = {{"final", ""},
-                                    {"normal", "normal"},
-                                    {"geometryNormal", "geometryNormal"},
-                                    {"tangent", "tangent"},
-                                    {"uv", "uv"},
-                                    {"baseColor", "baseColor"},
-                                    {"metallic", "metallic"},
-                                    {"roughness", "roughness"},
-                                    {"occlusion", "occlusion"},
-                                    {"emissive", "emissive"},
-                                    {"alpha", "alpha"}};
-
 template <const auto& choices, auto... members>
 Result<void> parseName(Text text, PictureSettings& settings) {
   std::vector<Text> names;
   for (const auto& choice : choices) {
-    if (choice.name == text) return (at<members...>(settings) = choice.value), Result<void>();
-    names.push_back(choice.name);
+    if (choice.word == text) return (at<members...>(settings) = choice.value), Result<void>();
+    names.push_back(choice.word);
   }
   return fail({}, {}, inQuotes(text) + " is not known", suggestion(text, names));
 }
 
 template <const auto& choices, auto... members>
 std::string writeName(const PictureSettings& settings) {
-  for (const auto& choice : choices) {
-    if (at<members...>(settings) == choice.value) return std::string(choice.name);
-  }
-  return {};
+  return std::string(rowOf(choices, at<members...>(settings)).word);
+}
+
+// The words; what the automatic choice means, too.
+template <const auto& choices>
+std::string wordsWithNote() {
+  std::string words = wordsOf(choices);
+  if (choices[0].word == "auto") words += "; auto: " + std::string(choices[0].note);
+  return words;
+}
+
+// A row of a choice: the values that its help lists are the table's.
+template <const auto& choices, auto... members>
+constexpr PictureOption choiceOption(Text name, Text help) {
+  PictureOption option{name, "NAME", help, parseName<choices, members...>, writeName<choices, members...>};
+  option.choices = wordsWithNote<choices>;
+  return option;
 }
 
 template <auto... members>
@@ -235,11 +179,24 @@ std::string writeBrdfSamples(const PictureSettings& settings) {
 // Nothing is compared where nothing is measured.
 std::string writeBrdfCompare(const PictureSettings& settings) {
   if (settings.sources.brdf.empty() || settings.comparison.brdfCompare == frame::BrdfCompare::none) return {};
-  return writeName<comparisons, &S::comparison, &frame::BrdfComparison::brdfCompare>(settings);
+  return writeName<frame::brdfComparisons, &S::comparison, &frame::BrdfComparison::brdfCompare>(settings);
 }
 
 std::string writeTime(const PictureSettings& settings) {
   return settings.placement.animation.empty() ? std::string() : number(settings.placement.timeSeconds);
+}
+
+Result<void> parseChannel(Text text, PictureSettings& settings) {
+  std::vector<Text> names;
+  for (const Choice<int>& channel : shading::channels) {
+    if (channel.word == text) return (settings.look.channel = shading::channelSetting(channel.value)), Result<void>();
+    names.push_back(channel.word);
+  }
+  return fail({}, {}, inQuotes(text) + " is not known", suggestion(text, names));
+}
+
+std::string writeChannel(const PictureSettings& settings) {
+  return std::string(rowOf(shading::channels, std::max(0, shading::channelIndex(settings.look.channel))).word);
 }
 
 // "#rrggbb", sRGB, or three linear numbers; [0, 1]. Linear Rec. 709.
@@ -352,6 +309,20 @@ Result<void> parseMaxError(Text text, PictureSettings& settings) {
   return {};
 }
 
+// As choiceOption, but for how they are written.
+constexpr PictureOption comparisonOption(Text name, Text help) {
+  PictureOption option =
+      choiceOption<frame::brdfComparisons, &S::comparison, &frame::BrdfComparison::brdfCompare>(name, help);
+  option.write = writeBrdfCompare;
+  return option;
+}
+std::string channelWords() { return wordsOf(shading::channels); }
+constexpr PictureOption channelOption(Text name, Text help) {
+  PictureOption option{name, "NAME", help, parseChannel, writeChannel};
+  option.choices = channelWords;
+  return option;
+}
+
 // ---- The table ------------------------------------------------------------------------------------------------------
 
 using M = frame::MaterialChoice;
@@ -399,47 +370,34 @@ constexpr PictureOption optionTable[] = {
      writeNumber<&S::frame, &frame::FrameSettings::environmentStrength>},
     {"background", "env|transparent|#rrggbb", "what is behind the model (env); also a colour as R,G,B, linear",
      parseBackground, writeBackground},
-    {"lights", "scene|none|demo", "the file's lights, none, or four more (scene)",
-     parseName<lightChoices, &S::look, &frame::Look::lights>, writeName<lightChoices, &S::look, &frame::Look::lights>},
-    {"diffuse", "NAME", "diffuse model: lambert, burley, frostbite, oren-nayar, eon, codww2 (lambert)",
-     parseName<diffuseModels, &S::look, &frame::Look::models, &optics::Models::diffuse>,
-     writeName<diffuseModels, &S::look, &frame::Look::models, &optics::Models::diffuse>},
-    {"fresnel", "NAME",
-     "schlick; exact: of dielectrics, and of metals whose index is known; f82: of the latter. For lights (schlick)",
-     parseName<fresnelModels, &S::look, &frame::Look::models, &optics::Models::fresnel>,
-     writeName<fresnelModels, &S::look, &frame::Look::models, &optics::Models::fresnel>},
-    {"ndf", "NAME", "distribution of microfacets for lights: ggx, beckmann, blinn (ggx)",
-     parseName<distributions, &S::look, &frame::Look::models, &optics::Models::distribution>,
-     writeName<distributions, &S::look, &frame::Look::models, &optics::Models::distribution>},
-    {"masking", "NAME", "shadowing of microfacets for lights: smith, approximate, v-cavity (smith)",
-     parseName<maskings, &S::look, &frame::Look::models, &optics::Models::masking>,
-     writeName<maskings, &S::look, &frame::Look::models, &optics::Models::masking>},
-    {"image-light", "NAME",
-     "specular light of the environment: mirror, shifted, mean, taps1, taps2, taps3, sampled; auto: taps3, above 4 "
-     "samples sampled (auto)",
-     parseName<imageLights, &S::look, &frame::Look::models, &optics::Models::imageLight>,
-     writeName<imageLights, &S::look, &frame::Look::models, &optics::Models::imageLight>},
-    {"energy", "NAME",
-     "light of further bounces in a rough lobe: none, fdez-aguera, kulla-conty, turquin; auto: fdez-aguera for the "
-     "environment, turquin for lights; above 4 samples kulla-conty (auto)",
-     parseName<energyModels, &S::look, &frame::Look::models, &optics::Models::energy>,
-     writeName<energyModels, &S::look, &frame::Look::models, &optics::Models::energy>},
+    choiceOption<frame::lightChoices, &S::look, &frame::Look::lights>("lights",
+                                                                      "the file's lights, none, or four more"),
+    choiceOption<optics::diffuseModels, &S::look, &frame::Look::models, &optics::Models::diffuse>("diffuse",
+                                                                                                  "diffuse model"),
+    choiceOption<optics::fresnelModels, &S::look, &frame::Look::models, &optics::Models::fresnel>(
+        "fresnel",
+        "what an interface reflects by angle, for lights; exact is for dielectrics and metals whose index is known, "
+        "f82 for the latter"),
+    choiceOption<optics::distributions, &S::look, &frame::Look::models, &optics::Models::distribution>(
+        "ndf", "distribution of microfacets for lights"),
+    choiceOption<optics::maskings, &S::look, &frame::Look::models, &optics::Models::masking>(
+        "masking", "shadowing of microfacets for lights"),
+    choiceOption<optics::imageLights, &S::look, &frame::Look::models, &optics::Models::imageLight>(
+        "image-light", "specular light of the environment"),
+    choiceOption<optics::energyModels, &S::look, &frame::Look::models, &optics::Models::energy>(
+        "energy", "light of further bounces in a rough lobe"),
     {"brdf", "FILE|NAME|builtin:NAME", "a measured BRDF (MERL, UTIA) in the place of all materials (their own)",
      parseText<&S::sources, &frame::Sources::brdf>, writeString<&S::sources, &frame::Sources::brdf>, ',', true, true},
     {"brdf-dir", "DIR", "looks for databases of measured BRDFs here first",
      parseText<&S::sources, &frame::Sources::brdfDir>, writeString<&S::sources, &frame::Sources::brdfDir>, ',', true},
-    {"brdf-lookup", "NAME", "between its cells: interpolated, nearest (interpolated)",
-     parseName<lookUps, &S::look, &frame::Look::brdfLookUp>, writeName<lookUps, &S::look, &frame::Look::brdfLookUp>},
+    choiceOption<optics::lookUps, &S::look, &frame::Look::brdfLookUp>("brdf-lookup", "between its cells"),
     {"brdf-samples", "N",
      "environment samples a pixel of measured BRDFs, in pictures of at most 4 --samples (by the BRDF's sharpness)",
      parseNumberInto<1, 1024, &S::look, &frame::Look::brdfSamples>, writeBrdfSamples},
-    {"utia-decode", "NAME", "what UTIA's numbers are: raw, srgb, srgb140 (raw)",
-     parseName<utiaDecodes, &S::sources, &frame::Sources::utiaDecode>,
-     writeName<utiaDecodes, &S::sources, &frame::Sources::utiaDecode>},
-    {"brdf-compare", "NAME",
-     "the model fitted to it, GGX over --diffuse: fit, in its place; split, at its right; difference, of what the "
-     "screen shows of both (none)",
-     parseName<comparisons, &S::comparison, &frame::BrdfComparison::brdfCompare>, writeBrdfCompare},
+    choiceOption<io::utiaDecodes, &S::sources, &frame::Sources::utiaDecode>("utia-decode", "what UTIA's numbers are"),
+    comparisonOption(
+        "brdf-compare",
+        "the model fitted to it, GGX over --diffuse, in its place, at its right, or how they differ on the screen"),
     {"brdf-split", "0..1", "where the fitted model begins, in widths of the picture (0.5)",
      parseNumberInto<0, 1, &S::comparison, &frame::BrdfComparison::brdfSplit>,
      writeNumber<&S::comparison, &frame::BrdfComparison::brdfSplit>},
@@ -452,9 +410,8 @@ constexpr PictureOption optionTable[] = {
     {"exposure", "STOPS", "factor 2^STOPS before tone mapping (0)",
      parseNumberInto<-32, 32, &S::display, &frame::Display::exposureStops>,
      writeNumber<&S::display, &frame::Display::exposureStops>},
-    {"tonemap", "NAME", "none, reinhard, uncharted2, aces, agx, neutral (neutral)",
-     parseName<toneMappers, &S::display, &frame::Display::toneMapper>,
-     writeName<toneMappers, &S::display, &frame::Display::toneMapper>},
+    choiceOption<optics::toneMappers, &S::display, &frame::Display::toneMapper>(
+        "tonemap", "how radiance becomes what a screen shows"),
     {"samples", "N", "samples a pixel (4); above 4 the environment is sampled too, and the picture converges",
      parseNumberInto<1, 4096, &S::quality, &frame::Quality::samples>,
      writeNumber<&S::quality, &frame::Quality::samples>},
@@ -462,13 +419,19 @@ constexpr PictureOption optionTable[] = {
      "takes as many samples as the picture's estimated error needs, --samples at most (4096): root mean square of what "
      "one sees, 0.01 or 1% of white; light tables keep to it, too (none: as many as --samples says, tables to 1%)",
      parseMaxError, writeNumber<&S::quality, &frame::Quality::maxError>},
-    {"channel", "NAME",
-     "final, normal, geometryNormal, tangent, uv, baseColor, metallic, roughness, occlusion, emissive, alpha (final)",
-     parseName<channels, &S::look, &frame::Look::channel>, writeName<channels, &S::look, &frame::Look::channel>},
+    channelOption("channel", "what is shown"),
     {"shader-dir", "DIR", "reads shaders from here instead of the embedded ones",
      parseText<&S::sources, &frame::Sources::shaderDir>, writeString<&S::sources, &frame::Sources::shaderDir>, ',',
      true},
 };
+
+// What is chosen where the option is not given, in brackets.
+std::string helpOf(const PictureOption& option) {
+  std::string help(option.help);
+  if (!option.choices) return help;
+  const std::string usual = option.write({});
+  return help + ": " + option.choices() + " (" + (usual.empty() ? "none" : usual) + ")";
+}
 
 std::vector<Text> optionNames() {
   std::vector<Text> names;
@@ -522,7 +485,7 @@ void addPictureOptions(CLI::App& app, PictureArguments& arguments, std::span<con
   for (const PictureOption& option : optionTable) {
     if (!only.empty() && std::ranges::find(only, option.name) == only.end()) continue;
     const auto keep = [&arguments, name = option.name](const std::string& text) { arguments[name] = text; };
-    app.add_option_function<std::string>("--" + std::string(option.name), keep, std::string(option.help))
+    app.add_option_function<std::string>("--" + std::string(option.name), keep, helpOf(option))
         ->type_name(std::string(option.value))
         ->group("Picture");
   }

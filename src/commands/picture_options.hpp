@@ -26,9 +26,10 @@ struct PictureOption {
   Result<void> (*parse)(std::string_view text, frame::PictureSettings& settings);
   // The text that parse makes the same setting of; empty where nothing is set.
   std::string (*write)(const frame::PictureSettings& settings);
-  char separator = ',';    // between the numbers where a job gives an array
-  bool isPath = false;     // in a job relative to the job file's folder
-  bool mayBeName = false;  // a path, but a plain word that is no file there is a name
+  char separator = ',';                // between the numbers where a job gives an array
+  bool isPath = false;                 // in a job relative to the job file's folder
+  bool mayBeName = false;              // a path, but a plain word that is no file there is a name
+  std::string (*choices)() = nullptr;  // the words that it takes, for its help
 };
 
 // In the order in which they are applied, whatever order they are given in: a substance comes before what differs from

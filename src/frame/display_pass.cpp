@@ -13,7 +13,7 @@ DisplayParameters displayParameters(const FrameInput& in, float scale) {
   const int channel = in.list.features.channel;
   const bool shaded = channel == 0;
   return {{shaded ? std::exp2(s.display.exposureStops) : 1.0f, shaded ? static_cast<float>(s.display.toneMapper) : 0.0f,
-           shading::channelIsColor(channel) ? 1.0f : 0.0f, scale},
+           shading::channelKind(channel) == shading::ChannelKind::color ? 1.0f : 0.0f, scale},
           {s.frame.backgroundColor, s.frame.background == Background::color ? 1.0f : 0.0f}};
 }
 

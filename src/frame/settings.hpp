@@ -7,7 +7,9 @@
 #include <optional>
 #include <string>
 
+#include "base/choice.hpp"
 #include "io/utia.hpp"
+#include "optics/color.hpp"
 #include "optics/measured.hpp"
 #include "optics/models.hpp"
 
@@ -23,10 +25,24 @@ struct Orbit {
 };
 
 enum class Background { environment, transparent, color };
-enum class ToneMapper { none, reinhard, uncharted2, aces, agx, neutral };
+using optics::ToneMapper;
 // What is shown of a measured BRDF: itself, the model fitted to it, both with a divider between, how they differ.
 enum class BrdfCompare { none, fit, split, difference };
-enum class Lights { scene, none, demo };  // the file's, no lights at all, the file's and four of ours
+inline constexpr Choice<BrdfCompare> brdfComparisons[] = {
+    {BrdfCompare::none, "none", "measured", "the table itself"},
+    {BrdfCompare::fit, "fit", "fitted model",
+     "GGX over a diffuse model, fitted to the table; as it was fitted, that is without compensation for multiple "
+     "scattering"},
+    {BrdfCompare::split, "split", "split",
+     "measured at the left, fitted at the right of a divider, which can be dragged"},
+    {BrdfCompare::difference, "difference", "difference", "absolute, of what the screen shows of both"}};
+static_assert(inOrder(brdfComparisons));
+enum class Lights { scene, none, demo };
+inline constexpr Choice<Lights> lightChoices[] = {
+    {Lights::scene, "scene", "the file's", "KHR_lights_punctual"},
+    {Lights::none, "none", "none"},
+    {Lights::demo, "demo", "the file's and four", "four point lights on a ring above the scene"}};
+static_assert(inOrder(lightChoices));
 
 // One material for everything, in place of the file's. What has no normals, because its own material is unlit, stays
 // unlit.
@@ -107,7 +123,7 @@ struct FrameSettings {
 // What becomes of the picture's radiance on the screen.
 struct Display {
   float exposureStops = 0;  // factor 2^stops before tone mapping, [-32, 32]
-  ToneMapper toneMapper = ToneMapper::neutral;
+  ToneMapper toneMapper = ToneMapper::pbrNeutral;
 
   bool operator==(const Display&) const = default;
 };

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/choice.hpp"
 #include "base/error.hpp"
 #include "optics/measured.hpp"
 
@@ -21,6 +22,11 @@ enum class UtiaDecode : uint8_t {
   srgb,     // the sRGB curve was applied to it
   srgb140,  // v / 140 goes through the sRGB curve, the result counts 100
 };
+inline constexpr Choice<UtiaDecode> utiaDecodes[] = {
+    {UtiaDecode::raw, "raw", "raw", "linear, as stored"},
+    {UtiaDecode::srgb, "srgb", "srgb", "an sRGB curve is undone"},
+    {UtiaDecode::srgb140, "srgb140", "srgb140", "an sRGB curve is undone on v / 140; counts a hundredfold"}};
+static_assert(inOrder(utiaDecodes));
 
 // Negative, NaN and infinite values become missing cells, and are counted. Errors: another size, no cell that is valid.
 Result<optics::MeasuredBrdf> decodeUtia(std::span<const uint8_t> bytes, const std::string& name,

@@ -79,24 +79,6 @@ glm::dvec3 decodeSRGB(const glm::dvec3& encoded) {
   return each(encoded, [](double x) { return decodeSRGB(x); });
 }
 
-std::string_view nameOf(ToneMapper mapper) {
-  switch (mapper) {
-    case ToneMapper::none:
-      return "none";
-    case ToneMapper::reinhard:
-      return "reinhard";
-    case ToneMapper::uncharted2:
-      return "uncharted2";
-    case ToneMapper::aces:
-      return "aces";
-    case ToneMapper::agx:
-      return "agx";
-    case ToneMapper::pbrNeutral:
-      return "neutral";
-  }
-  return "";
-}
-
 glm::dvec3 toneMap(ToneMapper mapper, const glm::dvec3& radiance) {
   const glm::dvec3 c = each(radiance, cleaned);
   switch (mapper) {

@@ -6,6 +6,8 @@
 #include <glm/glm.hpp>
 #include <string_view>
 
+#include "base/choice.hpp"
+
 namespace facet::optics {
 
 // Rec. 709 relative luminance, Y of CIE 1931: of reflectances, too.
@@ -18,7 +20,7 @@ glm::dvec3 encodeSRGB(const glm::dvec3& linear);
 glm::dvec3 decodeSRGB(const glm::dvec3& encoded);
 
 // Linear in, linear out in [0, 1] (encodeSRGB is the next step for all of them). Exposure comes before.
-enum class ToneMapper {
+enum class ToneMapper : uint8_t {
   none,        // clamp
   reinhard,    // Reinhard et al. 2002, eq. 3, per channel: c / (1 + c)
   uncharted2,  // Hable 2010, "Filmic Tonemapping Operators": exposure bias 2, white 11.2
@@ -27,11 +29,15 @@ enum class ToneMapper {
                // for a 2.2 display and made linear by that power
   pbrNeutral,  // Khronos PBR Neutral 1.0 (2024)
 };
-inline constexpr std::array<ToneMapper, 6> toneMappers = {ToneMapper::none,       ToneMapper::reinhard,
-                                                          ToneMapper::uncharted2, ToneMapper::aces,
-                                                          ToneMapper::agx,        ToneMapper::pbrNeutral};
-// "none", "reinhard", "uncharted2", "aces", "agx", "neutral".
-std::string_view nameOf(ToneMapper mapper);
+// In the order of toneMap in shaders/color.glsl.
+inline constexpr Choice<ToneMapper> toneMappers[] = {
+    {ToneMapper::none, "none", "none (clamp)", "what is brighter than white is white"},
+    {ToneMapper::reinhard, "reinhard", "Reinhard"},
+    {ToneMapper::uncharted2, "uncharted2", "Uncharted 2"},
+    {ToneMapper::aces, "aces", "ACES fit"},
+    {ToneMapper::agx, "agx", "AgX"},
+    {ToneMapper::pbrNeutral, "neutral", "Khronos PBR Neutral", "keeps base colours as they are"}};
+static_assert(inOrder(toneMappers));
 
 // Every result is in [0, 1] per channel: NaN and negative channels count as 0, values above largestRadiance (infinity
 // included) as largestRadiance, where every mapper has reached its limit to 1e-14.

@@ -13,6 +13,8 @@
 
 #include <glm/glm.hpp>
 
+#include "base/choice.hpp"
+
 namespace facet::optics {
 
 // VoL = dot(V, L); VoH = dot(V, H) = sqrt((1 + VoL) / 2); NoH = (NoV + NoL) / (2 VoH).
@@ -52,6 +54,12 @@ double albedoFujiiMean(double r);  // 2 int albedoFujii mu dmu
 double Fd_CallOfDuty(const DiffuseAngles& angles, double perceptualRoughness);
 
 enum class DiffuseModel { lambert, burley, frostbite, orenNayar, eon, callOfDuty };
+// In the order of DIFFUSE_MODEL in shaders/models.glsl.
+inline constexpr Choice<DiffuseModel> diffuseModels[] = {
+    {DiffuseModel::lambert, "lambert", "Lambert", "glTF's"}, {DiffuseModel::burley, "burley", "Burley"},
+    {DiffuseModel::frostbite, "frostbite", "Frostbite"},     {DiffuseModel::orenNayar, "oren-nayar", "Oren-Nayar"},
+    {DiffuseModel::eon, "eon", "EON", "keeps energy"},       {DiffuseModel::callOfDuty, "codww2", "Call of Duty WWII"}};
+static_assert(inOrder(diffuseModels));
 // Any of them for albedo 1.
 double diffuseBrdf(DiffuseModel model, const DiffuseAngles& angles, double perceptualRoughness);
 // int f NoL dL over the hemisphere, by quadrature (about 1e-6).

@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 
+#include "base/choice.hpp"
+
 namespace facet::optics {
 
 // With Schlick's F = f0 (1 - Fc) + f90 Fc, Fc = (1 - VoH)^5:
@@ -59,6 +61,16 @@ double missingOnAverageFit(double alpha);
 //   automatic   fdezAguera for distant light, turquin for lights
 // f0 = f90 = 1: g E + m = 1 but for none. The order is that of shaders/energy.glsl.
 enum class EnergyModel : uint8_t { automatic, none, fdezAguera, kullaConty, turquin };
+inline constexpr Choice<EnergyModel> energyModels[] = {
+    {EnergyModel::automatic, "auto", "automatic",
+     "fdez-aguera for the environment, turquin for lights; above 4 samples kulla-conty"},
+    {EnergyModel::none, "none", "single scattering",
+     "one bounce: a rough white metal returns as little as 31 % of what it gets"},
+    {EnergyModel::fdezAguera, "fdez-aguera", "Fdez-Aguera", "what is missing leaves evenly to all sides"},
+    {EnergyModel::kullaConty, "kulla-conty", "Kulla and Conty",
+     "reciprocal; what is missing leaves as it came, by the albedo's complement"},
+    {EnergyModel::turquin, "turquin", "Turquin", "the lobe itself is made brighter"}};
+static_assert(inOrder(energyModels));
 EnergyModel distantEnergy(EnergyModel chosen);
 EnergyModel lightEnergy(EnergyModel chosen);
 

@@ -16,6 +16,8 @@
 #include <string>
 #include <vector>
 
+#include "base/choice.hpp"
+
 namespace facet::optics {
 
 enum class MeasuredKind : uint8_t { merl, utia };
@@ -73,6 +75,10 @@ enum class LookUp : uint8_t {
   nearest,       // MERL: the cell that the pair lies in, as the database's own code has it; UTIA: the nearest entry
   interpolated,  // MERL: trilinear between the centres of cells; UTIA: quadrilinear
 };
+inline constexpr Choice<LookUp> lookUps[] = {
+    {LookUp::nearest, "nearest", "nearest", "the cell that a pair of directions lies in"},
+    {LookUp::interpolated, "interpolated", "interpolated", "between the cells"}};
+static_assert(inOrder(lookUps));
 // Both hold the outermost value beyond the grid: MERL the first and last half cell of theta_h and theta_d, UTIA theta
 // above 75 degrees, where nothing was measured. Azimuths wrap. Missing cells weigh nothing, what remains is
 // renormalised; where all are missing the result is 0.

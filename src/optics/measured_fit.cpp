@@ -284,10 +284,9 @@ BrdfFit fitAnalytic(const MeasuredBrdf& brdf, const std::vector<FitSample>& samp
 std::vector<BrdfFit> fitAll(const MeasuredBrdf& brdf, FitMetric metric) {
   const std::vector<FitSample> samples = fitSamples(brdf);
   const MeasuredProxy proxy = fitProxy(brdf);
-  constexpr DiffuseModel models[] = {DiffuseModel::lambert,   DiffuseModel::burley, DiffuseModel::frostbite,
-                                     DiffuseModel::orenNayar, DiffuseModel::eon,    DiffuseModel::callOfDuty};
-  std::vector<BrdfFit> fits(std::size(models));
-  parallelFor(fits.size(), [&](size_t i) { fits[i] = fitAnalytic(brdf, samples, proxy, models[i], metric); });
+  std::vector<BrdfFit> fits(std::size(diffuseModels));
+  parallelFor(fits.size(),
+              [&](size_t i) { fits[i] = fitAnalytic(brdf, samples, proxy, diffuseModels[i].value, metric); });
   return fits;
 }
 

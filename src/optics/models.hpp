@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 
+#include "base/choice.hpp"
 #include "optics/diffuse.hpp"
 #include "optics/energy.hpp"
 #include "optics/microfacet.hpp"
@@ -28,6 +29,27 @@ inline constexpr ImageLight usualLookUp = ImageLight::taps3;
 constexpr int tapsOf(ImageLight model) {
   return model < ImageLight::taps1 || model > ImageLight::taps3 ? 0 : static_cast<int>(model) - 3;
 }
+
+inline constexpr Choice<FresnelModel> fresnelModels[] = {
+    {FresnelModel::schlick, "schlick", "Schlick", "glTF's"},
+    {FresnelModel::exact, "exact", "exact Fresnel", "dielectrics, and metals whose complex index is known"},
+    {FresnelModel::f82Tint, "f82", "F82-tint", "metals whose complex index is known"}};
+inline constexpr Choice<NormalDistribution> distributions[] = {{NormalDistribution::ggx, "ggx", "GGX", "glTF's"},
+                                                               {NormalDistribution::beckmann, "beckmann", "Beckmann"},
+                                                               {NormalDistribution::blinn, "blinn", "Blinn"}};
+inline constexpr Choice<Masking> maskings[] = {{Masking::smith, "smith", "Smith", "glTF's"},
+                                               {Masking::approximate, "approximate", "approximate masking"},
+                                               {Masking::cavity, "v-cavity", "V-cavities"}};
+inline constexpr Choice<ImageLight> imageLights[] = {
+    {ImageLight::automatic, "auto", "automatic", "taps3; above 4 samples sampled"},
+    {ImageLight::mirror, "mirror", "mirror direction", "the usual split sum: N = V = R"},
+    {ImageLight::shifted, "shifted", "shifted direction", "UE4's and Frostbite's"},
+    {ImageLight::mean, "mean", "mean direction", "where the lobe looks on average"},
+    {ImageLight::taps1, "taps1", "1 fitted tap"},
+    {ImageLight::taps2, "taps2", "2 fitted taps"},
+    {ImageLight::taps3, "taps3", "3 fitted taps"},
+    {ImageLight::sampled, "sampled", "sampled", "the integral itself, at each pixel"}};
+static_assert(inOrder(fresnelModels) && inOrder(distributions) && inOrder(maskings) && inOrder(imageLights));
 
 struct Models {
   DiffuseModel diffuse = DiffuseModel::lambert;

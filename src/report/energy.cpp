@@ -17,16 +17,8 @@ namespace {
 
 using optics::EnergyModel;
 
-struct NamedEnergy {
-  const char* name;
-  EnergyModel model;
-  double readsPerLight, readsPerSample;  // of the DFG table, beyond one a pixel
-};
-constexpr NamedEnergy energies[] = {{"automatic", EnergyModel::automatic, 0, 0},
-                                    {"none", EnergyModel::none, 0, 0},
-                                    {"Fdez-Aguera", EnergyModel::fdezAguera, 0, 0},
-                                    {"Kulla and Conty", EnergyModel::kullaConty, 1, 1},
-                                    {"Turquin", EnergyModel::turquin, 0, 0}};
+// Reads of the DFG table beyond one a pixel: for each light, and for each sample of the environment.
+double tableReads(EnergyModel model) { return model == EnergyModel::kullaConty ? 1 : 0; }
 
 std::vector<shading::Define> definesOf(EnergyModel model) {
   if (model == EnergyModel::automatic) return {};
@@ -89,11 +81,11 @@ Table furnaceTable(const std::vector<std::pair<Furnace, Furnace>>& found) {
        "dielectric, environment: least", "dielectric, environment: most", "dielectric, lights: least",
        "dielectric, lights: most", "reads a light", "reads a sample"},
       {}};
-  for (size_t i = 0; i < std::size(energies); ++i) {
-    const auto& [metal, dielectric] = found[i];
-    table.rows.push_back({std::string(energies[i].name), metal.distant.least, metal.distant.most, metal.lights.least,
+  for (const auto& [model, word, label, note] : optics::energyModels) {
+    const auto& [metal, dielectric] = found[static_cast<size_t>(model)];
+    table.rows.push_back({std::string(label), metal.distant.least, metal.distant.most, metal.lights.least,
                           metal.lights.most, dielectric.distant.least, dielectric.distant.most, dielectric.lights.least,
-                          dielectric.lights.most, energies[i].readsPerLight, energies[i].readsPerSample});
+                          dielectric.lights.most, tableReads(model), tableReads(model)});
   }
   return table;
 }
@@ -125,21 +117,21 @@ Table metalEnergyTable() {
       p.truth = optics::walkAlbedo(p.NoV, p.r * p.r, f0, 1, walks);
       p.dfg = optics::integrateDfg(p.NoV, p.r * p.r, 1e-7);
     });
-    for (const NamedEnergy& energy : energies) {
-      if (energy.model == EnergyModel::automatic) continue;
+    for (const Choice<EnergyModel>& energy : optics::energyModels) {
+      if (energy.value == EnergyModel::automatic) continue;
       double worst = 0, squares = 0, deviation = 0;
       const Place* at = &places[0];
       int channel = 0;
       for (const Place& p : places) {
         const glm::dvec3 error =
-            optics::specularAlbedo(energy.model, p.dfg, p.r * p.r, f0) - p.truth.single - p.truth.multiple;
+            optics::specularAlbedo(energy.value, p.dfg, p.r * p.r, f0) - p.truth.single - p.truth.multiple;
         for (int c = 0; c < 3; ++c) {
           squares += error[c] * error[c] / static_cast<double>(3 * places.size());
           deviation = std::max(deviation, p.truth.deviation[c]);
           if (std::abs(error[c]) > std::abs(worst)) worst = error[c], at = &p, channel = c;
         }
       }
-      table.rows.push_back({std::string(name), std::string(energy.name), worst, std::string(1, "RGB"[channel]), at->r,
+      table.rows.push_back({std::string(name), std::string(energy.label), worst, std::string(1, "RGB"[channel]), at->r,
                             at->NoV, std::sqrt(squares), deviation});
     }
   }
@@ -166,29 +158,29 @@ Result<Table> pictureTable(const ReportInput& input) {
   };
   for (const Way& way : {Way{"environment", false, 4}, Way{"environment", false, 64}, Way{"lights", true, 4}}) {
     Result<frame::Picture> usual = fail({}, {}, "not drawn");
-    for (const NamedEnergy& energy : energies) {
-      input.progress(std::string("pictures: ") + way.name + ", " + energy.name);
+    for (const Choice<EnergyModel>& energy : optics::energyModels) {
+      input.progress(std::string("pictures: ") + way.name + ", " + std::string(energy.label));
       frame::PictureSettings settings;
       settings.frame.width = settings.frame.height = furnaceSize;
       settings.sources.environment = way.lights ? "none" : input.environment;
       settings.look.lights = way.lights ? frame::Lights::demo : frame::Lights::none;
       settings.frame.background = frame::Background::transparent;
       settings.quality.samples = way.samples;
-      settings.look.models.energy = energy.model;
+      settings.look.models.energy = energy.value;
       Notes notes;
       Stages stages;
       const int repeat = way.samples > 4 ? 0 : furnaceFrames;
       Result<frame::Picture> picture =
           input.session->render(input.model, settings, {.radiance = true, .repeat = repeat}, notes, stages);
       if (!picture) return tl::unexpected(picture.error());
-      if (energy.model == EnergyModel::automatic) usual = *picture;
+      if (energy.value == EnergyModel::automatic) usual = *picture;
       const Result<compare::Comparison> c = compare::comparePictures(usual->radiance, picture->radiance, options);
       if (!c) return tl::unexpected(c.error());
       std::vector<double> times = picture->statistics.frameMs;
       if (times.size() > 1) times.erase(times.begin());
       std::ranges::sort(times);
       const double bias = *std::ranges::max_element(c->bias, {}, [](double b) { return std::abs(b); });
-      table.rows.push_back({std::string(way.name), std::string(energy.name), static_cast<double>(way.samples), bias,
+      table.rows.push_back({std::string(way.name), std::string(energy.label), static_cast<double>(way.samples), bias,
                             c->displayRmse, times.empty() ? 0 : times[times.size() / 2]});
     }
   }
@@ -222,11 +214,11 @@ Result<Report> energyReport(const ReportInput& input) {
   if (Result<void> r = ibl::computeTables(tables, nullptr, {.dfg = true}, programs); !r)
     return tl::unexpected(r.error());
   std::vector<std::pair<Furnace, Furnace>> furnaces;
-  for (const NamedEnergy& energy : energies) {
-    input.progress(std::string("furnace: ") + energy.name);
-    const Result<Furnace> metal = whiteFurnace(tables, reader, energy.model, 1);
+  for (const Choice<EnergyModel>& energy : optics::energyModels) {
+    input.progress(std::string("furnace: ") + std::string(energy.label));
+    const Result<Furnace> metal = whiteFurnace(tables, reader, energy.value, 1);
     if (!metal) return tl::unexpected(metal.error());
-    const Result<Furnace> dielectric = whiteFurnace(tables, reader, energy.model, 0);
+    const Result<Furnace> dielectric = whiteFurnace(tables, reader, energy.value, 0);
     if (!dielectric) return tl::unexpected(dielectric.error());
     furnaces.emplace_back(*metal, *dielectric);
   }

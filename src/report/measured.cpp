@@ -17,8 +17,6 @@ using optics::MeasuredKind;
 
 constexpr double tooMuch = 1.01;
 
-constexpr std::string_view diffuseNames[] = {"lambert", "burley", "frostbite", "oren-nayar", "eon", "codww2"};
-
 glm::dvec3 direction(double theta, double phi) {
   return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
 }
@@ -193,7 +191,7 @@ void addFitRows(Table& table, const MeasuredBrdf& brdf, const std::vector<optics
   for (const optics::BrdfFit& fit : fits) {
     const optics::AnalyticBrdf& m = fit.model;
     const double strength = optics::anisotropyStrength(m.alpha);
-    table.rows.push_back({brdf.name, std::string(diffuseNames[static_cast<size_t>(m.diffuse)]), fit.error,
+    table.rows.push_back({brdf.name, std::string(rowOf(optics::diffuseModels, m.diffuse).word), fit.error,
                           std::sqrt(m.alpha.b), strength, strength > 0 ? m.phi / degree : 0, m.f0.x, m.f0.y, m.f0.z,
                           m.albedo.x, m.albedo.y, m.albedo.z, std::string(&fit == &*best ? "best" : "")});
   }

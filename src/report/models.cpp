@@ -83,18 +83,6 @@ Table metalFresnelTable() {
 
 // ---- Diffuse --------------------------------------------------------------------------------------------------------
 
-struct NamedDiffuse {
-  const char* name;
-  optics::DiffuseModel model;
-};
-constexpr NamedDiffuse diffuseModels[] = {
-    {"Lambert", optics::DiffuseModel::lambert},
-    {"Burley", optics::DiffuseModel::burley},
-    {"Frostbite", optics::DiffuseModel::frostbite},
-    {"Oren-Nayar", optics::DiffuseModel::orenNayar},
-    {"EON", optics::DiffuseModel::eon},
-    {"Call of Duty WWII", optics::DiffuseModel::callOfDuty},
-};
 const std::vector<double> viewCosines = {1e-3, 0.05, 0.1, 0.2, 0.35, 0.5, 0.7, 0.85, 1};
 
 // int f NoL over the half of the sky around V's side (sign 1) or away from it (-1), over half of its irradiance.
@@ -123,7 +111,7 @@ Table diffuseTable() {
               "what it shows. Pictures of more than 4 samples have no such error.",
               {"model", "roughness", "least", "least at degrees", "most", "most at degrees", "half sky"},
               {}};
-  for (const auto& [name, model] : diffuseModels)
+  for (const auto& [model, word, name, note] : optics::diffuseModels)
     for (const double r : {0.0, 0.25, 0.5, 0.75, 1.0}) {
       Largest least{1e9, 0}, most{0, 0};
       double halfError = 0;

@@ -224,14 +224,19 @@ static_assert(std::size(rows) <= 64);
 
 }  // namespace
 
-bool channelIsColor(int channel) {
-  const std::string name = channelNames[channel];
-  return name.empty() || name == "baseColor" || name == "emissive";
+ChannelKind channelKind(int channel) {
+  if (channel == 0 || channel == channelIndex("baseColor") || channel == channelIndex("emissive"))
+    return ChannelKind::color;
+  const bool direction = channel == channelIndex("normal") || channel == channelIndex("geometryNormal") ||
+                         channel == channelIndex("tangent");
+  return direction ? ChannelKind::direction : ChannelKind::number;
 }
 
-int channelIndex(const std::string& name) {
-  for (int i = 0; i < static_cast<int>(std::size(channelNames)); ++i)
-    if (name == channelNames[i]) return i;
+std::string channelSetting(int channel) { return channel == 0 ? "" : std::string(rowOf(channels, channel).word); }
+
+int channelIndex(const std::string& setting) {
+  for (int i = 0; i < channelCount; ++i)
+    if (setting == channelSetting(i)) return i;
   return -1;
 }
 
@@ -273,7 +278,7 @@ std::string variantName(const VariantKey& key) {
   std::string name;
   for (size_t i = 0; i < std::size(rows); ++i)
     if (key.features & bit(i)) name += (name.empty() ? "" : ", ") + std::string(rows[i].name);
-  if (key.channel != 0) name += (name.empty() ? "" : ", ") + std::string("view of ") + channelNames[key.channel];
+  if (key.channel != 0) name += std::string(name.empty() ? "" : ", ") + "view of " + channelSetting(key.channel);
   if (key.imageLightSamples != 0) name += ", environment sampled";
   addModelNames(key, name);
   return name.empty() ? "plain" : name;

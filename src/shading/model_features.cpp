@@ -11,16 +11,6 @@ namespace {
 
 static_assert(static_cast<int>(optics::usualLookUp) == 6, "shaders/image_light.glsl has the same default");
 
-constexpr const char* diffuseNames[] = {"Lambert", "Burley", "Frostbite", "Oren-Nayar", "EON", "Call of Duty"};
-constexpr const char* fresnelNames[] = {"Schlick", "exact Fresnel", "F82-tint"};
-constexpr const char* distributionNames[] = {"GGX", "Beckmann", "Blinn"};
-constexpr const char* maskingNames[] = {"Smith", "approximate masking", "V-cavities"};
-constexpr const char* imageLightNames[] = {
-    "", "mirror direction", "shifted direction", "mean direction", "1 tap", "2 taps", "3 taps", "sampled"};
-
-constexpr const char* energyNames[] = {"", "single scattering", "Fdez-Aguera's energy", "Kulla and Conty's energy",
-                                       "Turquin's energy"};
-
 bool hasDielectric(const scene::Material& m) {
   return m.specularGlossiness || m.metallicFactor < 1 || m.metallicRoughness;
 }
@@ -92,15 +82,15 @@ void addModelDefines(const VariantKey& key, std::vector<Define>& defines) {
 }
 
 void addModelNames(const VariantKey& key, std::string& name) {
-  const auto add = [&](uint8_t value, const char* model) {
-    if (value != 0) name += std::string(name.empty() ? "" : ", ") + model;
+  const auto add = [&](uint8_t value, const auto& rows, const char* of = "") {
+    if (value != 0) name += (name.empty() ? "" : ", ") + (of + std::string(rows[value].label));
   };
-  add(key.diffuse, diffuseNames[key.diffuse]);
-  add(key.fresnel, fresnelNames[key.fresnel]);
-  add(key.distribution, distributionNames[key.distribution]);
-  add(key.masking, maskingNames[key.masking]);
-  add(key.imageLight, imageLightNames[key.imageLight]);
-  add(key.energy, energyNames[key.energy]);
+  add(key.diffuse, optics::diffuseModels);
+  add(key.fresnel, optics::fresnelModels);
+  add(key.distribution, optics::distributions);
+  add(key.masking, optics::maskings);
+  add(key.imageLight, optics::imageLights);
+  add(key.energy, optics::energyModels, "energy: ");
   if (key.conductor != 0) name += " of " + std::string(optics::metalPresets()[key.conductor - 1u].name);
 }
 

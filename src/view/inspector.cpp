@@ -51,7 +51,7 @@ Result<std::optional<glm::vec4>> valueAt(Viewport& viewport, const Inspection& a
       channel);
   if (part.opaque.empty() || !frame::isOnGpu(model, part, viewport.scene->gpu)) return std::nullopt;
   frame::PictureSettings settings = shown;
-  settings.look.channel = shading::channelNames[channel];
+  settings.look.channel = shading::channelSetting(channel);
   settings.quality.samples = 1;
   settings.frame.background = frame::Background::transparent;
   frame::FrameInput in{model, part, viewport.scene->gpu, viewport.environments.shown->tables, at.view, settings};
@@ -349,19 +349,18 @@ void readRadianceThere(const Viewport& viewport, ViewerState& state) {
 
 bool inspectNext(Viewport& viewport, ViewerState& state) {
   Inspection& at = state.inspection;
-  constexpr int channels = static_cast<int>(std::size(shading::channelNames));
+  constexpr int channels = shading::channelCount;
   if (!at.on || !viewport.scene) return false;
   if (at.listNumber != viewport.listNumber) at.nextChannel = channels;  // what was clicked is no longer there
   while (at.nextChannel < channels) {
     const int channel = at.nextChannel++;
     const scene::Primitive& primitive = primitiveOf(modelOf(viewport), at.hit);
     const scene::Material& material = viewport.shown.list.materials[static_cast<size_t>(at.material)];
-    const std::string_view name = shading::channelNames[channel];
-    if (!hasChannel(primitive, material, name, at.measured)) continue;
+    if (!hasChannel(primitive, material, shading::channels[channel].word, at.measured)) continue;
     const auto value = valueAt(viewport, at, state.settings, at.hit, channel);
     if (!value) return state.status = {describe(value.error()), true}, false;
     if (!*value) continue;
-    const bool direction = name == "normal" || name == "geometryNormal" || name == "tangent";
+    const bool direction = shading::channelKind(channel) == shading::ChannelKind::direction;
     const glm::vec3 read(**value);
     at.values[static_cast<size_t>(channel)] = direction ? read * 2.0f - 1.0f : read;
     break;

@@ -79,7 +79,7 @@ std::vector<Detail> measuredDetails(const frame::MeasuredFacts& facts, optics::L
   std::string cells = grouped(facts.cells);
   if (facts.missing > 0) cells += ", " + grouped(facts.missing) + " of them missing";
   details.push_back({"cells", cells});
-  details.push_back({"look-up", lookUp == optics::LookUp::nearest ? "nearest" : "interpolated"});
+  details.push_back({"look-up", std::string(rowOf(optics::lookUps, lookUp).label)});
   constexpr const char* decodings[] = {"linear, as stored", "through an sRGB curve", "v / 140 through an sRGB curve"};
   if (!merl && !builtin) details.push_back({"numbers", decodings[static_cast<size_t>(facts.source.decode)]});
   const optics::MeasuredProxy& lobe = facts.proxy;
@@ -116,14 +116,7 @@ namespace {
 void comparisonChoice(ViewerState& state) {
   frame::PictureSettings& settings = state.settings;
   using frame::BrdfCompare;
-  static constexpr Choice compares[] = {
-      {"measured", "the table itself"},
-      {"fitted model",
-       "GGX over a diffuse model, fitted to the table; as it was fitted, that is without "
-       "compensation for multiple scattering"},
-      {"split", "measured at the left, fitted at the right of a divider, which can be dragged"},
-      {"difference", "absolute, of what the screen shows of both"}};
-  chooseEnum("picture of", settings.comparison.brdfCompare, compares, BrdfCompare::none,
+  chooseEnum("picture of", settings.comparison.brdfCompare, frame::brdfComparisons, BrdfCompare::none,
              "the table, the analytic model that comes closest to it, or both");
   if (settings.comparison.brdfCompare == BrdfCompare::none) return;
   diffuseChoice(settings);
@@ -153,15 +146,10 @@ void fitTable(const ShownScene& shown) {
 void measuredChoice(ViewerState& state) {
   databaseList(state);
   frame::PictureSettings& settings = state.settings;
-  static constexpr Choice lookUps[] = {{"nearest", "the cell that a pair of directions lies in"},
-                                       {"interpolated", "between the cells"}};
-  chooseEnum("look-up", settings.look.brdfLookUp, lookUps, optics::LookUp::interpolated, "in the table");
+  chooseEnum("look-up", settings.look.brdfLookUp, optics::lookUps, optics::LookUp::interpolated, "in the table");
   const std::optional<frame::MeasuredFacts>& shown = state.shown.measured;
   if (shown && shown->kind == optics::MeasuredKind::utia && !shown->path.starts_with("builtin:")) {
-    static constexpr Choice decodings[] = {{"raw", "linear, as stored"},
-                                           {"srgb", "an sRGB curve is undone"},
-                                           {"srgb140", "an sRGB curve is undone on v / 140; counts a hundredfold"}};
-    chooseEnum("UTIA's numbers", settings.sources.utiaDecode, decodings, io::UtiaDecode::raw,
+    chooseEnum("UTIA's numbers", settings.sources.utiaDecode, io::utiaDecodes, io::UtiaDecode::raw,
                "what they are is disputed: an albedo above 1 (facet brdf) is wrong");
   }
   comparisonChoice(state);

@@ -231,20 +231,18 @@ void pointValues(const Inspection& at, const scene::Model& model) {
   const scene::Topology topology = mesh.primitives[static_cast<size_t>(at.hit.primitive)].topology;
   const char* thin = topology == scene::Topology::points ? "point" : "line";
   detail(scene::hasTriangles(topology) ? "triangle" : thin, grouped(at.hit.element));
-  static constexpr const char* names[] = {"",         "normal",    "vertex normal", "tangent",  "",     "base colour",
-                                          "metallic", "roughness", "occlusion",     "emissive", "alpha"};
-  static_assert(std::size(names) == std::size(shading::channelNames));
-  for (size_t channel = 1; channel < std::size(names); ++channel) {
-    const std::optional<glm::vec3>& value = at.values[channel];
+  for (int channel = 1; channel < shading::channelCount; ++channel) {
+    const std::optional<glm::vec3>& value = at.values[static_cast<size_t>(channel)];
     if (!value) continue;
-    const bool scalar =
-        std::string_view("metallic roughness occlusion alpha").find(names[channel]) != std::string_view::npos;
+    const shading::ChannelKind kind = shading::channelKind(channel);
+    const std::string name(shading::channels[channel].label);
     ImGui::TableNextColumn();
-    ImGui::TextDisabled("%s", names[channel]);
+    ImGui::TextDisabled("%s", name.c_str());
     ImGui::TableNextColumn();
-    if (shading::channelIsColor(static_cast<int>(channel))) swatch(names[channel], *value);
+    if (kind == shading::ChannelKind::color) swatch(name.c_str(), *value);
     const glm::dvec3 v(*value);
-    ImGui::TextUnformatted(scalar ? format("%.4f", v.x).c_str() : format("%.3f  %.3f  %.3f", v.x, v.y, v.z).c_str());
+    ImGui::TextUnformatted(kind == shading::ChannelKind::number ? format("%.4f", v.x).c_str()
+                                                                : format("%.3f  %.3f  %.3f", v.x, v.y, v.z).c_str());
   }
   if (at.radiance) {
     const glm::dvec3 v(*at.radiance);
@@ -255,7 +253,7 @@ void pointValues(const Inspection& at, const scene::Model& model) {
     ImGui::TextUnformatted(format("%.3g  %.3g  %.3g", v.x, v.y, v.z).c_str());
   }
   ImGui::EndTable();
-  if (at.nextChannel < static_cast<int>(std::size(shading::channelNames))) ImGui::TextDisabled("reading ...");
+  if (at.nextChannel < shading::channelCount) ImGui::TextDisabled("reading ...");
 }
 
 void materialTable(const ViewerState& state, const std::string& name) {

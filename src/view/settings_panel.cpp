@@ -124,15 +124,16 @@ void environmentSection(ViewerState& state) {
          usual.frame.environmentRotationDeg, "of the environment, about +Y");
   slider("strength", settings.frame.environmentStrength, 0, 10, "%.2f", usual.frame.environmentStrength,
          "factor on the environment's radiance", ImGuiSliderFlags_Logarithmic);
-  static constexpr Choice backgrounds[] = {
-      {"environment", nullptr}, {"transparent", "screenshots get an alpha channel"}, {"colour", nullptr}};
+  using frame::Background;
+  static constexpr Choice<Background> backgrounds[] = {
+      {Background::environment, "", "environment"},
+      {Background::transparent, "", "transparent", "screenshots get an alpha channel"},
+      {Background::color, "", "colour"}};
   chooseEnum("background", settings.frame.background, backgrounds, usual.frame.background, "what is behind the model");
   if (settings.frame.background == frame::Background::color)
     editColor("background colour", settings.frame.backgroundColor, usual.frame.backgroundColor, "as it is shown");
-  static constexpr Choice lights[] = {{"the file's", "KHR_lights_punctual"},
-                                      {"none", nullptr},
-                                      {"the file's and four", "four point lights on a ring above the scene"}};
-  chooseEnum("lights", settings.look.lights, lights, usual.look.lights, "point, spot and directional lights");
+  chooseEnum("lights", settings.look.lights, frame::lightChoices, usual.look.lights,
+             "point, spot and directional lights");
   ImGui::TextDisabled(state.shown.sceneLights == 1 ? "the file has %d light" : "the file has %d lights",
                       state.shown.sceneLights);
   slider("occlusion", settings.frame.occlusion, 0, 1, "%.2f", usual.frame.occlusion,
@@ -190,9 +191,10 @@ void materialSection(ViewerState& state) {
   MaterialSource source = materialSource(state.settings);
   if (!section("Material", source != MaterialSource::file || !state.shown.variants.empty())) return;
   variantChoice(state);
-  static constexpr Choice sources[] = {{"the file's", "each surface has the material that the file gives it"},
-                                       {"one for everything", "in place of the file's"},
-                                       {"measured", "a BRDF of MERL's or UTIA's kind in the place of all materials"}};
+  static constexpr Choice<MaterialSource> sources[] = {
+      {MaterialSource::file, "", "the file's", "each surface has the material that the file gives it"},
+      {MaterialSource::one, "", "one for everything", "in place of the file's"},
+      {MaterialSource::measured, "", "measured", "a BRDF of MERL's or UTIA's kind in the place of all materials"}};
   if (chooseEnum("source", source, sources, MaterialSource::file, "where materials come from"))
     chooseMaterialSource(state, source);
   if (source == MaterialSource::measured) measuredChoice(state);
@@ -209,16 +211,9 @@ void materialSection(ViewerState& state) {
 // ---- Rendering ------------------------------------------------------------------------------------------------------
 
 void channelChoice(frame::PictureSettings& settings) {
-  const int channel = std::max(0, shading::channelIndex(settings.look.channel));
-  const auto label = [](int i) { return i == 0 ? "final picture" : shading::channelNames[i]; };
-  if (beginList("show", label(channel))) {
-    for (int i = 0; i < static_cast<int>(std::size(shading::channelNames)); ++i)
-      if (ImGui::Selectable(label(i), i == channel)) settings.look.channel = shading::channelNames[i];
-    ImGui::EndCombo();
-    return;
-  }
-  if (resetAsked()) settings.look.channel.clear();
-  hint("the picture, or what goes into it\nright click: reset");
+  auto channel = static_cast<size_t>(std::max(0, shading::channelIndex(settings.look.channel)));
+  if (chooseRow("show", channel, shading::channels, 0, "the picture, or what goes into it"))
+    settings.look.channel = shading::channelSetting(static_cast<int>(channel));
 }
 
 void samplesChoice(frame::PictureSettings& settings) {
@@ -238,13 +233,7 @@ void pictureSection(ViewerState& state) {
   frame::PictureSettings& settings = state.settings;
   slider("exposure", settings.display.exposureStops, -8, 8, "%+.1f stops", usual.display.exposureStops,
          "each stop doubles the light, before tone mapping");
-  static constexpr Choice toneMappers[] = {{"none (clamp)", "what is brighter than white is white"},
-                                           {"Reinhard", nullptr},
-                                           {"Uncharted 2", nullptr},
-                                           {"ACES fit", nullptr},
-                                           {"AgX", nullptr},
-                                           {"Khronos PBR Neutral", "keeps base colours as they are"}};
-  chooseEnum("tone mapper", settings.display.toneMapper, toneMappers, usual.display.toneMapper,
+  chooseEnum("tone mapper", settings.display.toneMapper, optics::toneMappers, usual.display.toneMapper,
              "how radiance becomes what a screen can show");
   channelChoice(settings);
   samplesChoice(settings);
@@ -253,36 +242,17 @@ void pictureSection(ViewerState& state) {
 void modelsSection(ViewerState& state) {
   if (!section("Models", false)) return;
   frame::PictureSettings& settings = state.settings;
-  static constexpr Choice fresnel[] = {{"Schlick", "glTF's"},
-                                       {"exact", "dielectrics, and metals whose complex index is known"},
-                                       {"F82-tint", "metals whose complex index is known"}};
-  static constexpr Choice distributions[] = {{"GGX", "glTF's"}, {"Beckmann", nullptr}, {"Blinn", nullptr}};
-  static constexpr Choice maskings[] = {{"Smith", "glTF's"}, {"approximate", nullptr}, {"V-cavities", nullptr}};
-  static constexpr Choice imageLights[] = {{"automatic", "3 fitted taps; sampled with more than 4 samples"},
-                                           {"mirror direction", "the usual split sum: N = V = R"},
-                                           {"shifted direction", "UE4's and Frostbite's"},
-                                           {"mean direction", "where the lobe looks on average"},
-                                           {"1 fitted tap", nullptr},
-                                           {"2 fitted taps", nullptr},
-                                           {"3 fitted taps", nullptr},
-                                           {"sampled", "the integral itself, at each pixel"}};
-  static constexpr Choice energies[] = {
-      {"automatic", "Fdez-Aguera for the environment, Turquin for lights; of more than 4 samples Kulla and Conty"},
-      {"none", "one bounce: a rough white metal returns as little as 31 % of what it gets"},
-      {"Fdez-Aguera", "what is missing leaves evenly to all sides"},
-      {"Kulla and Conty", "reciprocal; what is missing leaves as it came, by the albedo's complement"},
-      {"Turquin", "the lobe itself is made brighter"}};
   diffuseChoice(settings);
-  chooseEnum("environment", settings.look.models.imageLight, imageLights, usual.look.models.imageLight,
+  chooseEnum("environment", settings.look.models.imageLight, optics::imageLights, usual.look.models.imageLight,
              "how a pixel looks the environment's reflection up");
-  chooseEnum("energy", settings.look.models.energy, energies, usual.look.models.energy,
+  chooseEnum("energy", settings.look.models.energy, optics::energyModels, usual.look.models.energy,
              "light that leaves a rough surface after many bounces");
   ImGui::TextDisabled("of the lights:");
-  chooseEnum("Fresnel", settings.look.models.fresnel, fresnel, usual.look.models.fresnel,
+  chooseEnum("Fresnel", settings.look.models.fresnel, optics::fresnelModels, usual.look.models.fresnel,
              "what an interface reflects by angle; of the environment only with more than 4 samples");
-  chooseEnum("microfacets", settings.look.models.distribution, distributions, usual.look.models.distribution,
+  chooseEnum("microfacets", settings.look.models.distribution, optics::distributions, usual.look.models.distribution,
              "their distribution; the environment is reflected by GGX");
-  chooseEnum("masking", settings.look.models.masking, maskings, usual.look.models.masking,
+  chooseEnum("masking", settings.look.models.masking, optics::maskings, usual.look.models.masking,
              "how microfacets hide each other");
 }
 
@@ -361,7 +331,7 @@ void notesSection(const ShownScene& shown) {
 
 void windowSection(ViewerState& state) {
   if (!section("Window", false)) return;
-  static constexpr Choice themes[] = {{"dark", nullptr}, {"light", nullptr}};
+  static constexpr Choice<Theme> themes[] = {{Theme::dark, "", "dark"}, {Theme::light, "", "light"}};
   chooseEnum("theme", state.preferences.theme, themes, Theme::dark, "of the panels; the picture stays as it is");
   static constexpr float scales[] = {0, 0.75f, 1, 1.25f, 1.5f, 1.75f, 2, 2.5f, 3, 4};
   const auto label = [](float scale) {
@@ -380,10 +350,7 @@ void windowSection(ViewerState& state) {
 }  // namespace
 
 void diffuseChoice(frame::PictureSettings& settings) {
-  static constexpr Choice diffuse[] = {{"Lambert", "glTF's"},   {"Burley", nullptr},
-                                       {"Frostbite", nullptr},  {"Oren-Nayar", nullptr},
-                                       {"EON", "keeps energy"}, {"Call of Duty WWII", nullptr}};
-  chooseEnum("diffuse", settings.look.models.diffuse, diffuse, usual.look.models.diffuse,
+  chooseEnum("diffuse", settings.look.models.diffuse, optics::diffuseModels, usual.look.models.diffuse,
              "of lights and environment, and of fitted models");
 }
 

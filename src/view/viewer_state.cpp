@@ -81,8 +81,7 @@ void chooseMaterialSource(ViewerState& state, MaterialSource source) {
 }
 
 std::string modelName(optics::DiffuseModel diffuse) {
-  constexpr const char* names[] = {"Lambert", "Burley", "Frostbite", "Oren-Nayar", "EON", "Call of Duty"};
-  return std::string("GGX + ") + names[static_cast<size_t>(diffuse)];
+  return "GGX + " + std::string(rowOf(optics::diffuseModels, diffuse).label);
 }
 
 std::string comparisonText(const frame::ComparisonFigures& figures) {

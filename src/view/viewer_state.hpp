@@ -100,9 +100,9 @@ struct Inspection {
   std::string materialName;
   bool measured = false;  // a measured BRDF is in the material's place
   std::optional<glm::vec2> uv;
-  std::array<std::optional<glm::vec3>, std::size(shading::channelNames)> values;  // by channel; not known, not there
-  int nextChannel = 1;                                                            // that is looked up next
-  std::optional<glm::vec3> radiance;    // scene-linear, of the picture on the screen
+  std::array<std::optional<glm::vec3>, shading::channelCount> values;  // by channel; not known, not there
+  int nextChannel = 1;                                                 // that is looked up next
+  std::optional<glm::vec3> radiance;                                   // scene-linear, of the picture on the screen
   std::vector<Detail> materialDetails;  // of its material or the one that the tree has chosen
 };
 

@@ -19,17 +19,13 @@ void hint(const std::string& text) {
   ImGui::EndTooltip();
 }
 
-bool resetAsked() { return ImGui::IsItemHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Right); }
-
-namespace {
-
 void resettableHint(const char* explanation) {
   std::string text = explanation ? explanation : "";
   text += text.empty() ? "right click: reset" : "\nright click: reset";
   hint(text);
 }
 
-}  // namespace
+bool resetAsked() { return ImGui::IsItemHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Right); }
 
 bool slider(const char* label, float& value, float low, float high, const char* format, float usual,
             const char* explanation, ImGuiSliderFlags flags) {
@@ -60,22 +56,6 @@ bool beginList(const char* label, const std::string& chosen) {
   if (!ImGui::BeginCombo(label, chosen.c_str(), ImGuiComboFlags_HeightLarge)) return false;
   if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) ImGui::CloseCurrentPopup();
   return true;
-}
-
-bool chooseIndex(const char* label, size_t& index, const Choice* choices, size_t count, size_t usual,
-                 const char* explanation) {
-  bool changed = false;
-  if (beginList(label, index < count ? choices[index].label : "")) {
-    for (size_t i = 0; i < count; ++i) {
-      if (ImGui::Selectable(choices[i].label, i == index)) index = i, changed = true;
-      if (choices[i].explanation) hint(choices[i].explanation);
-    }
-    ImGui::EndCombo();
-    return changed;
-  }
-  if (resetAsked()) index = usual, changed = true;
-  resettableHint(explanation);
-  return changed;
 }
 
 bool beginDetails(const char* id) {

@@ -7,6 +7,8 @@
 #include <glm/glm.hpp>
 #include <string>
 
+#include "base/choice.hpp"
+
 namespace facet::view {
 
 // A header that opens and closes.
@@ -27,21 +29,36 @@ void editColor(const char* label, glm::vec3& linear, const glm::vec3& usual, con
 // A field for what is searched. True where it has changed.
 bool searchField(const char* id, const char* emptyText, std::string& text);
 
+// A tooltip that says how to reset, too.
+void resettableHint(const char* explanation);
+
 // Ends with ImGui::EndCombo where true. Escape closes the list.
 bool beginList(const char* label, const std::string& chosen);
 
-struct Choice {
-  const char* label;
-  const char* explanation;  // may be null
-};
+// A list of the rows by their labels, notes as tooltips. True where the index has changed.
+template <class T, size_t count>
+bool chooseRow(const char* label, size_t& index, const Choice<T> (&rows)[count], size_t usual,
+               const char* explanation) {
+  bool changed = false;
+  if (beginList(label, std::string(rows[index].label))) {
+    for (size_t i = 0; i < count; ++i) {
+      if (ImGui::Selectable(std::string(rows[i].label).c_str(), i == index)) index = i, changed = true;
+      if (!rows[i].note.empty()) hint(std::string(rows[i].note));
+    }
+    ImGui::EndCombo();
+    return changed;
+  }
+  if (resetAsked()) index = usual, changed = true;
+  resettableHint(explanation);
+  return changed;
+}
 
-// A list of an enumeration's values, in their order.
-bool chooseIndex(const char* label, size_t& index, const Choice* choices, size_t count, size_t usual,
-                 const char* explanation);
-template <class Enum, size_t N>
-bool chooseEnum(const char* label, Enum& value, const Choice (&choices)[N], Enum usual, const char* explanation) {
+// The same of an enumeration's values.
+template <class Enum, size_t count>
+bool chooseEnum(const char* label, Enum& value, const Choice<Enum> (&rows)[count], Enum usual,
+                const char* explanation) {
   auto index = static_cast<size_t>(value);
-  const bool changed = chooseIndex(label, index, choices, N, static_cast<size_t>(usual), explanation);
+  const bool changed = chooseRow(label, index, rows, static_cast<size_t>(usual), explanation);
   if (changed) value = static_cast<Enum>(index);
   return changed;
 }

@@ -380,3 +380,30 @@ TEST_CASE("JSON: an error leads with file and pointer") {
   CHECK(message({{"samples", uint64_t{18446744073709551615u}}}) ==
         "jobs.json: /jobs/2/samples: 18446744073709551615 is out of range; give a whole number from 1 to 4096.");
 }
+
+TEST_CASE("every row of a choice is an option's word, comes back as it was given, and is in its help") {
+  size_t choices = 0;
+  for (const commands::PictureOption& option : commands::pictureOptions()) {
+    if (!option.choices) continue;
+    ++choices;
+    const std::string listed = option.choices(), words = listed.substr(0, listed.find(';'));
+    size_t rows = 0;
+    for (size_t start = 0; start < words.size(); ++rows) {
+      const size_t end = std::min(words.find(", ", start), words.size());
+      const std::string word = words.substr(start, end - start);
+      start = end + 2;
+      INFO(option.name << " " << word);
+      PictureSettings settings;
+      settings.sources.brdf = "gold";  // without which nothing is compared
+      REQUIRE(option.parse(word, settings));
+      const std::string written = option.write(settings);
+      CHECK((written == word || (written.empty() && word == "none")));
+    }
+    CHECK(rows >= 2);
+    PictureSettings settings;
+    const Result<void> wrong = option.parse("nonsense", settings);
+    REQUIRE_FALSE(wrong);
+    CHECK(wrong.error().problem == "'nonsense' is not known");
+  }
+  CHECK(choices == 12);
+}

@@ -175,8 +175,8 @@ TEST_CASE("The feature table: one define and one bit each, keys compare by value
   CHECK(list[1].name == "CHANNEL");
   CHECK(list[1].value == std::to_string(shading::channelIndex("metallic")));
   CHECK(shading::channelIndex("colour") == -1);
-  CHECK(shading::channelIsColor(shading::channelIndex("emissive")));
-  CHECK_FALSE(shading::channelIsColor(shading::channelIndex("normal")));
+  CHECK(shading::channelKind(shading::channelIndex("emissive")) == shading::ChannelKind::color);
+  CHECK(shading::channelKind(shading::channelIndex("normal")) == shading::ChannelKind::direction);
 }
 
 TEST_CASE("Models: only what the draw can show enters its key, and the defaults add no define") {
@@ -244,7 +244,7 @@ TEST_CASE("Models: only what the draw can show enters its key, and the defaults 
 
   FrameFeatures looked = lit;
   looked.models.imageLight = optics::ImageLight::taps2;
-  CHECK(variant(gold, full, looked) == "normals, punctual lights, environment, 2 taps");
+  CHECK(variant(gold, full, looked) == "normals, punctual lights, environment, 2 fitted taps");
   CHECK(definesOf(gold, looked).count("IMAGE_LIGHT_MODEL") == 1);
   CHECK(shading::imageLightTaps(shading::variantKey({gold, full, looked})) == 2);
   CHECK(shading::imageLightTaps(shading::variantKey({gold, full, lit})) == 3);
@@ -263,7 +263,7 @@ TEST_CASE("Models: only what the draw can show enters its key, and the defaults 
   // Only where it differs from what the automatic choice means there.
   FrameFeatures energy = lit;
   energy.models.energy = optics::EnergyModel::turquin;
-  CHECK(variant(gold, full, energy) == "normals, punctual lights, environment, Turquin's energy");
+  CHECK(variant(gold, full, energy) == "normals, punctual lights, environment, energy: Turquin");
   CHECK(definesOf(gold, energy).count("ENERGY_MODEL") == 1);
   CHECK(definesOf(gold, lit).count("ENERGY_MODEL") == 0);
   CHECK(shading::variantKey({unlit, full, energy}) == shading::variantKey({unlit, full, lit}));
