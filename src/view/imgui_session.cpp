@@ -15,6 +15,8 @@ namespace facet::view {
 
 namespace {
 
+constexpr const char* glslVersion = "#version 450 core";
+
 // The user's, else the monitor's.
 float contentScale(GLFWwindow* window, const Preferences& preferences) {
   if (preferences.scale > 0) return preferences.scale;
@@ -38,7 +40,7 @@ ImGuiSession::ImGuiSession(GLFWwindow* shown, ViewerState& state)
   rememberLayout(state);
   applyStyle(theme, scale);
   ImGui_ImplGlfw_InitForOpenGL(shown, true);
-  ImGui_ImplOpenGL3_Init("#version 450 core");
+  ImGui_ImplOpenGL3_Init(glslVersion);
 }
 
 ImGuiSession::~ImGuiSession() {
@@ -47,11 +49,18 @@ ImGuiSession::~ImGuiSession() {
   ImGui::DestroyContext();
 }
 
+void restyle(Theme theme, float scale) {
+  applyStyle(theme, scale);
+  // The fonts' texture has to be made anew. ImGui 1.86 makes it only together with its shader, and forgets when it
+  // destroys both that its buffers have no storage any more: the whole backend begins anew.
+  ImGui_ImplOpenGL3_Shutdown();
+  ImGui_ImplOpenGL3_Init(glslVersion);
+}
+
 bool followStyle(ImGuiSession& imgui, const Preferences& preferences) {
   const float scale = contentScale(imgui.window, preferences);
   if (scale == imgui.scale && preferences.theme == imgui.theme) return false;
-  applyStyle(preferences.theme, scale);
-  ImGui_ImplOpenGL3_DestroyFontsTexture();  // made anew by the next frame
+  restyle(preferences.theme, scale);
   imgui.scale = scale;
   imgui.theme = preferences.theme;
   return true;

@@ -22,6 +22,9 @@ struct ImGuiSession {
   Theme theme;
 };
 
+// Other colours and letters from the next frame on; between frames, with the OpenGL backend at work.
+void restyle(Theme theme, float scale);
+
 // Theme and scale may have changed, the latter because the window has been moved to another monitor, too. True where
 // they have.
 bool followStyle(ImGuiSession& imgui, const Preferences& preferences);
