@@ -16,6 +16,8 @@
 #include <optional>
 #include <utility>
 
+#include "base/interrupt.hpp"
+
 extern char** environ;
 
 namespace facet {
@@ -147,6 +149,7 @@ class Pool {
   Result<void> run() {
     const size_t wanted = std::min(tasks_.size(), static_cast<size_t>(std::max(1, options_.processes)));
     while (ended_ < tasks_.size()) {
+      if (const int signal = interruptedBy()) return fail({}, {}, "ended by " + signalName(signal));
       while (processes_.size() < wanted && next_ < tasks_.size()) {
         Result<Process> started = startProcess(options_.command);
         if (!started) return tl::unexpected(started.error());

@@ -26,7 +26,8 @@ struct PoolOptions {
 };
 
 // Calls done(task, outcome) for each task, from this thread, as they end. Errors: a process cannot be started; the
-// hopeless status, with the process's last words; the tasks that had not ended then have no outcome.
+// hopeless status, with the process's last words; a signal (base/interrupt.hpp), and the processes are killed; the
+// tasks that had not ended then have no outcome.
 Result<void> distribute(const PoolOptions& options, const std::vector<std::string>& tasks,
                         const std::function<void(size_t, const TaskOutcome&)>& done);
 

@@ -75,6 +75,7 @@ void printJson(const CompareSettings& settings, const Task& task, const Comparis
   json["relRmse"] = c.relRmse;
   json["bias"] = c.bias;
   json["displayRmse"] = c.displayRmse;
+  json["alphaRmse"] = c.alphaRmse;
   json["ssim"] = c.ssim;
   json["flip"] = {{"mean", c.flipMean}, {"largest", c.flipLargest}, {"shareNoticeable", c.shareNoticeable}};
   json["largest"] = {{"difference", c.largest}, {"x", c.largestX}, {"y", c.largestY}};

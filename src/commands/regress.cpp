@@ -1,13 +1,18 @@
+#include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <memory>
 #include <set>
 #include <thread>
+#include <utility>
 #include <vector>
 
+#include "base/interrupt.hpp"
 #include "base/log.hpp"
 #include "base/process_pool.hpp"
 #include "commands/commands.hpp"
@@ -108,6 +113,27 @@ Result<void> makeFolder(const fs::path& folder) {
   return {};
 }
 
+// Of two runs into one folder one has to wait: the report would be the last one's with pictures of both.
+class FolderLock {
+ public:
+  static Result<FolderLock> take(const fs::path& folder) {
+    FolderLock lock(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (lock.fd_ >= 0 && flock(lock.fd_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+      return fail(folder.string(), "", "another facet regress is writing there",
+                  "wait for its end, or choose another folder with -o");
+    return lock;  // where a file system has no locks, there is none
+  }
+  FolderLock(FolderLock&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+  FolderLock& operator=(FolderLock&&) = delete;
+  ~FolderLock() {
+    if (fd_ >= 0) close(fd_);
+  }
+
+ private:
+  explicit FolderLock(int fd) : fd_(fd) {}
+  int fd_ = -1;
+};
+
 // A software renderer uses every core by itself; processes beside each other fill the gaps of its reading, compiling
 // and comparing.
 int chosenProcesses(int wanted) {
@@ -185,13 +211,14 @@ int finish(const RegressionReport& report, const fs::path& results) {
   if (Result<void> written = compare::writeReports(report, results); !written) return badInput(written.error());
   for (const std::string& name : report.stale)
     log::warning(report.suite + "/baselines/" + name + " belongs to no job; delete it, or add the job again");
-  for (const std::string& remark : report.remarks) log::error(remark);
   const auto bad = std::ranges::count_if(report.jobs, [](const JobResult& job) { return !job.good(); });
   const auto accepted = std::ranges::count(report.jobs, JobStatus::accepted, &JobResult::status);
   std::string text = std::to_string(report.jobs.size() - static_cast<size_t>(bad)) + " of " +
                      std::to_string(report.jobs.size()) + " good";
   if (accepted > 0) text += ", " + std::to_string(accepted) + " baselines written";
-  log::info(text + "; " + (results / "report.html").string());
+  for (const std::string& remark : report.remarks) text += ", but " + remark;
+  text += "; " + (results / "report.html").string();
+  report.remarks.empty() ? log::info(text) : log::error(text);
   return report.good() ? exitGood : exitFailed;
 }
 
@@ -202,6 +229,9 @@ int runSuite(const RegressArguments& arguments) {
   if (!jobs) return badInput(jobs.error());
   const fs::path results = resultsFolder(arguments);
   if (Result<void> made = makeFolder(results); !made) return badInput(made.error());
+  const Result<FolderLock> lock = FolderLock::take(results);
+  if (!lock) return badInput(lock.error());
+  compare::removeReports(results);
 
   RegressionReport report;
   report.suite = suite->name;
@@ -212,6 +242,8 @@ int runSuite(const RegressArguments& arguments) {
   for (const SuiteJob& job : *jobs) tasks.push_back(std::to_string(job.index));
   Result<void> accepted;
   Result<void> ran;
+  size_t done = 0;
+  const InterruptGuard guard;
   {
     Progress progress(jobs->size());
     ran = distribute(poolOptions(arguments), tasks, [&](size_t i, const TaskOutcome& outcome) {
@@ -220,7 +252,13 @@ int runSuite(const RegressArguments& arguments) {
         if (Result<void> taken = accept(*suite, results, job); !taken) accepted = taken;
       }
       progress.tell(job);
+      ++done;
     });
+  }
+  if (const int signal = interruptedBy(); !ran && signal != 0) {
+    log::error("ended by " + signalName(signal) + ": " + std::to_string(done) + " of " + std::to_string(jobs->size()) +
+               " jobs were done, and there is no report; run it again");
+    return exitStatusOf(signal);
   }
   if (!ran) {
     // A process of ours has said it as a line of the log.
@@ -253,6 +291,8 @@ int runMerge(const RegressArguments& arguments) {
     return badInput({{}, "DIR", "does not go with --merge", "give result folders after --merge, and -o"});
   if (arguments.results.empty()) return badInput({{}, "-o", "is missing", "name a folder for the merged results"});
   if (Result<void> made = makeFolder(arguments.results); !made) return badInput(made.error());
+  const Result<FolderLock> lock = FolderLock::take(arguments.results);
+  if (!lock) return badInput(lock.error());
   std::vector<RegressionReport> reports;
   for (const std::string& folder : arguments.merge) {
     const fs::path file = fs::path(folder) / "report.json";

@@ -2,13 +2,13 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <vector>
 
 #include "base/log.hpp"
+#include "base/whole_file.hpp"
 #include "commands/commands.hpp"
 #include "commands/jobs.hpp"
 #include "commands/notes_json.hpp"
@@ -165,11 +165,9 @@ Result<JobOutcome> runJob(const Job& job, int repeat, bool last, frame::Session&
   if (Result<void> written = writeOutput(job, *picture); !written) return tl::unexpected(written.error());
   stages.mark("write");
   if (!job.stats.empty()) {
-    std::ofstream file(job.stats);
-    file << statsJson(job, session, *picture, stages, notes)
-                .dump(2, ' ', false, nlohmann::json::error_handler_t::replace)
-         << "\n";
-    if (!file) return fail(job.stats.string(), "", "cannot be written", "check the folder");
+    const std::string text =
+        statsJson(job, session, *picture, stages, notes).dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+    if (Result<void> written = writeWholeFile(job.stats, text + "\n"); !written) return tl::unexpected(written.error());
   }
   return JobOutcome{warned, reached};
 }
@@ -228,19 +226,24 @@ int runRender(const RenderArguments& arguments) {
   }
   stages.mark("context");
   int status = exitGood;
+  size_t pictures = 0;  // written
+  const bool many = jobs->size() > 1;
   for (size_t i = 0; i < jobs->size(); ++i) {
     const Job& job = (*jobs)[i];
     const Result<JobOutcome> result =
         runJob(job, arguments.repeat, i + 1 == jobs->size(), **session, i == 0 ? stages : Stages());
+    const std::string place = many ? std::to_string(i + 1) + "/" + std::to_string(jobs->size()) + " " : "";
     if (!result) {
-      log::error(describe(result.error()));
+      log::error(place + (many ? job.output.string() + ": " : "") + describe(result.error()));
       status = exitBadInput;
       continue;
     }
     if (result->warned && arguments.strict) status = exitBadInput;
-    log::info((jobs->size() > 1 ? std::to_string(i + 1) + "/" + std::to_string(jobs->size()) + " " : "") +
-              job.output.string() + result->reached);
+    ++pictures;
+    log::info(place + job.output.string() + result->reached);
   }
+  if (pictures < jobs->size() && many)
+    log::error(std::to_string(pictures) + " of " + std::to_string(jobs->size()) + " pictures written");
   return status;
 }
 

@@ -71,7 +71,7 @@ Result<SuiteJob> parseJob(const json& object, const std::string& pointer, SuiteJ
   if (!name) return tl::unexpected(name.error());
   if (!isFileName(*name))
     return fail(context.file, pointer + "/name", inQuotes(*name) + " makes no file name",
-                "use letters, digits, -, _ and .");
+                "use only letters, digits and the signs - _ and dot");
   const Result<std::string> model = textAt(object, "model", context.file, pointer);
   if (!model) return tl::unexpected(model.error());
   job.name = *name;

@@ -33,7 +33,8 @@ struct Suite {
 
 // Where a suite gives no tolerance of its own. What another driver or compiler changes stays well below, and a wrong
 // term on a visible part of a picture goes well beyond (tests/baselines/README.md).
-inline constexpr std::pair<std::string_view, double> defaultTolerance[] = {{"flip", 0.01}, {"noticeable", 0.005}};
+inline constexpr std::pair<std::string_view, double> defaultTolerance[] = {
+    {"flip", 0.01}, {"noticeable", 0.005}, {"alpha", 2.55}};
 
 // DIR/suite.json. What the command line gives (overrides) wins over the file.
 Result<Suite> readSuite(const std::filesystem::path& folder, const PictureArguments& overrides = {});

@@ -1,8 +1,7 @@
 #include "commands/write_tables.hpp"
 
-#include <fstream>
-
 #include "base/nearest.hpp"
+#include "base/whole_file.hpp"
 #include "commands/option_text.hpp"
 
 namespace facet::commands {
@@ -26,12 +25,6 @@ Result<const TableFormat*> tableFormat(std::string_view name) {
   return fail({}, "--format", inQuotes(name) + " is not known", suggestion(name, names));
 }
 
-Result<void> writeText(const std::filesystem::path& path, std::string_view text) {
-  std::ofstream file(path, std::ios::binary);
-  file.write(text.data(), static_cast<std::streamsize>(text.size()));
-  file.close();
-  if (!file) return fail(path.string(), {}, "cannot be written", "choose a folder that exists and is yours");
-  return {};
-}
+Result<void> writeText(const std::filesystem::path& path, std::string_view text) { return writeWholeFile(path, text); }
 
 }  // namespace facet::commands

@@ -24,6 +24,22 @@ glm::dvec3 finiteColor(const glm::vec4& v) {
   return {keep(v.r), keep(v.g), keep(v.b)};
 }
 
+// What is not finite covers nothing.
+double coverage(const glm::vec4& v) { return std::isfinite(v.a) ? glm::clamp<double>(v.a, 0, 1) : 0.0; }
+
+bool isOpaque(const io::RadianceImage& image) {
+  return std::ranges::all_of(image.pixels, [](const glm::vec4& v) { return !std::isfinite(v.a) || v.a >= 1; });
+}
+
+io::RadianceImage overWhite(const io::RadianceImage& image) {
+  io::RadianceImage over{image.width, image.height, image.pixels};
+  for (glm::vec4& v : over.pixels) {
+    const float white = std::isfinite(v.a) ? static_cast<float>(1 - coverage(v)) : 0;
+    v.r += white, v.g += white, v.b += white;
+  }
+  return over;
+}
+
 glm::dvec3 display(const glm::dvec3& linear) {
   const glm::dvec3 c = glm::clamp(linear, 0.0, 1.0);
   return {srgbFromLinear(c.r), srgbFromLinear(c.g), srgbFromLinear(c.b)};
@@ -50,7 +66,7 @@ Result<void> checkSizes(const io::RadianceImage& a, const io::RadianceImage& b) 
 // What one row adds up to. Rows are summed in order afterwards, so that the result does not depend on the threads.
 struct Sums {
   glm::dvec3 reference = glm::dvec3(0), error = glm::dvec3(0);
-  double squaredError = 0, squaredDisplayError = 0, ssim = 0;
+  double squaredError = 0, squaredDisplayError = 0, squaredAlphaError = 0, ssim = 0;
   double flip = 0, flipLargest = 0;
   double largest = -1;
   int largestX = 0, largestY = 0;
@@ -59,6 +75,7 @@ struct Sums {
   void add(const Sums& row) {
     reference += row.reference, error += row.error;
     squaredError += row.squaredError, squaredDisplayError += row.squaredDisplayError, ssim += row.ssim;
+    squaredAlphaError += row.squaredAlphaError;
     flip += row.flip, flipLargest = std::max(flipLargest, row.flipLargest), noticeable += row.noticeable;
     if (row.largest > largest) largest = row.largest, largestX = row.largestX, largestY = row.largestY;
     pixels += row.pixels, above += row.above;
@@ -73,7 +90,12 @@ void addPixel(Sums& sums, const glm::vec4& reference, const glm::vec4& picture, 
   sums.error += error;
   sums.squaredError += glm::dot(error, error);
   sums.squaredDisplayError += glm::dot(displayError, displayError);
-  const double difference = displayDifference(reference, picture);
+  const double alphaError = coverage(picture) - coverage(reference);
+  sums.squaredAlphaError += alphaError * alphaError;
+  const double difference = isFinite(reference) && isFinite(picture)
+                                ? std::max({std::abs(displayError.r), std::abs(displayError.g),
+                                            std::abs(displayError.b), std::abs(alphaError)})
+                                : 1;
   if (difference > sums.largest) sums.largest = difference, sums.largestX = x, sums.largestY = y;
   if (difference > tolerance) ++sums.above;
   ++sums.pixels;
@@ -88,6 +110,7 @@ Comparison figures(const Sums& sums) {
   result.relRmse = std::sqrt(sums.squaredError / (3 * n)) / scale((mean.r + mean.g + mean.b) / 3);
   for (int c = 0; c < 3; ++c) result.bias[static_cast<size_t>(c)] = sums.error[c] / n / scale(mean[c]);
   result.displayRmse = std::sqrt(sums.squaredDisplayError / (3 * n)) * 255;
+  result.alphaRmse = std::sqrt(sums.squaredAlphaError / n) * 255;
   result.ssim = sums.ssim / n;
   result.flipMean = sums.flip / n;
   result.flipLargest = sums.flipLargest;
@@ -139,13 +162,20 @@ Result<io::RadianceImage> readPicture(const std::filesystem::path& path, const i
 
 double displayDifference(const glm::vec4& reference, const glm::vec4& picture) {
   if (!isFinite(reference) || !isFinite(picture)) return 1;
-  const glm::dvec3 d = glm::abs(display(picture) - display(reference));
-  const double alpha = std::abs(glm::clamp<double>(picture.a, 0, 1) - glm::clamp<double>(reference.a, 0, 1));
-  return std::max({d.r, d.g, d.b, alpha});
+  const double behindPicture = 1 - coverage(picture), behindReference = 1 - coverage(reference);
+  const auto over = [&](double background) {
+    const glm::dvec3 d = glm::abs(display(glm::dvec3(picture) + background * behindPicture) -
+                                  display(glm::dvec3(reference) + background * behindReference));
+    return std::max({d.r, d.g, d.b});
+  };
+  return std::max({over(0), over(1), std::abs(behindPicture - behindReference)});
 }
 
-Result<Comparison> comparePictures(const io::RadianceImage& reference, const io::RadianceImage& picture,
-                                   const CompareOptions& options) {
+namespace {
+
+// Of the associated colours as they are: over black.
+Result<Comparison> compareColors(const io::RadianceImage& reference, const io::RadianceImage& picture,
+                                 const CompareOptions& options) {
   if (auto checked = checkSizes(reference, picture); !checked) return tl::unexpected(checked.error());
   const size_t width = static_cast<size_t>(reference.width), height = static_cast<size_t>(reference.height);
   std::vector<float> lumaReference(width * height), lumaPicture(width * height);
@@ -181,6 +211,30 @@ Result<Comparison> comparePictures(const io::RadianceImage& reference, const io:
     return fail({}, {}, "no pixel of the reference has an alpha above 0.5", "compare without the mask");
   }
   return figures(sums);
+}
+
+// Of each figure the worse.
+Comparison worse(const Comparison& a, const Comparison& b) {
+  Comparison result = a.largest >= b.largest ? a : b;
+  result.relRmse = std::max(a.relRmse, b.relRmse);
+  for (size_t c = 0; c < 3; ++c) result.bias[c] = std::abs(a.bias[c]) >= std::abs(b.bias[c]) ? a.bias[c] : b.bias[c];
+  result.displayRmse = std::max(a.displayRmse, b.displayRmse);
+  result.ssim = std::min(a.ssim, b.ssim);
+  result.flipMean = std::max(a.flipMean, b.flipMean);
+  result.flipLargest = std::max(a.flipLargest, b.flipLargest);
+  result.shareNoticeable = std::max(a.shareNoticeable, b.shareNoticeable);
+  result.shareAbove = std::max(a.shareAbove, b.shareAbove);
+  return result;
+}
+
+}  // namespace
+
+Result<Comparison> comparePictures(const io::RadianceImage& reference, const io::RadianceImage& picture,
+                                   const CompareOptions& options) {
+  const Result<Comparison> overBlack = compareColors(reference, picture, options);
+  if (!overBlack || (isOpaque(reference) && isOpaque(picture))) return overBlack;
+  const Result<Comparison> white = compareColors(overWhite(reference), overWhite(picture), options);
+  return white ? worse(*overBlack, *white) : white;
 }
 
 std::array<uint8_t, 3> heatColor(double difference) {

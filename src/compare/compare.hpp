@@ -17,13 +17,14 @@ struct CompareOptions {
   double tolerance = 0.01;     // display difference above which a pixel counts as different, [0, 1]
 };
 
-// Linear figures are of the associated colour, hence over black; display means that colour clamped to [0, 1] and sRGB
-// encoded. A non-finite component counts as 0 in relRmse, bias, displayRmse, SSIM and FLIP, as 1 in the display
-// difference.
+// Both pictures are put over black and over white, and of each figure the worse counts, so that what only covers is
+// seen, too. Linear figures are of that colour; display means it clamped to [0, 1] and sRGB encoded. A non-finite
+// component counts as 0 in relRmse, bias, displayRmse, SSIM and FLIP, as 1 in the display difference.
 struct Comparison {
   double relRmse = 0;               // root mean squared linear error / mean of the reference
   std::array<double, 3> bias = {};  // mean signed linear error / mean of the reference, per channel
   double displayRmse = 0;           // root mean squared display error, in 1/255
+  double alphaRmse = 0;             // root mean squared difference of alpha, in 1/255
   double ssim = 1;                  // structural similarity of the display pictures' luma, [-1, 1]
   double flipMean = 0;              // mean of FLIP over the pixels, [0, 1] (compare/flip.hpp)
   double flipLargest = 0;           // its largest
@@ -49,7 +50,8 @@ io::RadianceImage linearPicture(const io::Pixels& pixels);
 Result<Comparison> comparePictures(const io::RadianceImage& reference, const io::RadianceImage& picture,
                                    const CompareOptions& options = {});
 
-// Largest display difference of the channels and alpha at a pixel, [0, 1]; 1 where either is not finite.
+// Largest display difference of the channels, over black and over white, and alpha at a pixel, [0, 1]; 1 where either
+// is not finite.
 double displayDifference(const glm::vec4& reference, const glm::vec4& picture);
 
 // Colour of a display difference: black 0, blue 1/16, red 1/4, yellow 9/16, white 1, straight between them over the

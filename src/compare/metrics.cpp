@@ -21,6 +21,7 @@ constexpr Metric table[] = {
     {"flip-largest", "its largest", [](const Comparison& c) { return c.flipLargest; }},
     {"noticeable", "share of pixels where it is above 0.1, just noticeable",
      [](const Comparison& c) { return c.shareNoticeable; }},
+    {"alpha", "RMSE of alpha in 1/255", [](const Comparison& c) { return c.alphaRmse; }},
     {"ssim", "1 - SSIM", [](const Comparison& c) { return 1 - c.ssim; }},
 };
 

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <nlohmann/json.hpp>
+
+#include "base/whole_file.hpp"
 
 namespace facet::compare {
 
@@ -66,14 +67,6 @@ JobResult jobOf(const Json& object) {
   job.difference = object.value("difference", "");
   job.warnings = object.value("warnings", std::vector<std::string>());
   return job;
-}
-
-Result<void> writeText(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << text;
-  stream.close();
-  if (!stream) return fail(file.string(), "", "cannot be written", "check the folder and the disk's space");
-  return {};
 }
 
 }  // namespace
@@ -161,9 +154,14 @@ Result<RegressionReport> mergeReports(std::vector<RegressionReport> reports) {
 }
 
 Result<void> writeReports(const RegressionReport& report, const std::filesystem::path& folder) {
-  if (Result<void> r = writeText(folder / "report.json", reportJson(report)); !r) return r;
-  if (Result<void> r = writeText(folder / "report.html", reportHtml(report)); !r) return r;
-  return writeText(folder / "junit.xml", reportJunit(report));
+  if (Result<void> r = writeWholeFile(folder / "report.json", reportJson(report)); !r) return r;
+  if (Result<void> r = writeWholeFile(folder / "report.html", reportHtml(report)); !r) return r;
+  return writeWholeFile(folder / "junit.xml", reportJunit(report));
+}
+
+void removeReports(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  for (const char* name : {"report.json", "report.html", "junit.xml"}) std::filesystem::remove(folder / name, ignored);
 }
 
 }  // namespace facet::compare

@@ -48,6 +48,9 @@ struct RegressionReport {
 // report.json, report.html (no server, nothing from outside) and junit.xml.
 Result<void> writeReports(const RegressionReport& report, const std::filesystem::path& folder);
 
+// Of an earlier run: nobody is to take them for this one's, should it not come to its end.
+void removeReports(const std::filesystem::path& folder);
+
 std::string reportJson(const RegressionReport& report);
 std::string reportHtml(const RegressionReport& report);
 std::string reportJunit(const RegressionReport& report);

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "frame/gpu_texture.hpp"
+#include "scene/tangents.hpp"
 
 namespace facet::frame {
 
@@ -261,11 +262,9 @@ layout::MaterialUniforms materialUniforms(const scene::Material& material) {
     const auto index = static_cast<int>(slot);
     const scene::TextureRef& ref = textureRef(material, slot);
     out.texCoordSets[index / 4][index % 4] = static_cast<float>(ref.texCoord);
-    // KHR_texture_transform: translation * rotation * scale
-    const scene::TextureTransform& t = ref.transform;
-    const float c = std::cos(t.rotation), s = std::sin(t.rotation);
-    out.texCoordRows[2 * index] = glm::vec4(c * t.scale.x, s * t.scale.y, t.offset.x, 0);
-    out.texCoordRows[2 * index + 1] = glm::vec4(-s * t.scale.x, c * t.scale.y, t.offset.y, 0);
+    const glm::dmat2x3 rows = glm::transpose(scene::uvFromTexCoord(ref.transform));
+    out.texCoordRows[2 * index] = glm::vec4(rows[0], 0);
+    out.texCoordRows[2 * index + 1] = glm::vec4(rows[1], 0);
   }
   return out;
 }

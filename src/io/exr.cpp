@@ -4,18 +4,25 @@
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfIO.h>
-#include <ImfInputFile.h>
+#include <ImfInputPart.h>
+#include <ImfMultiPartInputFile.h>
 #include <ImfOutputFile.h>
+#include <ImfPartType.h>
+#include <ImfRgbaFile.h>
+#include <ImfStandardAttributes.h>
 #include <ImfThreading.h>
 
 #include <algorithm>
 #include <cstring>
-#include <optional>
 #include <stdexcept>
-#include <string_view>
 #include <thread>
+#include <utility>
 
+#include "base/whole_file.hpp"
+#include "io/exr_header.hpp"
+#include "io/exr_layers.hpp"
 #include "io/little_endian.hpp"
+#include "io/uri.hpp"
 
 namespace facet::io {
 
@@ -25,61 +32,22 @@ using Bytes = std::span<const uint8_t>;
 using Imath::Box2i;
 
 constexpr const char* convertExr = "convert it to a single-part scan-line image";
-constexpr const char* copyAgain = "copy or download it again";
-
-struct Window {
-  int64_t left = 0, top = 0, right = -1, bottom = -1;  // inclusive
-  uint64_t width() const { return static_cast<uint64_t>(std::max<int64_t>(0, right - left + 1)); }
-  uint64_t height() const { return static_cast<uint64_t>(std::max<int64_t>(0, bottom - top + 1)); }
-};
-
-// The windows straight from the header's attributes (name, type, size, value), because the library allocates by them
-// before anyone can look.
-struct Windows {
-  std::optional<Window> data, display;
-};
-
-Windows findWindows(Bytes bytes) {
-  Windows windows;
-  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  for (size_t at = 8; at < bytes.size() && bytes[at] != 0;) {
-    const size_t nameEnd = text.find('\0', at);
-    if (nameEnd == std::string_view::npos) break;
-    const size_t typeEnd = text.find('\0', nameEnd + 1);
-    if (typeEnd == std::string_view::npos || typeEnd + 5 > bytes.size()) break;
-    const std::string_view name = text.substr(at, nameEnd - at), type = text.substr(nameEnd + 1, typeEnd - nameEnd - 1);
-    const size_t size = littleEndian(bytes, typeEnd + 1), value = typeEnd + 5;
-    if (size > bytes.size() - value) break;
-    if (type == "box2i" && size == 16 && (name == "dataWindow" || name == "displayWindow")) {
-      const auto number = [&](size_t i) { return static_cast<int32_t>(littleEndian(bytes, value + 4 * i)); };
-      (name == "dataWindow" ? windows.data : windows.display) = Window{number(0), number(1), number(2), number(3)};
-    }
-    at = value + size;
-  }
-  return windows;
-}
-
-Result<void> checkWindow(const std::optional<Window>& window, const char* what, const std::string& name,
-                         const Limits& limits) {
-  if (!window) return fail(name, "", std::string("the header has no ") + what, copyAgain);
-  const uint64_t width = window->width(), height = window->height();
-  if (width == 0 || height == 0) return fail(name, "", std::string("the ") + what + " is empty", copyAgain);
-  if (height > limits.radiancePixels / width) {
-    return fail(name, "",
-                std::string("the ") + what + " has " + std::to_string(width) + " x " + std::to_string(height) +
-                    " pixels, more than the limit of " + std::to_string(limits.radiancePixels),
-                "use a smaller picture");
-  }
-  return {};
-}
 
 // Bits of the version field (OpenEXR File Layout, "Version field").
+constexpr uint32_t deepBit = 0x800, severalPartsBit = 0x1000;
+
 Result<void> checkVersion(Bytes bytes, const std::string& name) {
-  if (bytes.size() < 8) return fail(name, "", "the file is cut off", copyAgain);
-  const uint32_t flags = littleEndian(bytes, 4);
-  if (flags & 0x800) return fail(name, "byte 4", "deep images are not supported", convertExr);
-  if (flags & 0x1000) return fail(name, "byte 4", "images of several parts are not supported", convertExr);
+  if (bytes.size() < 8) return fail(name, "", "the file is cut off", exrCopyAgain);
+  if ((littleEndian(bytes, 4) & (deepBit | severalPartsBit)) == deepBit)
+    return fail(name, "byte 4", "deep images are not supported", convertExr);
   return {};
+}
+
+// The library's pool; its own default is none.
+int exrThreads() {
+  const int count = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  if (Imf::globalThreadCount() < count) Imf::setGlobalThreadCount(count);
+  return count;
 }
 
 class MemoryStream : public Imf::IStream {
@@ -112,117 +80,183 @@ class MemoryStream : public Imf::IStream {
   size_t at_ = 0;
 };
 
-struct Channels {
-  std::string prefix;  // "" or "layer."
-  bool grey = false, alpha = false;
+class MemoryOutput : public Imf::OStream {
+ public:
+  explicit MemoryOutput(const std::string& name) : Imf::OStream(name.c_str()) {}
+  void write(const char c[], int n) override {
+    bytes.resize(std::max(bytes.size(), at_ + static_cast<size_t>(n)));
+    std::memcpy(bytes.data() + at_, c, static_cast<size_t>(n));
+    at_ += static_cast<size_t>(n);
+  }
+  uint64_t tellp() override { return at_; }
+  void seekp(uint64_t at) override { at_ = at; }
+  std::string bytes;
+
+ private:
+  size_t at_ = 0;
 };
 
-Result<Channels> chooseChannels(const Imf::ChannelList& list, const std::string& name) {
-  Channels chosen;
-  const auto has = [&](const std::string& channel) { return list.findChannel(channel) != nullptr; };
-  std::string names;
-  bool colour = has("R") && has("G") && has("B");
-  for (auto it = list.begin(); it != list.end(); ++it) {
-    const std::string channel = it.name();
-    names += (names.empty() ? "" : ", ") + channel;
-    if (colour || !channel.ends_with(".R")) continue;
-    const std::string prefix = channel.substr(0, channel.size() - 1);
-    if (has(prefix + "G") && has(prefix + "B")) chosen.prefix = prefix, colour = true;
+std::vector<ExrPartChannels> exrChannels(const Imf::MultiPartInputFile& file) {
+  std::vector<ExrPartChannels> parts;
+  for (int p = 0; p < file.parts(); ++p) {
+    const Imf::Header& header = file.header(p);
+    ExrPartChannels& part = parts.emplace_back();
+    if (file.parts() > 1 && header.hasName()) part.name = header.name();
+    if (header.hasType() && Imf::isDeepData(header.type())) continue;
+    const Imf::ChannelList& list = header.channels();
+    for (auto it = list.begin(); it != list.end(); ++it) part.channels.emplace_back(it.name());
   }
-  if (!colour) {
-    chosen.grey = has("Y") && !has("RY") && !has("BY");
-    if (!chosen.grey) {
-      return fail(name, "", "there are no channels R, G, B or Y alone, but " + names.substr(0, 200),
-                  "convert it to RGB");
-    }
-  }
-  chosen.alpha = has(chosen.prefix + "A");
-  for (const char* channel : {"R", "G", "B", "A", "Y"}) {
-    const auto* found = list.findChannel(chosen.prefix + channel);
-    if (found != nullptr && (found->xSampling != 1 || found->ySampling != 1)) {
-      return fail(name, "", std::string("channel ") + channel + " is subsampled", "convert it to RGB");
-    }
-  }
-  return chosen;
+  return parts;
 }
 
-// Reads the data window into pixels, row after row.
-void readPixels(Imf::InputFile& file, const Channels& channels, const Box2i& window, std::vector<glm::vec4>& pixels) {
-  Imf::FrameBuffer buffer;
-  const auto add = [&](const std::string& channel, int component, double fill) {
-    buffer.insert(channel, Imf::Slice::Make(Imf::FLOAT, &pixels.data()->x + component, window, sizeof(glm::vec4),
-                                            sizeof(glm::vec4) * static_cast<size_t>(window.max.x - window.min.x + 1), 1,
-                                            1, fill));
-  };
-  if (channels.grey) {
-    add("Y", 0, 0);
-  } else {
-    add(channels.prefix + "R", 0, 0);
-    add(channels.prefix + "G", 1, 0);
-    add(channels.prefix + "B", 2, 0);
+// The file in memory, its layer, and where its pixels lie.
+struct ExrSource {
+  Bytes bytes;
+  const std::string& name;
+  ExrLayer layer;
+  Box2i window;
+  size_t width() const { return static_cast<size_t>(window.max.x - window.min.x + 1); }
+  size_t pixels() const { return width() * static_cast<size_t>(window.max.y - window.min.y + 1); }
+};
+
+// Some rows at a time, so that damage is found before all of the memory is taken: calls read(first, last) for each
+// band after making room for it.
+template <class Read>
+void readBands(const ExrSource& source, std::vector<glm::vec4>& pixels, const Read& read) {
+  constexpr int rows = 256;  // a multiple of every compression's chunk
+  pixels.reserve(source.pixels());
+  for (int64_t y = source.window.min.y; y <= source.window.max.y; y += rows) {
+    const int last = static_cast<int>(std::min<int64_t>(y + rows - 1, source.window.max.y));
+    pixels.resize(static_cast<size_t>(last - source.window.min.y + 1) * source.width(), glm::vec4(0, 0, 0, 1));
+    read(static_cast<int>(y), last);
   }
-  if (channels.alpha) add(channels.prefix + "A", 3, 1);
-  file.setFrameBuffer(buffer);
-  file.readPixels(window.min.y, window.max.y);
-  if (!channels.grey) return;
-  for (auto& pixel : pixels) pixel.y = pixel.z = pixel.x;
+}
+
+Result<void> readChannels(Imf::InputPart& part, const ExrSource& source, std::vector<glm::vec4>& pixels) {
+  const ExrLayer& layer = source.layer;
+  const bool grey = layer.color == ExrColor::grey;
+  std::vector<std::pair<std::string, int>> channels;  // and their component
+  for (int c = 0; c < (grey ? 1 : 3); ++c) channels.emplace_back(layer.prefix + (grey ? 'Y' : "RGB"[c]), c);
+  if (layer.alpha) channels.emplace_back(layer.prefix + "A", 3);
+  for (const auto& [channel, component] : channels) {
+    const Imf::Channel& found = part.header().channels()[channel];
+    if (found.xSampling == 1 && found.ySampling == 1) continue;
+    return fail(source.name, "", "channel " + channel + " is subsampled", "convert it to RGB");
+  }
+  pixels.reserve(source.pixels());
+  Imf::FrameBuffer buffer;
+  for (const auto& [channel, component] : channels)
+    buffer.insert(channel, Imf::Slice::Make(Imf::FLOAT, &pixels.data()->x + component, source.window, sizeof(glm::vec4),
+                                            sizeof(glm::vec4) * source.width(), 1, 1, component == 3 ? 1 : 0));
+  part.setFrameBuffer(buffer);
+  readBands(source, pixels, [&](int first, int last) { part.readPixels(first, last); });
+  if (grey)
+    for (auto& pixel : pixels) pixel.y = pixel.z = pixel.x;
+  return {};
+}
+
+// Chroma at half the resolution, filtered by the library, in half precision.
+void readLuminanceChroma(const ExrSource& source, std::vector<glm::vec4>& pixels) {
+  MemoryStream stream(source.bytes, source.name);
+  std::string layer = source.layer.prefix;
+  if (!layer.empty()) layer.pop_back();  // the point
+  Imf::RgbaInputFile file(stream, layer, exrThreads());
+  std::vector<Imf::Rgba> row(source.width());
+  const ptrdiff_t left = source.window.min.x;
+  file.setFrameBuffer(row.data() - left, 1, 0);  // each row into the same place
+  readBands(source, pixels, [&](int first, int last) {
+    for (int y = first; y <= last; ++y) {
+      file.readPixels(y);
+      glm::vec4* to = &pixels[static_cast<size_t>(y - source.window.min.y) * source.width()];
+      for (const Imf::Rgba& p : row) *to++ = glm::vec4(p.r, p.g, p.b, p.a);
+    }
+  });
 }
 
 // The part of the data window that the display window shows.
-RadianceImage place(const std::vector<glm::vec4>& pixels, const Window& data, const Window& display) {
-  RadianceImage image;
-  image.width = static_cast<int>(display.width());
-  image.height = static_cast<int>(display.height());
-  image.pixels.resize(display.width() * display.height(), glm::vec4(0));
+std::vector<glm::vec4> placeInDisplay(const std::vector<glm::vec4>& pixels, const ExrWindow& data,
+                                      const ExrWindow& display) {
+  std::vector<glm::vec4> shown(display.width() * display.height(), glm::vec4(0));
   const int64_t left = std::max(data.left, display.left), right = std::min(data.right, display.right);
   const int64_t top = std::max(data.top, display.top), bottom = std::min(data.bottom, display.bottom);
-  if (right < left) return image;
+  if (right < left) return shown;
   for (int64_t y = top; y <= bottom; ++y) {
     const auto* from = pixels.data() + static_cast<uint64_t>(y - data.top) * data.width() + (left - data.left);
-    auto* to = image.pixels.data() + static_cast<uint64_t>(y - display.top) * display.width() + (left - display.left);
+    auto* to = shown.data() + static_cast<uint64_t>(y - display.top) * display.width() + (left - display.left);
     std::copy(from, from + (right - left + 1), to);
   }
-  return image;
+  return shown;
 }
 
-// The library's pool; its own default is none.
-int threads() {
-  const int count = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  if (Imf::globalThreadCount() < count) Imf::setGlobalThreadCount(count);
-  return count;
+optics::Chromaticities chromaticitiesOf(const Imf::Header& header) {
+  if (!Imf::hasChromaticities(header)) return {};
+  const Imf::Chromaticities& c = Imf::chromaticities(header);
+  const auto xy = [](const Imath::V2f& v) { return glm::dvec2(v.x, v.y); };
+  return {xy(c.red), xy(c.green), xy(c.blue), xy(c.white)};
+}
+
+ExrWindow windowOf(const Box2i& box) { return {box.min.x, box.min.y, box.max.x, box.max.y}; }
+
+bool sameSize(const ExrWindow& a, const ExrWindow& b) { return a.width() == b.width() && a.height() == b.height(); }
+
+void noteLayer(const std::vector<ExrPartChannels>& parts, const ExrLayer& layer, bool wanted, Notes& notes) {
+  const std::vector<ExrLayer> all = exrLayers(parts);
+  if (wanted || all.size() < 2) return;
+  std::string others;
+  for (const ExrLayer& other : all)
+    if (other.name != layer.name && others.size() < 200) others += (others.empty() ? "" : ", ") + other.name;
+  notes.push_back({Note::Severity::info, "",
+                   layer.name.empty() ? "the picture is taken; it also holds the layers " + others
+                                      : "the layer " + inQuotes(layer.name) + " is taken; it also holds " + others});
+}
+
+Result<RadianceImage> readExrImage(Bytes bytes, const std::vector<ExrPart>& scanned, const std::string& name,
+                                   const std::string& wanted) {
+  MemoryStream stream(bytes, name);
+  // Tables of chunks that are damaged are not guessed anew: that reads all of the file.
+  Imf::MultiPartInputFile file(stream, exrThreads(), false);
+  const std::vector<ExrPartChannels> parts = exrChannels(file);
+  const auto layer = chooseExrLayer(parts, wanted);
+  if (!layer) return fail(name, "", layer.error().problem, layer.error().remedy);
+  Imf::InputPart part(file, static_cast<int>(layer->part));
+  const ExrSource source{bytes, name, *layer, part.header().dataWindow()};
+  const ExrWindow data = windowOf(source.window), display = windowOf(part.header().displayWindow());
+  // The library has read the header for itself; it must not have understood something larger.
+  const ExrPart& claimed = scanned[std::min(layer->part, scanned.size() - 1)];
+  if (scanned.size() != static_cast<size_t>(file.parts()) || !sameSize(data, *claimed.data) ||
+      !sameSize(display, *claimed.display))
+    return fail(name, "", "the header contradicts itself", exrCopyAgain);
+  RadianceImage image;
+  if (layer->color == ExrColor::luminanceChroma) {
+    if (file.parts() > 1)
+      return fail(name, "", "luminance and chroma in one of several parts are not supported", convertExr);
+    readLuminanceChroma(source, image.pixels);
+  } else if (auto ok = readChannels(part, source, image.pixels); !ok) {
+    return tl::unexpected(ok.error());
+  }
+  image.width = static_cast<int>(display.width());
+  image.height = static_cast<int>(display.height());
+  if (source.window != part.header().displayWindow()) image.pixels = placeInDisplay(image.pixels, data, display);
+  noteLayer(parts, *layer, !wanted.empty(), image.notes);
+  toRec709(image, chromaticitiesOf(part.header()));
+  return image;
 }
 
 }  // namespace
 
 bool isExr(Bytes bytes) { return bytes.size() >= 4 && littleEndian(bytes, 0) == 20000630; }
 
-Result<RadianceImage> decodeExr(Bytes bytes, const std::string& name, const Limits& limits) {
+Result<RadianceImage> decodeExr(Bytes bytes, const std::string& name, const Limits& limits, const std::string& layer) {
   if (auto ok = checkVersion(bytes, name); !ok) return tl::unexpected(ok.error());
-  const Windows windows = findWindows(bytes);
-  if (auto ok = checkWindow(windows.data, "data window", name, limits); !ok) return tl::unexpected(ok.error());
-  if (auto ok = checkWindow(windows.display, "display window", name, limits); !ok) return tl::unexpected(ok.error());
+  const std::vector<ExrPart> parts = scanExrParts(bytes, (littleEndian(bytes, 4) & severalPartsBit) != 0);
+  for (const ExrPart& part : parts)
+    if (auto ok = checkExrPart(part, bytes.size(), name, limits); !ok) return tl::unexpected(ok.error());
   try {
-    MemoryStream stream(bytes, name);
-    Imf::InputFile file(stream, threads());
-    const auto channels = chooseChannels(file.header().channels(), name);
-    if (!channels) return tl::unexpected(channels.error());
-    const Box2i box = file.header().dataWindow(), shown = file.header().displayWindow();
-    const Window data{box.min.x, box.min.y, box.max.x, box.max.y};
-    const Window display{shown.min.x, shown.min.y, shown.max.x, shown.max.y};
-    // The library has read the header for itself; it must not have understood something larger.
-    if (data.width() != windows.data->width() || data.height() != windows.data->height() ||
-        display.width() != windows.display->width() || display.height() != windows.display->height()) {
-      return fail(name, "", "the header contradicts itself", copyAgain);
-    }
-    std::vector<glm::vec4> pixels(data.width() * data.height(), glm::vec4(0, 0, 0, 1));
-    readPixels(file, *channels, box, pixels);
-    if (box == shown)
-      return RadianceImage{static_cast<int>(data.width()), static_cast<int>(data.height()), std::move(pixels)};
-    return place(pixels, data, display);
+    return readExrImage(bytes, parts, name, layer);
   } catch (const std::bad_alloc&) {
     return fail(name, "", "there is not enough memory for the picture", "use a smaller picture");
   } catch (const std::exception& e) {
-    return fail(name, "", std::string("the picture is damaged: ") + e.what(), copyAgain);
+    return fail(name, "", std::string("the picture is damaged: ") + e.what(), exrCopyAgain);
   }
 }
 
@@ -238,10 +272,13 @@ Result<void> writeExr(const std::filesystem::path& path, const RadianceImage& im
                     Imf::Slice::Make(Imf::FLOAT, &image.pixels.data()->x + c, header.dataWindow(), sizeof(glm::vec4),
                                      sizeof(glm::vec4) * static_cast<size_t>(image.width)));
     }
-    Imf::OutputFile file(path.c_str(), header, threads());
-    file.setFrameBuffer(buffer);
-    file.writePixels(image.height);
-    return {};
+    MemoryOutput memory(path.string());
+    {
+      Imf::OutputFile file(memory, header, exrThreads());
+      file.setFrameBuffer(buffer);
+      file.writePixels(image.height);
+    }
+    return writeWholeFile(path, memory.bytes);
   } catch (const std::exception& e) {
     return fail(path.string(), "", std::string("cannot be written: ") + e.what(),
                 "check the folder, its permissions and the space left");

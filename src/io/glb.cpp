@@ -23,6 +23,12 @@ tl::unexpected<Error> truncated(uint64_t offset, uint64_t wanted, uint64_t size)
       "copy or download it again");
 }
 
+// Whether a binary chunk that fits begins there.
+bool binaryChunkAt(std::span<const uint8_t> bytes, uint64_t at, uint64_t length) {
+  return at + chunkHeaderSize <= length && littleEndian(bytes, at + 4) == binaryChunk &&
+         littleEndian(bytes, at) <= length - at - chunkHeaderSize;
+}
+
 }  // namespace
 
 bool isGlb(std::span<const uint8_t> bytes) {
@@ -56,7 +62,11 @@ Result<GlbParts> splitGlb(std::span<const uint8_t> bytes) {
     if (first) parts.json = {reinterpret_cast<const char*>(chunk.data()), chunk.size()};
     if (type == binaryChunk && !parts.hasBinary) parts.binary = chunk, parts.hasBinary = true;
     first = false;
+    const uint64_t end = at + chunkHeaderSize + chunkSize;
     at += chunkHeaderSize + (chunkSize + 3) / 4 * 4;
+    if (at == end || binaryChunkAt(bytes, at, length) || !binaryChunkAt(bytes, end, length)) continue;
+    parts.unpadded = true;  // as some writers do
+    at = end;
   }
   // Padded with spaces by the book, with zeros by some writers.
   while (parts.json.ends_with('\0')) parts.json.remove_suffix(1);

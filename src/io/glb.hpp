@@ -14,6 +14,7 @@ struct GlbParts {
   std::string_view json;
   std::span<const uint8_t> binary;
   bool hasBinary = false;
+  bool unpadded = false;  // a chunk's end was no multiple of four bytes, and the next one followed all the same
 };
 
 bool isGlb(std::span<const uint8_t> bytes);

@@ -203,10 +203,21 @@ Result<LoadedModel> load(Document& doc, std::span<const uint8_t> bytes) {
     doc.json = parts->json;
     doc.binary = parts->binary;
     doc.hasBinary = parts->hasBinary;
+    if (parts->unpadded) doc.warning("", "its JSON is not padded to a multiple of four bytes, as a .glb has to be");
+  }
+  if (auto text = withValidUtf8(doc.json)) {
+    doc.warning("", "its text is not all UTF-8: what is not is replaced by \xEF\xBF\xBD");
+    doc.validUtf8 = std::move(*text);
+    doc.json = doc.validUtf8;
+  }
+  if (auto text = withWholeNumbers(doc.json)) {
+    doc.wholeNumbers = std::move(*text);
+    doc.json = doc.wholeNumbers;
   }
   auto outline = scanJson(doc.json, doc.limits.jsonDepth);
   if (!outline) return doc.error(outline.error().place, outline.error().problem, outline.error().remedy);
   doc.outline = std::move(*outline);
+  for (const std::string& key : doc.outline.givenTwice) doc.warning("/" + key, "is given twice: the later one counts");
   // In this order: what a file may ask for first, then bytes, then what refers to them.
   for (const auto step : {readAsset, checkExtensions, readBuffers, parse, decodeMeshopt}) {
     if (auto ok = step(doc); !ok) return tl::unexpected(ok.error());

@@ -102,7 +102,7 @@ size_t targetsOfMesh(const Document& doc, int mesh) {
 Targets nodeTarget(Document& doc, AnimationTarget target, const std::string& place) {
   if (target.channel.property == AnimatedProperty::weights) {
     const int node = target.channel.object;
-    const size_t count = targetsOfMesh(doc, doc.gltf.nodes[static_cast<size_t>(node)].mesh);
+    const size_t count = targetsOfMesh(doc, doc.model.nodes[static_cast<size_t>(node)].mesh);
     if (count == 0) {
       doc.warning(place, "node " + std::to_string(node) + " has no morph targets: the channel is ignored");
       return {};
@@ -117,7 +117,7 @@ std::optional<AnimationTarget> oneWeight(const Document& doc, std::string_view p
   constexpr std::string_view head = "weights/";
   if (!path.starts_with(head)) return std::nullopt;
   path.remove_prefix(head.size());
-  const int element = takeIndex(path, targetsOfMesh(doc, doc.gltf.nodes[static_cast<size_t>(node)].mesh));
+  const int element = takeIndex(path, targetsOfMesh(doc, doc.model.nodes[static_cast<size_t>(node)].mesh));
   if (element == -1 || !path.empty()) return std::nullopt;
   AnimationTarget target;
   target.channel.property = AnimatedProperty::weights;

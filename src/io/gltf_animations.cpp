@@ -87,6 +87,19 @@ double lengthOf(std::span<const float> values) {
   return std::sqrt(sum);
 }
 
+// Two keys at one time are a jump there: the later one comes at the next number that there is. Of more, those between
+// are left to dropBadKeys.
+void spreadJumps(Document& doc, scene::AnimationSampler& sampler, const std::string& place) {
+  size_t jumps = 0;
+  auto& times = sampler.times;
+  for (size_t i = 1; i < times.size(); ++i) {
+    if (times[i] != times[i - 1] || (i + 1 < times.size() && times[i + 1] == times[i])) continue;
+    times[i] = std::nextafter(times[i], std::numeric_limits<float>::infinity());
+    ++jumps;
+  }
+  if (jumps > 0) doc.info(place, std::to_string(jumps) + " times two keys lie at one time: a jump");
+}
+
 // Leaves only the keys that can be used: finite, later than the one before.
 void dropBadKeys(Document& doc, scene::AnimationSampler& sampler, bool unitLength, const std::string& place) {
   const size_t stride = strideOf(sampler), count = sampler.times.size();
@@ -172,6 +185,7 @@ Result<MaybeSampler> readSampler(AnimationReader& reader, int index, const Wante
   readFloats(doc, *input, 1, sampler.times.data());
   readFloats(doc, *output, wanted.components, sampler.values.data(), wanted.normalized);
   const bool unitLength = wanted.rotation && sampler.interpolation != Interpolation::cubicSpline;
+  spreadJumps(doc, sampler, place);
   dropBadKeys(doc, sampler, unitLength, place);
   if (sampler.times.empty()) {
     refuse(doc, place, "has no keys");
@@ -257,7 +271,9 @@ Result<void> readAnimations(Document& doc) {
     reader.animation.name = stringAt(from, "name");
     const Json& channels = arrayAt(from, "channels");
     for (size_t c = 0; c < channels.size(); ++c) {
-      if (auto ok = readChannel(reader, channels[c], pointer(reader.place + "/channels", c)); !ok) return ok;
+      const auto ok = readChannel(reader, channels[c], pointer(reader.place + "/channels", c));
+      if (auto fits = checkBytes(reader); !fits) return fits;
+      if (!ok) doc.lost(ok.error(), "the channel is left out");
     }
     noteDuplicates(doc, reader.animation, reader.place);
     doc.model.animations.push_back(std::move(reader.animation));

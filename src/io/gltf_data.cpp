@@ -54,8 +54,18 @@ const std::string* textAt(const Json& object, const char* key) {
   return found != object.end() && found->is_string() ? &found->get_ref<const std::string&>() : nullptr;
 }
 
-Result<std::filesystem::path> resolve(const Document& doc, const std::string& uri, const std::string& place) {
+Result<std::filesystem::path> resolve(Document& doc, const std::string& uri, const std::string& place) {
   auto path = resolveBelow(doc.folder, uri);
+  std::error_code code;
+  if (uri.find('\\') != std::string::npos && !(path && std::filesystem::exists(*path, code))) {
+    std::string slashes = uri;
+    std::ranges::replace(slashes, '\\', '/');
+    const auto other = resolveBelow(doc.folder, slashes);
+    if (other && std::filesystem::exists(*other, code)) {
+      doc.info(place, "its backslashes are taken for slashes");
+      return other;
+    }
+  }
   if (!path) return doc.error(place, path.error().problem, path.error().remedy);
   return path;
 }
@@ -102,6 +112,19 @@ bool isFallback(const Document& doc, const Json& buffer, size_t index) {
   return false;
 }
 
+// Whether a buffer view names it, itself or by an extension.
+bool viewUses(const Document& doc, size_t buffer) {
+  const auto names = [&](const Json& object) {
+    const auto found = object.is_object() ? object.find("buffer") : object.end();
+    return object.is_object() && found != object.end() && *found == buffer;
+  };
+  const auto views = section(doc, "bufferViews");
+  return !views || std::ranges::any_of(*views, [&](const Json& view) {
+    const auto extensions = view.find("extensions");
+    return names(view) || (extensions != view.end() && std::ranges::any_of(*extensions, names));
+  });
+}
+
 Result<void> readBuffer(Document& doc, const Json& buffer, size_t index) {
   const std::string place = pointer("/buffers", index);
   const auto length = buffer.find("byteLength");
@@ -116,6 +139,11 @@ Result<void> readBuffer(Document& doc, const Json& buffer, size_t index) {
     return {};
   }
   const auto span = bufferBytes(doc, buffer, index, place);
+  if (!span && !viewUses(doc, index)) {
+    doc.info(span.error().place, span.error().problem + ": nothing uses the buffer");
+    doc.buffers.emplace_back();
+    return {};
+  }
   if (!span) return tl::unexpected(span.error());
   if (span->size() < bytes) {
     return doc.error(place, "should have " + std::to_string(bytes) + " bytes and has " + std::to_string(span->size()),
@@ -130,24 +158,23 @@ std::string lastPart(const std::string& uri) {
   return path.substr(path.rfind('/') + 1);
 }
 
-Result<void> imageFromView(Document& doc, const Json& image, const std::string& place, scene::Image& result) {
+void imageFromView(const Document& doc, const Json& image, scene::Image& result) {
   const auto view = image.find("bufferView");
   if (view == image.end() || !view->is_number_integer()) {
     result.problem = "it has neither a file nor data";
-    return {};
+    return;
   }
   const auto index = view->get<int64_t>();
   const auto count = static_cast<int64_t>(doc.gltf.bufferViews.size());
   if (index < 0 || index >= count) {
-    return doc.error(place + "/bufferView",
-                     "buffer view " + std::to_string(index) + " does not exist; there are " + std::to_string(count));
+    result.problem = "buffer view " + std::to_string(index) + " does not exist; there are " + std::to_string(count);
+    return;
   }
   const auto bytes = viewBytes(doc, static_cast<int>(index));
   result.encoded.assign(bytes.begin(), bytes.end());
-  return {};
 }
 
-Result<void> imageFromUri(Document& doc, const std::string& uri, const std::string& place, scene::Image& result) {
+void imageFromUri(Document& doc, const std::string& uri, const std::string& place, scene::Image& result) {
   if (isDataUri(uri)) {
     auto bytes = decodeDataUri(uri);
     if (bytes) {
@@ -155,19 +182,19 @@ Result<void> imageFromUri(Document& doc, const std::string& uri, const std::stri
     } else {
       result.problem = "its data: URI is malformed";
     }
-    return {};
+    return;
   }
   const auto path = resolve(doc, uri, place + "/uri");
-  if (!path) return tl::unexpected(path.error());
   std::error_code code;
-  if (!std::filesystem::exists(*path, code)) {
+  if (!path) {
+    result.problem = path.error().problem;
+  } else if (!std::filesystem::exists(*path, code)) {
     result.problem = "the file " + inQuotes(uri) + " does not exist";
   } else if (!std::filesystem::is_regular_file(*path, code)) {
     result.problem = inQuotes(uri) + " is not a regular file";
   } else {
     result.file = *path;
   }
-  return {};
 }
 
 }  // namespace
@@ -190,8 +217,7 @@ Result<void> readImages(Document& doc) {
     const std::string *name = textAt(image, "name"), *uri = textAt(image, "uri");
     scene::Image result;
     result.name = name && !name->empty() ? *name : uri && !isDataUri(*uri) ? lastPart(*uri) : place.substr(1);
-    const auto ok = uri ? imageFromUri(doc, *uri, place, result) : imageFromView(doc, image, place, result);
-    if (!ok) return ok;
+    uri ? imageFromUri(doc, *uri, place, result) : imageFromView(doc, image, result);
     if ((!name || name->empty()) && !result.file.empty()) result.name = result.file.filename().string();
     doc.model.images.push_back(std::move(result));
   }

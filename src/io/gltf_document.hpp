@@ -27,8 +27,9 @@ struct Document {
   Limits limits;
   uint64_t bytesRead = 0;  // counts towards limits.totalBytes
 
-  std::string_view json;            // the whole text
-  std::span<const uint8_t> binary;  // a .glb's chunk
+  std::string validUtf8, wholeNumbers;  // the text where json is not as the file has it (json_scan.hpp)
+  std::string_view json;                // the whole text
+  std::span<const uint8_t> binary;      // a .glb's chunk
   bool hasBinary = false;
   JsonOutline outline;
 
@@ -43,6 +44,10 @@ struct Document {
   tl::unexpected<Error> error(std::string place, std::string problem,
                               std::string remedy = "export the model again") const {
     return fail(name, std::move(place), std::move(problem), std::move(remedy));
+  }
+  // What the model can be shown without.
+  void lost(const Error& error, std::string_view instead) {
+    warning(error.place, error.problem + ": " + std::string(instead));
   }
   void info(std::string place, std::string text) {
     notes.push_back({Note::Severity::info, std::move(place), std::move(text)});

@@ -34,7 +34,7 @@ void readCone(Document& doc, const tinygltf::SpotLight& spot, const std::string&
   }
 }
 
-Result<void> readLight(Document& doc, size_t index) {
+void readLight(Document& doc, size_t index) {
   const auto& from = doc.gltf.lights[index];
   const std::string place = pointer("/extensions/KHR_lights_punctual/lights", index);
   constexpr double largest = std::numeric_limits<float>::max();
@@ -48,7 +48,10 @@ Result<void> readLight(Document& doc, size_t index) {
     light.type = scene::LightType::spot;
     readCone(doc, from.spot, place, light);
   } else {
-    return doc.error(place + "/type", "is none of directional, point and spot");
+    doc.warning(place + "/type", "is none of directional, point and spot: gives no light");
+    light.intensity = 0;
+    doc.model.lights.push_back(std::move(light));
+    return;
   }
   if (from.color.size() == 3) {
     for (int c = 0; c < 3; ++c) {
@@ -62,7 +65,6 @@ Result<void> readLight(Document& doc, size_t index) {
   // tinygltf says 0 where the file says nothing; the smallest normal float keeps 1 / range finite.
   if (from.range != 0) take(doc, from.range, std::numeric_limits<float>::min(), largest, place + "/range", light.range);
   doc.model.lights.push_back(std::move(light));
-  return {};
 }
 
 void readPerspective(Document& doc, const tinygltf::PerspectiveCamera& from, const std::string& place,
@@ -90,9 +92,7 @@ void readOrthographic(Document& doc, const tinygltf::OrthographicCamera& from, c
 }  // namespace
 
 Result<void> readLights(Document& doc) {
-  for (size_t i = 0; i < doc.gltf.lights.size(); ++i) {
-    if (auto ok = readLight(doc, i); !ok) return ok;
-  }
+  for (size_t i = 0; i < doc.gltf.lights.size(); ++i) readLight(doc, i);
   return {};
 }
 

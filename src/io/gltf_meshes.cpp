@@ -124,12 +124,6 @@ Result<void> checkPrimitive(Document& doc, const tinygltf::Primitive& primitive,
   if (primitive.mode < TINYGLTF_MODE_POINTS || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN) {
     return doc.error(place + "/mode", std::to_string(primitive.mode) + " is not a primitive mode");
   }
-  if (primitive.material != -1) {
-    if (auto ok = checkIndex(doc, primitive.material, doc.gltf.materials.size(), place + "/material", "material");
-        !ok) {
-      return ok;
-    }
-  }
   const auto position = primitive.attributes.find("POSITION");
   if (position == primitive.attributes.end()) {
     doc.warning(place, "has no positions: not shown");
@@ -154,6 +148,15 @@ Result<void> checkPrimitive(Document& doc, const tinygltf::Primitive& primitive,
   use = vertexCount > 0 && (primitive.indices == -1 || count(doc, primitive.indices) > 0);
   if (!use) doc.info(place, "has no vertices: not shown");
   return {};
+}
+
+// -1, the default one, where it does not exist.
+int materialOf(Document& doc, const tinygltf::Primitive& primitive, const std::string& place) {
+  if (primitive.material == -1) return -1;
+  const auto ok = checkIndex(doc, primitive.material, doc.gltf.materials.size(), place + "/material", "material");
+  if (ok) return primitive.material;
+  doc.lost(ok.error(), "the default one is used");
+  return -1;
 }
 
 uint64_t decodedBytes(const Document& doc, const tinygltf::Primitive& primitive, const TexCoordSets& sets) {
@@ -281,6 +284,17 @@ void readSurfaceData(const Document& doc, Job& job) {
   if (const size_t n = replaceNonFinite(primitive.colors, glm::vec4(1)); n > 0) {
     job.note(Note::Severity::warning, "/attributes/COLOR_0", std::to_string(n) + " are not finite: replaced by white");
   }
+  // Where targets change them, the sum is (glTF 2.0, 3.7.2.2); the vertex stage does that.
+  const auto changes = [](const auto& target) { return target.count("COLOR_0") > 0; };
+  if (std::ranges::any_of(job.from->targets, changes)) return;
+  size_t clamped = 0;
+  for (glm::vec4& color : primitive.colors) {
+    const glm::vec4 inRange = glm::clamp(color, 0.0f, 1.0f);
+    clamped += inRange != color ? 1 : 0;
+    color = inRange;
+  }
+  if (clamped > 0)
+    job.note(Note::Severity::info, "/attributes/COLOR_0", std::to_string(clamped) + " are not within 0 to 1: clamped");
 }
 
 // False after an error.
@@ -340,10 +354,13 @@ Result<void> readMeshes(Document& doc) {
       bool use = false;
       if (auto ok = checkPrimitive(doc, mesh.primitives[p], place, use); !ok) return ok;
       auto variants = variantMaterials(doc, mesh.primitives[p], place);
-      if (!variants) return tl::unexpected(variants.error());
+      if (!variants) {
+        doc.lost(variants.error(), "shown without its variants");
+        variants = std::vector<int>();
+      }
       if (!use) continue;
       Job& job = jobs.emplace_back(Job{.from = &mesh.primitives[p], .place = std::move(place)});
-      job.primitive.material = job.from->material;
+      job.primitive.material = materialOf(doc, *job.from, job.place);
       job.primitive.variantMaterials = std::move(*variants);
       job.sets = wantedSets(doc, job.primitive);
       job.joints = joints[m];

@@ -102,21 +102,25 @@ Result<void> readNode(Document& doc, size_t index, uint64_t& instanceBytes) {
   const std::string place = pointer("/nodes", index);
   scene::Node& node = doc.model.nodes[index];
   node.name = from.name;
-  node.mesh = from.mesh;
-  node.camera = from.camera;
-  node.skin = from.skin;
   const struct {
     int value;
+    int& to;
     size_t count;
     const char *key, *what;
-  } references[] = {{from.mesh, doc.gltf.meshes.size(), "/mesh", "mesh"},
-                    {from.camera, doc.gltf.cameras.size(), "/camera", "camera"},
-                    {from.skin, doc.model.skins.size(), "/skin", "skin"}};
+  } references[] = {{from.mesh, node.mesh, doc.gltf.meshes.size(), "/mesh", "mesh"},
+                    {from.camera, node.camera, doc.gltf.cameras.size(), "/camera", "camera"},
+                    {from.skin, node.skin, doc.model.skins.size(), "/skin", "skin"}};
   for (const auto& r : references) {
     if (r.value == -1) continue;
-    if (auto ok = checkIndex(doc, r.value, r.count, place + r.key, r.what); !ok) return ok;
+    const auto ok = checkIndex(doc, r.value, r.count, place + r.key, r.what);
+    ok ? void(r.to = r.value) : doc.lost(ok.error(), "the node is shown without it");
   }
-  if (auto ok = readNodeLight(doc, from, place, node); !ok) return ok;
+  // A skin that could not be read has no joints; its loss has been told.
+  if (node.skin != -1 && doc.model.skins[static_cast<size_t>(node.skin)].joints.empty()) node.skin = -1;
+  if (auto ok = readNodeLight(doc, from, place, node); !ok) {
+    node.light = -1;
+    doc.lost(ok.error(), "the node is shown without it");
+  }
   if (auto ok = readNodeWeights(doc, from, place, node); !ok) return ok;
   if (auto ok = readInstances(doc, from, place, node, instanceBytes); !ok) return ok;
   readVisibility(doc, from, place, node);
@@ -206,8 +210,8 @@ Result<void> readNodes(Document& doc) {
     if (auto ok = readScene(doc, i); !ok) return ok;
   }
   if (doc.gltf.defaultScene != -1) {
-    if (auto ok = checkIndex(doc, doc.gltf.defaultScene, doc.gltf.scenes.size(), "/scene", "scene"); !ok) return ok;
-    doc.model.defaultScene = doc.gltf.defaultScene;
+    const auto ok = checkIndex(doc, doc.gltf.defaultScene, doc.gltf.scenes.size(), "/scene", "scene");
+    ok ? void(doc.model.defaultScene = doc.gltf.defaultScene) : doc.lost(ok.error(), "the first one is shown");
   }
   if (!doc.model.scenes.empty()) return {};
   scene::Scene all;  // a library of meshes: show it whole

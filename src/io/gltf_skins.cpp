@@ -76,9 +76,12 @@ Result<void> readSkins(Document& doc) {
     const std::string place = pointer("/skins", i);
     scene::Skin skin;
     skin.name = stringAt(from, "name");
-    if (auto ok = readJoints(doc, from, place, skin); !ok) return ok;
-    if (const auto matrices = from.find("inverseBindMatrices"); matrices != from.end()) {
-      if (auto ok = readMatrices(doc, *matrices, place + "/inverseBindMatrices", skin); !ok) return ok;
+    auto ok = readJoints(doc, from, place, skin);
+    const auto matrices = from.find("inverseBindMatrices");
+    if (ok && matrices != from.end()) ok = readMatrices(doc, *matrices, place + "/inverseBindMatrices", skin);
+    if (!ok) {
+      doc.lost(ok.error(), "what it moves is shown at rest");
+      skin = {skin.name, {}, {}};
     }
     doc.model.skins.push_back(std::move(skin));
   }

@@ -72,7 +72,12 @@ Result<int> textureImage(Document& doc, const Json& from, const std::string& pla
   if (webp) at = place + "/extensions/EXT_texture_webp/source";
   if (webp && source && *source == nullptr) source = valueAt(doc, from, "source", at = place);
   if (!source) return tl::unexpected(source.error());
-  if (*source != nullptr) return readIndex(doc, **source, doc.model.images.size(), at, "image");
+  if (*source != nullptr) {
+    const auto image = readIndex(doc, **source, doc.model.images.size(), at, "image");
+    if (image) return image;
+    doc.lost(image.error(), "a placeholder is shown");
+    return -1;
+  }
   if (extensionOf(from, "KHR_texture_basisu")) {
     doc.warning(place,
                 "its image is only given through KHR_texture_basisu, which is not supported yet: a placeholder is "
@@ -124,8 +129,9 @@ Result<void> readTextures(Document& doc) {
     if (!image) return tl::unexpected(image.error());
     texture.image = *image;
     if (from.sampler != -1) {
-      if (auto ok = checkIndex(doc, from.sampler, samplers.size(), place + "/sampler", "sampler"); !ok) return ok;
-      texture.sampler = samplers[static_cast<size_t>(from.sampler)];
+      const auto ok = checkIndex(doc, from.sampler, samplers.size(), place + "/sampler", "sampler");
+      ok ? void(texture.sampler = samplers[static_cast<size_t>(from.sampler)])
+         : doc.lost(ok.error(), "repeat and linear are used");
     }
     doc.model.textures.push_back(std::move(texture));
   }
@@ -178,7 +184,10 @@ Result<void> readTextureRef(Document& doc, const Json& object, std::string_view 
   if (!index) return tl::unexpected(index.error());
   const auto texture =
       readIndex(doc, *index ? **index : Json(), doc.model.textures.size(), place + "/index", "texture");
-  if (!texture) return tl::unexpected(texture.error());
+  if (!texture) {
+    doc.lost(texture.error(), "shown without this texture");
+    return {};
+  }
   scene::TextureRef ref;
   ref.texture = *texture;
   if (auto ok = readTexCoord(doc, **info, place, ref); !ok) return ok;

@@ -47,7 +47,10 @@ Result<void> readVariants(Document& doc) {
   if (extension == doc.gltf.extensions.end()) return {};
   const std::string place = std::string("/extensions/") + variantsExtension + "/variants";
   const Value& variants = memberValue(extension->second, "variants");
-  if (!variants.IsArray()) return doc.error(place, "is not a list of variants");
+  if (!variants.IsArray()) {
+    doc.warning(place, "is not a list of variants: there are none");
+    return {};
+  }
   for (size_t i = 0; i < variants.ArrayLen(); ++i) {
     const Value& name = memberValue(variants.Get(static_cast<int>(i)), "name");
     if (!name.IsString()) doc.warning(pointer(place, i), "has no name: choose it by its index");

@@ -21,18 +21,20 @@ struct Pixels {
   int bytesPerSample = 1;  // 1 or 2
   std::vector<uint8_t> data;
   bool placeholder = false;  // the image was missing or corrupt
+  std::string flaw = {};     // not empty: read in spite of damage, so that a part may look wrong; what the decoder says
 };
 
+// Errors: no such format, over a limit, damaged (in part, too), no memory.
 Result<Pixels> decodeImage(std::span<const uint8_t> encoded, const std::string& name, const Limits& limits = {});
 
 // Decodes images[i] of the model in parallel where wanted[i]; the rest stay empty (width 0). A missing or corrupt image
-// becomes a conspicuous placeholder and a warning that names it.
+// becomes a conspicuous placeholder and a warning that names it; one that is damaged in part is a warning.
 std::vector<Pixels> decodeImages(const scene::Model& model, const std::vector<bool>& wanted, Notes& notes,
                                  const Limits& limits = {});
 
 Pixels placeholderImage();  // magenta and black checks
 
-// 8-bit RGB or RGBA. Errors: the file cannot be written.
+// 8-bit RGB or RGBA, whole or not at all (base/whole_file.hpp). Errors: the file cannot be written.
 Result<void> writePng(const std::filesystem::path& path, const Pixels& pixels);
 
 // The same into memory; `name` leads the error.

@@ -1,8 +1,12 @@
 #include "io/json_scan.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <span>
+#include <utility>
 
 #include "io/uri.hpp"
 
@@ -28,6 +32,94 @@ std::string stringValue(std::string_view token) {
   if (token.find('\\') == std::string_view::npos) return std::string(token.substr(1, token.size() - 2));
   const auto value = nlohmann::json::parse(token.begin(), token.end(), nullptr, false);
   return value.is_string() ? value.get<std::string>() : std::string(token);
+}
+
+// Bytes of the code point at the beginning; 0 where there is none (RFC 3629).
+size_t utf8Length(std::string_view text) {
+  const auto byte = [&](size_t i) { return static_cast<uint8_t>(i < text.size() ? text[i] : 0); };
+  const auto within = [&](size_t i, int low, int high) { return byte(i) >= low && byte(i) <= high; };
+  const uint8_t first = byte(0);
+  if (first < 0x80) return 1;
+  if (first >= 0xC2 && first <= 0xDF) return within(1, 0x80, 0xBF) ? 2 : 0;
+  if (first >= 0xE0 && first <= 0xEF) {
+    const bool second = within(1, first == 0xE0 ? 0xA0 : 0x80, first == 0xED ? 0x9F : 0xBF);
+    return second && within(2, 0x80, 0xBF) ? 3 : 0;
+  }
+  if (first >= 0xF0 && first <= 0xF4) {
+    const bool second = within(1, first == 0xF0 ? 0x90 : 0x80, first == 0xF4 ? 0x8F : 0xBF);
+    return second && within(2, 0x80, 0xBF) && within(3, 0x80, 0xBF) ? 4 : 0;
+  }
+  return 0;
+}
+
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+// A number with a fraction or an exponent that stands for a whole number which a double holds exactly; as digits.
+std::optional<std::string> digitsOf(std::string_view token) {
+  size_t i = token.starts_with('-') ? 1 : 0;
+  const auto digits = [&] {
+    const size_t begin = i;
+    while (i < token.size() && isDigit(token[i])) ++i;
+    return i - begin;
+  };
+  const size_t integer = i, integerDigits = digits();
+  if (integerDigits == 0 || (integerDigits > 1 && token[integer] == '0')) return std::nullopt;
+  if (i < token.size() && token[i] == '.' && (++i, digits() == 0)) return std::nullopt;
+  if (i < token.size() && (token[i] == 'e' || token[i] == 'E')) {
+    ++i;
+    if (i < token.size() && (token[i] == '+' || token[i] == '-')) ++i;
+    if (digits() == 0) return std::nullopt;
+  }
+  double value = 0;
+  const auto [end, code] = std::from_chars(token.data(), token.data() + token.size(), value);
+  constexpr double largest = 9007199254740992.0;  // 2^53
+  if (i != token.size() || code != std::errc() || value != std::floor(value) || std::abs(value) > largest)
+    return std::nullopt;
+  if (value == 0 && token.starts_with('-')) return std::nullopt;  // the sign would be lost
+  return std::to_string(static_cast<int64_t>(value));
+}
+
+// Where tinygltf takes anything else than a whole number for "not given" or zero: the section of the root, how many
+// brackets are open (the root's counted), the key.
+struct WholeNumberKey {
+  std::string_view section;
+  size_t depth;
+  std::string_view key;
+};
+constexpr WholeNumberKey wholeNumberKeys[] = {
+    {"scene", 1, "scene"},
+    {"accessors", 3, "bufferView"},
+    {"accessors", 3, "byteOffset"},
+    {"accessors", 3, "componentType"},
+    {"accessors", 3, "count"},
+    {"accessors", 4, "count"},  // sparse
+    {"accessors", 5, "bufferView"},
+    {"accessors", 5, "byteOffset"},
+    {"accessors", 5, "componentType"},
+    {"bufferViews", 3, "buffer"},
+    {"bufferViews", 3, "byteOffset"},
+    {"bufferViews", 3, "byteLength"},
+    {"bufferViews", 3, "byteStride"},
+    {"bufferViews", 3, "target"},
+    {"meshes", 5, "indices"},
+    {"meshes", 5, "material"},
+    {"meshes", 5, "mode"},
+    {"nodes", 3, "camera"},
+    {"nodes", 3, "mesh"},
+    {"nodes", 3, "skin"},
+    {"samplers", 3, "magFilter"},
+    {"samplers", 3, "minFilter"},
+    {"samplers", 3, "wrapS"},
+    {"samplers", 3, "wrapT"},
+    {"textures", 3, "sampler"},
+    {"textures", 3, "source"},
+};
+// The same for arrays of them.
+constexpr WholeNumberKey wholeNumberLists[] = {{"nodes", 3, "children"}, {"scenes", 3, "nodes"}};
+
+bool isNamed(std::span<const WholeNumberKey> keys, std::string_view section, size_t depth, std::string_view key) {
+  return std::ranges::any_of(
+      keys, [&](const WholeNumberKey& k) { return k.depth == depth && k.key == key && k.section == section; });
 }
 
 bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
@@ -56,6 +148,7 @@ class Scanner {
   Result<void> step(size_t& i) {
     const char c = text_[i];
     if (isSpace(c)) return {};
+    if (auto ok = checkWholeNumber(i); !ok) return ok;
     if (c != '}' && c != ']' && c != ',' && c != ':') valueStarts(i);
     switch (c) {
       case '"':
@@ -68,15 +161,55 @@ class Scanner {
         return closes(i);
       case ',':
         expectKey_ = open_.back() == '{';
-        if (open_.size() == 1) endMember(i);
+        if (open_.size() == 1) endMember(i), pendingValue_ = false;
         if (open_.size() == 2) ++commas_;
         return {};
       case ':':
-        if (open_.size() == 1 && !outline_.members.empty()) pendingValue_ = true;
+        if (open_.size() == 1 && !outline_.members.empty()) pendingValue_ = !expectKey_;
         return {};
       default:
         return {};
     }
+  }
+
+  // Where the value of a key, or an element of its list, has to be one.
+  Result<void> checkWholeNumber(size_t i) {
+    const char c = text_[i];
+    if (i < checkedEnd_ || (numberKey_.empty() && listKey_.empty())) return {};
+    if (!numberKey_.empty()) {
+      if (c == ':') return {};
+      const std::string_view key = std::exchange(numberKey_, {});
+      if (isList_ && c == '[') {
+        listKey_ = key;
+        listDepth_ = open_.size() + 1;
+        return {};
+      }
+      return checkDigits(i, key, !isList_);
+    }
+    if (open_.size() != listDepth_ || c == ',') return {};
+    if (c != ']') return checkDigits(i, listKey_, false);
+    listKey_ = {};
+    return {};
+  }
+
+  Result<void> checkDigits(size_t i, std::string_view key, bool orNull) {
+    size_t end = i;
+    while (end < text_.size() && !isSpace(text_[end]) && std::string_view(",:{}[]").find(text_[end]) == text_.npos)
+      ++end;
+    std::string_view token = text_.substr(i, end - i);
+    checkedEnd_ = end;
+    if (orNull && token == "null") return {};
+    if (token.starts_with('-')) token.remove_prefix(1);
+    if (!token.empty() && std::ranges::all_of(token, isDigit)) return {};
+    return error(i, inQuotes(key) + (orNull ? " is not a whole number" : " is no list of whole numbers"));
+  }
+
+  // After its key.
+  void expectWholeNumber(std::string_view key) {
+    if (open_.size() > 5 || (open_.size() > 1 && (!openMember_ || outline_.members.empty()))) return;
+    const std::string_view section = open_.size() == 1 ? key : std::string_view(outline_.members.back().key);
+    isList_ = isNamed(wholeNumberLists, section, open_.size(), key);
+    if (isList_ || isNamed(wholeNumberKeys, section, open_.size(), key)) numberKey_ = key;
   }
 
   void valueStarts(size_t i) {
@@ -102,7 +235,8 @@ class Scanner {
     if (end > text_.size()) return error(i, "ends inside a JSON string");
     if (expectKey_) {
       expectKey_ = false;
-      if (auto ok = key(i, stringOrEmpty(i, end)); !ok) return ok;
+      key(stringOrEmpty(i, end));
+      expectWholeNumber(text_.substr(i + 1, end - i - 2));
     }
     i = end - 1;
     return {};
@@ -113,16 +247,21 @@ class Scanner {
     return open_.size() == 1 || inAccessor() ? stringValue(text_.substr(begin, end - begin)) : std::string();
   }
 
-  bool inAccessor() const { return open_.size() == 3 && open_[1] == '[' && outline_.members.back().key == "accessors"; }
+  // Brackets may open where no member's value does: text that no parser takes has come here, too.
+  bool inAccessor() const {
+    return open_.size() == 3 && open_[1] == '[' && openMember_ && outline_.members.back().key == "accessors";
+  }
 
-  Result<void> key(size_t i, std::string name) {
+  void key(std::string name) {
     if (open_.size() == 1) {
-      if (!keys_.insert(name).second) return error(i, "the key " + inQuotes(name) + " is given twice");
+      if (!keys_.insert(name).second) {
+        outline_.givenTwice.push_back(name);
+        if (name == "accessors") outline_.accessorsWithoutView.clear();
+      }
       outline_.members.push_back({std::move(name), 0, 0, 0});
     } else if (inAccessor() && name == "bufferView") {
       accessorHasView_ = true;
     }
-    return {};
   }
 
   Result<void> opens(size_t i) {
@@ -158,13 +297,16 @@ class Scanner {
   bool expectKey_ = false, pendingValue_ = false, openMember_ = false;
   bool hasElement_ = false, accessorHasView_ = false;
   size_t commas_ = 0, accessorBegin_ = 0;
+  std::string_view numberKey_, listKey_;  // whose value comes, whose list is open
+  bool isList_ = false;                   // of numberKey_
+  size_t listDepth_ = 0, checkedEnd_ = 0;
 };
 
 }  // namespace
 
 const JsonMember* JsonOutline::find(std::string_view key) const {
-  const auto found = std::find_if(members.begin(), members.end(), [&](const JsonMember& m) { return m.key == key; });
-  return found == members.end() || found->end <= found->begin ? nullptr : &*found;
+  const auto found = std::find_if(members.rbegin(), members.rend(), [&](const JsonMember& m) { return m.key == key; });
+  return found == members.rend() || found->end <= found->begin ? nullptr : &*found;
 }
 
 size_t JsonOutline::elements(std::string_view key) const {
@@ -173,6 +315,49 @@ size_t JsonOutline::elements(std::string_view key) const {
 }
 
 Result<JsonOutline> scanJson(std::string_view text, int maxDepth) { return Scanner(text, maxDepth).run(); }
+
+std::optional<std::string> withValidUtf8(std::string_view text) {
+  std::string out;
+  size_t copied = 0;
+  for (size_t i = 0; i < text.size();) {
+    const size_t length = utf8Length(text.substr(i));
+    if (length > 0) {
+      i += length;
+      continue;
+    }
+    out.append(text.substr(copied, i - copied)).append("\xEF\xBF\xBD");
+    copied = ++i;
+  }
+  if (copied == 0) return std::nullopt;
+  return out.append(text.substr(copied));
+}
+
+std::optional<std::string> withWholeNumbers(std::string_view text) {
+  std::string out;
+  size_t copied = 0;
+  for (size_t i = 0; i < text.size();) {
+    if (text[i] == '"') {
+      i = skipString(text, i);
+      continue;
+    }
+    if (!isDigit(text[i]) && text[i] != '-') {
+      ++i;
+      continue;
+    }
+    const size_t begin = i;
+    bool other = false;  // than digits
+    for (; i < text.size() && (isDigit(text[i]) || std::string_view("+-.eE").find(text[i]) != text.npos); ++i)
+      other = other || (i > begin && !isDigit(text[i]));
+    if (!other) continue;
+    const auto digits = digitsOf(text.substr(begin, i - begin));
+    if (!digits) continue;
+    out.append(text.substr(copied, begin - copied)).append(*digits);
+    out.append(i - begin - std::min(i - begin, digits->size()), ' ');
+    copied = i;
+  }
+  if (copied == 0) return std::nullopt;
+  return out.append(text.substr(copied));
+}
 
 std::string lineAndColumn(std::string_view text, size_t offset) {
   const std::string_view before = text.substr(0, std::min(offset, text.size()));

@@ -1,26 +1,59 @@
 #include "io/radiance.hpp"
 
+#include <cmath>
+#include <cstdio>
+
 #include "io/exr.hpp"
 #include "io/hdr.hpp"
 #include "io/safe_files.hpp"
 
 namespace facet::io {
 
-Result<RadianceImage> readRadiance(const std::filesystem::path& path, const Limits& limits) {
+Result<RadianceImage> readRadiance(const std::filesystem::path& path, const Limits& limits, const std::string& layer) {
   const std::string name = path.string();
   try {
     const auto bytes = readRegularFile(path, limits.fileBytes);
     if (!bytes) return tl::unexpected(bytes.error());
-    if (isHdr(bytes->span())) return decodeHdr(bytes->span(), name, limits);
-    if (isExr(bytes->span())) return decodeExr(bytes->span(), name, limits);
+    if (isExr(bytes->span())) return decodeExr(bytes->span(), name, limits, layer);
+    if (isHdr(bytes->span())) {
+      if (!layer.empty()) return fail(name, "", "a Radiance picture has no layers", "leave the layer's name out");
+      return decodeHdr(bytes->span(), name, limits);
+    }
   } catch (const std::exception&) {
     return fail(name, "", "there is not enough memory for the picture", "use a smaller picture");
   }
   return fail(name, "", "is neither a Radiance (.hdr) nor an OpenEXR (.exr) picture", "convert it to one of them");
 }
 
-Result<scene::Environment> loadEnvironment(const std::filesystem::path& path, Notes& notes, const Limits& limits) {
-  auto image = readRadiance(path, limits);
+void toRec709(RadianceImage& image, const optics::Chromaticities& primaries) {
+  if (optics::isRec709(primaries)) return;
+  const auto text = [](const glm::dvec2& c) {
+    char buffer[40];
+    std::snprintf(buffer, sizeof buffer, "%.4g, %.4g", c.x, c.y);
+    return std::string(buffer);
+  };
+  const std::string what = "the primaries " + text(primaries.red) + "; " + text(primaries.green) + "; " +
+                           text(primaries.blue) + " and the white " + text(primaries.white);
+  const auto matrix = optics::rec709FromRgb(primaries);
+  if (!matrix) {
+    image.notes.push_back({Note::Severity::warning, "", what + " span no colours: taken for those of Rec. 709"});
+    return;
+  }
+  image.notes.push_back({Note::Severity::info, "", "converted to Rec. 709 from " + what});
+  applyColorMatrix(image, *matrix);
+}
+
+void applyColorMatrix(RadianceImage& image, const glm::dmat3& matrix) {
+  for (glm::vec4& pixel : image.pixels) {
+    const glm::dvec3 rgb = matrix * glm::dvec3(pixel);
+    if (std::isfinite(rgb.x) && std::isfinite(rgb.y) && std::isfinite(rgb.z))
+      pixel = glm::vec4(glm::vec3(rgb), pixel.w);
+  }
+}
+
+Result<scene::Environment> loadEnvironment(const std::filesystem::path& path, Notes& notes, const Limits& limits,
+                                           const std::string& layer) {
+  auto image = readRadiance(path, limits, layer);
   if (!image) return tl::unexpected(image.error());
   if (static_cast<uint64_t>(std::max(image->width, image->height)) > limits.imageSide) {
     return fail(path.string(), "",
@@ -40,6 +73,7 @@ Result<scene::Environment> loadEnvironment(const std::filesystem::path& path, No
   const auto note = [&](Note::Severity severity, std::string text) {
     notes.push_back({severity, environment.name, std::move(text)});
   };
+  for (Note& said : image->notes) note(said.severity, std::move(said.text));
   if (environment.width != 2 * environment.height) {
     note(Note::Severity::warning, "has " + std::to_string(environment.width) + " x " +
                                       std::to_string(environment.height) +

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "io/glb.hpp"
 #include "io/gltf.hpp"
 #include "io/json_scan.hpp"
 #include "io/safe_files.hpp"
@@ -17,7 +18,12 @@ std::vector<fs::path> referencedFiles(const fs::path& gltf) {
   const fs::path folder = fs::canonical(gltf.has_parent_path() ? gltf.parent_path() : fs::path("."), problem);
   const auto bytes = readRegularFile(gltf, Limits{}.fileBytes);
   if (problem || !bytes) return files;
-  const std::string_view text(reinterpret_cast<const char*>(bytes->data.get()), bytes->size);
+  std::string_view text(reinterpret_cast<const char*>(bytes->data.get()), bytes->size);
+  if (isGlb(bytes->span())) {
+    const auto parts = splitGlb(bytes->span());
+    if (!parts) return files;
+    text = parts->json;
+  }
   const auto outline = scanJson(text, Limits{}.jsonDepth);
   if (!outline) return files;
   for (const char* section : {"buffers", "images"}) {

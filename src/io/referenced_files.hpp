@@ -5,8 +5,8 @@
 
 namespace facet::io {
 
-// Of a .gltf: the files that its buffers and images name, missing ones too, each below the model's folder. Whatever
-// cannot be read names none: reading the model itself says what is wrong.
+// Of a .gltf or .glb: the files that its buffers and images name, missing ones too, each below the model's folder.
+// Whatever cannot be read names none: reading the model itself says what is wrong.
 std::vector<std::filesystem::path> referencedFiles(const std::filesystem::path& gltf);
 
 }  // namespace facet::io

@@ -69,33 +69,62 @@ glm::vec3 faceNormal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
 
 using Warnings = std::vector<std::string>;
 
-// The sets of coordinates that directions in tangent space follow, without those that the primitive lacks.
-std::vector<int> tangentSets(const Primitive& p, const std::vector<const Material*>& materials, Warnings& warnings) {
-  std::vector<int> sets;
+// Where the textures whose directions lie in tangent space have their coordinates from.
+struct TangentSpace {
+  int set = 0;
+  TextureTransform transform = {};
+};
+
+// A positive scale and an offset leave the direction of u where it is.
+bool sameDirections(const TextureTransform& a, const TextureTransform& b) {
+  const glm::dmat3x2 m = uvFromTexCoord(a), n = uvFromTexCoord(b);
+  const auto along = [](const glm::dmat3x2& matrix) {  // of growing u, up to a factor: the inverse's first column
+    const double determinant = matrix[0].x * matrix[1].y - matrix[1].x * matrix[0].y;
+    return glm::dvec3(glm::dvec2(matrix[1].y, -matrix[0].y) * (determinant < 0 ? -1.0 : 1.0), determinant < 0 ? -1 : 1);
+  };
+  const glm::dvec3 u = along(m), v = along(n);
+  const double lengths = glm::length(glm::dvec2(u)) * glm::length(glm::dvec2(v));
+  return u.z == v.z && glm::dot(glm::dvec2(u), glm::dvec2(v)) >= (1 - 1e-9) * lengths;
+}
+
+// Those that differ, without those whose coordinates the primitive lacks.
+std::vector<TangentSpace> tangentSpaces(const Primitive& p, const std::vector<const Material*>& materials,
+                                        Warnings& warnings) {
+  std::vector<TangentSpace> spaces;
   bool missing = false;
   for (const Material* m : materials) {
-    const auto add = [&](int set) {
-      const bool present = set >= 0 && set < maxTexCoordSets && !p.texCoords[size_t(set)].empty();
-      if (present && std::ranges::find(sets, set) == sets.end()) sets.push_back(set);
+    const auto add = [&](const TangentSpace& space) {
+      const bool present = space.set >= 0 && space.set < maxTexCoordSets && !p.texCoords[size_t(space.set)].empty();
+      const auto same = [&](const TangentSpace& other) {
+        return other.set == space.set && sameDirections(other.transform, space.transform);
+      };
+      if (present && std::ranges::none_of(spaces, same)) spaces.push_back(space);
       return present;
     };
+    const auto of = [](const TextureRef& ref) { return TangentSpace{ref.texCoord, ref.transform}; };
     for (const TextureSlot slot : {TextureSlot::normal, TextureSlot::clearcoatNormal})
-      if (usesTexture(*m, slot)) add(textureRef(*m, slot).texCoord);
+      if (usesTexture(*m, slot)) add(of(textureRef(*m, slot)));
     const bool anisotropic = !m->unlit && !m->specularGlossiness && hasAnisotropy(*m);
-    if (anisotropic && !add(m->anisotropy ? m->anisotropy.texCoord : 0)) missing = true;
+    if (anisotropic && !add(m->anisotropy ? of(m->anisotropy) : TangentSpace())) missing = true;
   }
-  if (missing && sets.empty())
+  if (missing && spaces.empty())
     warnings.emplace_back("an anisotropic material needs tangents or texture coordinates; it is shown isotropic");
-  return sets;
+  return spaces;
 }
 
 void addTangents(Primitive& p, const std::vector<const Material*>& materials, Warnings& warnings) {
-  const std::vector<int> sets = tangentSets(p, materials, warnings);
-  if (sets.empty()) return;
-  for (size_t i = 1; i < sets.size(); ++i)
-    warnings.push_back("a normal or anisotropy texture uses TEXCOORD_" + std::to_string(sets[i]) +
-                       "; its tangents are those of TEXCOORD_" + std::to_string(sets[0]));
-  p = withTangents(std::move(p), sets[0]);
+  const std::vector<TangentSpace> spaces = tangentSpaces(p, materials, warnings);
+  if (spaces.empty()) return;
+  for (size_t i = 1; i < spaces.size(); ++i) {
+    if (spaces[i].set != spaces[0].set)
+      warnings.push_back("a normal or anisotropy texture uses TEXCOORD_" + std::to_string(spaces[i].set) +
+                         "; its tangents are those of TEXCOORD_" + std::to_string(spaces[0].set));
+    else
+      warnings.push_back(
+          "a normal or anisotropy texture is turned or mirrored by its KHR_texture_transform otherwise "
+          "than the first; its tangents are those of the first");
+  }
+  p = withTangents(std::move(p), spaces[0].set, spaces[0].transform);
 }
 
 // What lines and points are not lit with for want of normals or tangents can't be missed (glTF 2.0, 3.7.2.1).

@@ -38,9 +38,9 @@ Primitive withFlatNormals(Primitive primitive);
 // Fills what the file leaves out and the materials need, in parallel over primitives, for what the scene may draw (-1:
 // for all meshes): bounds, also those of joints and morph targets; flat normals of triangles without normals, if a
 // material is lit; tangents of triangles if a lit material uses a normal texture (usage.hpp) or anisotropy at any time.
-// "A material" is the primitive's own or that of a variant; where their textures use different coordinates, the
-// tangents are those of the first. A texture that can be seen without its coordinates in the primitive is a warning.
-// Unlit triangles get neither.
+// "A material" is the primitive's own or that of a variant. Tangents follow the texture's coordinates as its
+// KHR_texture_transform has them (not animated); where textures use different ones, the tangents are those of the
+// first. A texture that can be seen without its coordinates in the primitive is a warning. Unlit triangles get neither.
 void completeGeometry(Model& model, Notes& notes, int scene = -1);
 
 }  // namespace facet::scene

@@ -50,6 +50,7 @@ std::vector<uint32_t> weld(size_t count, const KeyOf& keyOf) {
 
 struct Face {
   glm::dvec3 s = glm::dvec3(0), t = glm::dvec3(0);  // unit directions of growing u and v on the face (or 0)
+  double length = 0;                                // of the position's derivative by u
   bool preserves = false;                           // texture not mirrored
   bool anyGroup = true;                             // no area in texture space: has no say, joins its neighbours
   bool degenerate = false;                          // no area: two corners in one place
@@ -116,7 +117,9 @@ Face makeFace(const Builder& b, size_t f) {
   face.preserves = area > 0;
   if (!(std::abs(area) > FLT_MIN)) return face;
   const double sign = face.preserves ? 1 : -1;
-  face.s = unitOrZero(d1 * double(e.y) - d2 * double(a.y)) * sign;
+  const glm::dvec3 s = d1 * double(e.y) - d2 * double(a.y);
+  face.length = glm::length(s) / std::abs(double(area));
+  face.s = unitOrZero(s) * sign;
   face.t = unitOrZero(d2 * double(a.x) - d1 * double(e.x)) * sign;
   face.anyGroup = face.s == glm::dvec3(0) || face.t == glm::dvec3(0);
   return face;
@@ -201,11 +204,16 @@ glm::vec3 anyTangent(const glm::vec3& normal) {
   return t == glm::dvec3(0) ? glm::vec3(1, 0, 0) : glm::vec3(t);
 }
 
+struct Tangent {
+  glm::vec4 tangent = glm::vec4(0);
+  double length = 0;  // mean of the position's derivatives by u; 0 where no triangle has a say
+};
+
 // Mean of the faces' directions in the vertex' tangent plane, weighted by the corner's angle in that plane.
-glm::vec4 groupTangent(const Builder& b, const Group& group) {
+Tangent groupTangent(const Builder& b, const Group& group) {
   const glm::dvec3 n = unitOrZero(b.p.normals[group.vertex]);  // unit in double precision too
   glm::dvec3 sum(0);
-  double angles = 0;
+  double angles = 0, lengths = 0;
   for (size_t m = group.begin; m < group.end; ++m) {
     const uint32_t c = b.members[m];
     const Face& face = b.faces[c / 3];
@@ -215,14 +223,17 @@ glm::vec4 groupTangent(const Builder& b, const Group& group) {
     const double angle = std::acos(std::clamp(glm::dot(e1, e2), -1.0, 1.0));
     sum += inPlane(face.s, n) * angle;
     angles += angle;
+    lengths += face.length * angle;
   }
   // Directions that cancel leave rounding, which points anywhere.
   const glm::dvec3 tangent = glm::length(sum) > 1e-9 * angles ? inPlane(sum, n) : glm::dvec3(0);
-  return glm::vec4(tangent == glm::dvec3(0) ? anyTangent(n) : glm::vec3(tangent), group.preserves ? -1.0f : 1.0f);
+  return {glm::vec4(tangent == glm::dvec3(0) ? anyTangent(n) : glm::vec3(tangent), group.preserves ? -1.0f : 1.0f),
+          angles > 0 ? lengths / angles : 0};
 }
 
-std::vector<glm::vec4> tangentsOf(const Builder& b) {
-  std::vector<glm::vec4> ofGroup(b.groups.size());
+// By corner.
+std::vector<Tangent> tangentsOf(const Builder& b) {
+  std::vector<Tangent> ofGroup(b.groups.size());
   for (size_t g = 0; g < ofGroup.size(); ++g) ofGroup[g] = groupTangent(b, b.groups[g]);
 
   // What triangles without area inherit: the first good corner of the same vertex.
@@ -230,11 +241,11 @@ std::vector<glm::vec4> tangentsOf(const Builder& b) {
   for (uint32_t c = 0; c < b.vertex.size(); ++c)
     if (!b.faces[c / 3].degenerate && firstGood[b.vertex[c]] == none) firstGood[b.vertex[c]] = c;
 
-  std::vector<glm::vec4> tangents(b.vertex.size());
+  std::vector<Tangent> tangents(b.vertex.size());
   for (uint32_t c = 0; c < tangents.size(); ++c) {
     const uint32_t from = b.faces[c / 3].degenerate ? firstGood[b.vertex[c]] : c;
     const uint32_t g = from == none ? none : b.groupOf[from];
-    tangents[c] = g == none ? glm::vec4(anyTangent(b.p.normals[b.vertex[c]]), 1) : ofGroup[g];
+    tangents[c] = g == none ? Tangent{glm::vec4(anyTangent(b.p.normals[b.vertex[c]]), 1)} : ofGroup[g];
   }
   return tangents;
 }
@@ -289,9 +300,9 @@ std::vector<uint32_t> weldAll(const Primitive& p) {
   return weld(p.positions.size(), hashOf, equal);
 }
 
-std::vector<glm::vec4> cornerTangents(const Primitive& list, int texCoordSet) {
+std::vector<Tangent> cornerTangents(const Primitive& list, const std::vector<glm::vec2>& uv) {
   const size_t cornerCount = list.indices.empty() ? list.positions.size() : list.indices.size();
-  Builder b{list, list.texCoords[size_t(texCoordSet)], cornerCount / 3};
+  Builder b{list, uv, cornerCount / 3};
   weldCorners(b);
   b.faces.resize(b.faceCount);
   for (size_t f = 0; f < b.faceCount; ++f) b.faces[f] = makeFace(b, f);
@@ -300,20 +311,74 @@ std::vector<glm::vec4> cornerTangents(const Primitive& list, int texCoordSet) {
   return tangentsOf(b);
 }
 
-// Corners that agree in everything become one vertex.
-void reindex(Primitive& p, const std::vector<glm::vec4>& tangents) {
+// Positions, normals and indices of the list where this target alone has a weight of 1.
+Primitive posed(const Primitive& list, const MorphTarget& target) {
+  Primitive p;
+  p.positions = list.positions;
+  p.normals = list.normals;
+  p.indices = list.indices;
+  for (size_t v = 0; v < target.positions.size(); ++v) p.positions[v] += target.positions[v];
+  for (size_t v = 0; v < target.normals.size(); ++v) {
+    const glm::dvec3 normal = unitOrZero(glm::dvec3(p.normals[v]) + glm::dvec3(target.normals[v]));
+    if (normal != glm::dvec3(0)) p.normals[v] = normal;
+  }
+  if (!list.flatNormals) return p;
+  for (size_t v = 0; v + 2 < p.positions.size(); v += 3) {  // unwelded
+    const glm::dvec3 a = p.positions[v], b = p.positions[v + 1], c = p.positions[v + 2];
+    const glm::dvec3 normal = unitOrZero(glm::cross(b - a, c - a));
+    if (normal != glm::dvec3(0)) p.normals[v] = p.normals[v + 1] = p.normals[v + 2] = normal;
+  }
+  return p;
+}
+
+// By corner: what a weight of 1 adds to the tangent. The derivative of the position by u is linear in the weights, so
+// tangents at rest and at the target count with the lengths that it has there: between them the sum keeps its direction
+// exactly where the target turns, stretches or shears a neighbourhood as a whole. Empty where nothing turns.
+std::vector<glm::vec3> tangentDifferences(const Primitive& list, const MorphTarget& target,
+                                          const std::vector<glm::vec2>& uv, const std::vector<Tangent>& atRest) {
+  if (target.positions.empty() && (target.normals.empty() || list.flatNormals)) return {};
+  const std::vector<Tangent> there = cornerTangents(posed(list, target), uv);
+  std::vector<glm::vec3> differences(atRest.size());
+  bool any = false;
+  for (size_t c = 0; c < differences.size(); ++c) {
+    const double ratio = atRest[c].length > 0 ? there[c].length / atRest[c].length : 1;
+    const glm::vec3 difference(glm::dvec3(there[c].tangent) * ratio - glm::dvec3(atRest[c].tangent));
+    const float sum = difference.x * 0 + difference.y * 0 + difference.z * 0;  // NaN and Inf survive
+    differences[c] = sum == 0 ? difference : glm::vec3(0);
+    any = any || glm::length(differences[c]) > 1e-6f;
+  }
+  return any ? differences : std::vector<glm::vec3>();
+}
+
+// Corners that agree in everything become one vertex. differences: of each target, empty or by corner.
+void reindex(Primitive& p, const std::vector<Tangent>& tangents,
+             const std::vector<std::vector<glm::vec3>>& differences) {
   p.tangents = {};
+  for (MorphTarget& target : p.targets) target.tangents = {};
   const auto sourceOf = [&](size_t corner) { return p.indices.empty() ? uint32_t(corner) : p.indices[corner]; };
   std::vector<uint32_t> first;
   {
     const std::vector<uint32_t> canonical = weldAll(p);
-    first = weld(tangents.size(), [&](size_t c) {
-      const glm::vec4& t = tangents[c];
-      return std::array{canonical[sourceOf(c)], bits(t.x), bits(t.y), bits(t.z), bits(t.w)};
-    });
+    const auto wordsOf = [&](size_t c, const auto& use) {
+      const glm::vec4& t = tangents[c].tangent;
+      for (const uint32_t word : {canonical[sourceOf(c)], bits(t.x), bits(t.y), bits(t.z), bits(t.w)}) use(word);
+      for (const std::vector<glm::vec3>& target : differences)
+        if (!target.empty())
+          for (int i = 0; i < 3; ++i) use(bits(target[c][i]));
+    };
+    const auto hashOf = [&](size_t c) {
+      uint64_t hash = 0;
+      wordsOf(c, [&](uint32_t word) { hash = mixed(hash, word); });
+      return hash;
+    };
+    const auto equal = [&](size_t c, size_t d) {
+      const auto same = [&](const std::vector<glm::vec3>& target) { return target.empty() || target[c] == target[d]; };
+      return canonical[sourceOf(c)] == canonical[sourceOf(d)] && tangents[c].tangent == tangents[d].tangent &&
+             std::ranges::all_of(differences, same);
+    };
+    first = weld(tangents.size(), hashOf, equal);
   }
-  std::vector<uint32_t> indices(tangents.size()), source;
-  std::vector<glm::vec4> ofVertex;
+  std::vector<uint32_t> indices(tangents.size()), source, corners;
   for (uint32_t c = 0; c < tangents.size(); ++c) {
     if (first[c] != c) {
       indices[c] = indices[first[c]];
@@ -321,21 +386,41 @@ void reindex(Primitive& p, const std::vector<glm::vec4>& tangents) {
     }
     indices[c] = uint32_t(source.size());
     source.push_back(sourceOf(c));
-    ofVertex.push_back(tangents[c]);
+    corners.push_back(c);
   }
   gatherVertices(p, source);
-  p.tangents = std::move(ofVertex);
+  for (const uint32_t c : corners) p.tangents.push_back(tangents[c].tangent);
+  for (size_t t = 0; t < differences.size(); ++t)
+    if (!differences[t].empty())
+      for (const uint32_t c : corners) p.targets[t].tangents.push_back(differences[t][c]);
   p.indices = std::move(indices);
+}
+
+std::vector<glm::vec2> transformed(std::vector<glm::vec2> uv, const TextureTransform& transform) {
+  if (transform == TextureTransform{}) return uv;
+  const glm::dmat3x2 matrix = uvFromTexCoord(transform);
+  for (glm::vec2& c : uv) c = matrix * glm::dvec3(c, 1);
+  return uv;
 }
 
 }  // namespace
 
-Primitive withTangents(Primitive primitive, int texCoordSet) {
+glm::dmat3x2 uvFromTexCoord(const TextureTransform& t) {
+  const double c = std::cos(double(t.rotation)), s = std::sin(double(t.rotation));
+  return {{c * t.scale.x, -s * t.scale.x}, {s * t.scale.y, c * t.scale.y}, glm::dvec2(t.offset)};
+}
+
+Primitive withTangents(Primitive primitive, int texCoordSet, const TextureTransform& transform) {
   if (!hasTriangles(primitive.topology) || primitive.normals.empty() || texCoordSet < 0 ||
       texCoordSet >= maxTexCoordSets || primitive.texCoords[size_t(texCoordSet)].empty())
     return primitive;
   Primitive list = asList(std::move(primitive));
-  if (!list.positions.empty()) reindex(list, cornerTangents(list, texCoordSet));
+  if (list.positions.empty()) return list;
+  const std::vector<glm::vec2> uv = transformed(list.texCoords[size_t(texCoordSet)], transform);
+  const std::vector<Tangent> tangents = cornerTangents(list, uv);
+  std::vector<std::vector<glm::vec3>> differences;
+  for (const MorphTarget& target : list.targets) differences.push_back(tangentDifferences(list, target, uv, tangents));
+  reindex(list, tangents, differences);
   return list;
 }
 

@@ -18,7 +18,6 @@ tl::unexpected<Error> tooLarge(const std::string& source) {
 std::vector<std::filesystem::path> filesOf(const std::string& source) {
   if (source.starts_with("builtin:")) return {};
   std::vector<std::filesystem::path> files = {source};
-  if (!source.ends_with(".gltf")) return files;
   for (std::filesystem::path& file : io::referencedFiles(source)) files.push_back(std::move(file));
   return files;
 }

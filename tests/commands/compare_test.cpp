@@ -71,6 +71,22 @@ TEST_CASE("compare: each metric is limited by --max-error") {
   CHECK(statusAt(row.value * 0.999 - 2e-6) == 1);
 }
 
+TEST_CASE("compare: a picture that lacks what only covers differs") {
+  const test::TemporaryFolder folder;
+  io::Pixels pixels;
+  pixels.width = 8, pixels.height = 4, pixels.channels = 4;
+  pixels.data.assign(8 * 4 * 4, 0);
+  const std::string empty = inFolder(folder, "empty.png"), disc = inFolder(folder, "disc.png");
+  REQUIRE(io::writePng(empty, pixels));
+  for (size_t i = 0; i < 8; ++i) pixels.data[4 * i + 3] = 255;
+  REQUIRE(io::writePng(disc, pixels));
+  for (const char* metric : {"drmse", "flip", "noticeable", "alpha", "ssim", "largest", "above", "bias"}) {
+    INFO(metric);
+    CHECK(runFacet({"compare", disc, empty, "--metric", metric, "--max-error", "0.01"}).status == 1);
+    CHECK(runFacet({"compare", disc, disc, "--metric", metric, "--max-error", "0.01"}).status == 0);
+  }
+}
+
 TEST_CASE("compare: JSON holds the figures") {
   const test::TemporaryFolder folder;
   const std::string a = exr(folder, "a.exr", 0.5f), b = exr(folder, "b.exr", 0.25f);

@@ -79,7 +79,37 @@ TEST_CASE("regress: shards merge into one report, a shard that is missing is no 
   CHECK(std::filesystem::exists(folder.path() / "all" / "metals.png"));
   const Outcome half = runFacet({"regress", "--merge", two, "-o", folder.file("half")});
   CHECK(half.status == 1);
-  CHECK(holds(half.text, "shard 1 of 2 is missing"));
+  CHECK(holds(half.text, "1 of 1 good, but shard 1 of 2 is missing; "));
+}
+
+TEST_CASE("regress: ended by a signal it says so, exits by convention and leaves no report of an earlier run", "[gl]") {
+  const test::TemporaryFolder folder;
+  folder.write("suite.json", R"({"defaults": {"size": "2048x2048", "samples": 4096},
+   "jobs": [{"name": "a", "model": "builtin:spheres"}, {"name": "b", "model": "builtin:metals"}]})");
+  for (const auto& [signal, status] : {std::pair("TERM", 143), std::pair("INT", 130)}) {
+    for (const char* name : {"out/report.html", "out/report.json", "out/junit.xml"})
+      folder.write(name, std::string("3 of 3 good"));
+    const Outcome outcome =
+        test::runShell("timeout --preserve-status -s " + std::string(signal) + " 3 " + test::facetPath() + " regress " +
+                       folder.path().string() + " -o " + folder.file("out") + " 2>&1; echo status $?");
+    INFO(outcome.text);
+    CHECK(holds(outcome.text, "status " + std::to_string(status) + "\n"));
+    CHECK(holds(outcome.text, "ended by SIG" + std::string(signal) +
+                                  ": 0 of 2 jobs were done, and there is no report; run it again"));
+    for (const char* name : {"out/report.html", "out/report.json", "out/junit.xml"})
+      CHECK_FALSE(std::filesystem::exists(folder.path() / name));
+  }
+}
+
+TEST_CASE("regress: two runs into one folder are one too many") {
+  const test::TemporaryFolder folder;
+  folder.write("suite.json", suite);
+  folder.write("out/report.html", std::string("the other's"));
+  const Outcome outcome = test::runShell("flock " + folder.file("out") + " " + test::facetPath() + " regress " +
+                                         folder.path().string() + " -o " + folder.file("out") + " 2>&1");
+  CHECK(outcome.status == 2);
+  CHECK(holds(outcome.text, "out: another facet regress is writing there; wait for its end, or choose another folder"));
+  CHECK(std::filesystem::exists(folder.path() / "out/report.html"));
 }
 
 TEST_CASE("regress: a job that fails or takes too long fails alone, a wrong suite is bad input", "[gl]") {

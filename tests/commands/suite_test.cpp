@@ -62,7 +62,7 @@ TEST_CASE("suite: every way to be wrong has its sentence") {
       {"{\"jobs\": [{\"name\": \"a\"}]}",
        "suite.json: /jobs/0: the job has no \"model\"; every job has a name and a model."},
       {"{\"jobs\": [{\"name\": \"../a\", \"model\": \"a\"}]}",
-       "suite.json: /jobs/0/name: '../a' makes no file name; use letters, digits, -, _ and .."},
+       "suite.json: /jobs/0/name: '../a' makes no file name; use only letters, digits and the signs - _ and dot."},
       {"{\"jobs\": [{\"name\": \"a\", \"model\": \"a\"}, {\"name\": \"a\", \"model\": \"b\"}]}",
        "suite.json: /jobs/1/name: is also that of /jobs/0; name each job differently."},
       {"{\"jobs\": [{\"name\": \"a\", \"model\": \"a\", \"tolerance\": {\"flop\": 1}}]}",

@@ -92,9 +92,44 @@ TEST_CASE("display figures clamp, linear ones do not") {
 TEST_CASE("a wrong alpha is a difference even where the colour is black") {
   const Result<Comparison> c = comparePictures(uniform(2, 2, {0, 0, 0, 1}), uniform(2, 2, {0, 0, 0, 0.75f}));
   REQUIRE(c);
-  CHECK(c->largest == 0.25);
+  const double overWhite = srgbFromLinear(0.25);
+  CHECK(c->largest == Approx(overWhite));
   CHECK(c->shareAbove == 1);
-  CHECK(c->displayRmse == 0);
+  CHECK(c->displayRmse == Approx(255 * overWhite));
+  CHECK(c->alphaRmse == Approx(0.25 * 255));
+}
+
+TEST_CASE("what only covers is seen over white") {
+  // A black disc against nothing, half of the picture: over black they are the same.
+  io::RadianceImage disc = uniform(32, 16, glm::vec4(0)), empty = disc;
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 16; ++x) at(disc, x, y).a = 1;
+  for (const auto& [reference, picture] : {std::pair(disc, empty), std::pair(empty, disc)}) {
+    const Result<Comparison> c = comparePictures(reference, picture);
+    REQUIRE(c);
+    CHECK(c->displayRmse == Approx(255 * std::sqrt(0.5)));
+    CHECK(c->alphaRmse == Approx(255 * std::sqrt(0.5)));
+    CHECK(std::abs(c->bias[1]) >= 0.5);
+    CHECK(c->flipMean > 0.4);
+    CHECK(c->shareNoticeable >= 0.5);
+    CHECK(c->ssim < 0.6);
+    CHECK(c->largest == 1);
+    CHECK(c->shareAbove == 0.5);
+  }
+  // White against nothing differs over black only, and that is not lost.
+  io::RadianceImage white = disc;
+  for (glm::vec4& v : white.pixels) v = glm::vec4(v.a);
+  const Result<Comparison> c = comparePictures(empty, white);
+  REQUIRE(c);
+  CHECK(c->displayRmse == Approx(255 * std::sqrt(0.5)));
+  // Half covered: over white half of it is left.
+  const Result<Comparison> half = comparePictures(uniform(8, 8, {0, 0, 0, 0.5f}), uniform(8, 8, glm::vec4(0)));
+  REQUIRE(half);
+  CHECK(half->alphaRmse == Approx(127.5));
+  CHECK(half->displayRmse == Approx(255 * (1 - srgbFromLinear(0.5))).epsilon(1e-5));
+  // The same colours behind no coverage at all are no difference.
+  CHECK(comparePictures(empty, empty)->displayRmse == 0);
+  CHECK(compare::displayDifference({0, 0, 0, 1}, {0, 0, 0, 0.75f}) == Approx(srgbFromLinear(0.25)));
 }
 
 TEST_CASE("not finite: counted, never within, zero in the sums") {

@@ -27,6 +27,29 @@ TEST_CASE("A truncated .glb is refused at every length", "[io][gltf]") {
                                        std::to_string(glb.size() - 1) + "; copy or download it again.");
 }
 
+TEST_CASE("A .glb whose JSON is not padded is read with a warning", "[io][gltf]") {
+  const auto glb = triangle().glb();
+  uint32_t jsonSize, binarySize;
+  std::memcpy(&jsonSize, &glb[12], 4);
+  std::memcpy(&binarySize, &glb[20 + jsonSize], 4);
+  std::string json(glb.begin() + 20, glb.begin() + 20 + jsonSize);
+  json.erase(json.find_last_not_of(' ') + 1);
+  for (size_t spare = 0; spare < 4; ++spare, json += ' ') {
+    std::vector<uint8_t> bytes(glb.begin(), glb.begin() + 20);
+    bytes.insert(bytes.end(), json.begin(), json.end());
+    bytes.insert(bytes.end(), glb.begin() + 20 + jsonSize, glb.end());
+    const uint32_t size = static_cast<uint32_t>(bytes.size()), length = static_cast<uint32_t>(json.size());
+    std::memcpy(&bytes[8], &size, 4);
+    std::memcpy(&bytes[12], &length, 4);
+    const auto model = io::loadGltfBytes(bytes, "m");
+    INFO(length);
+    REQUIRE(outcome(model) == "loaded");
+    CHECK(primitive(*model).positions.size() == 3);
+    CHECK(notes(*model) ==
+          (length % 4 == 0 ? "" : "! : its JSON is not padded to a multiple of four bytes, as a .glb has to be\n"));
+  }
+}
+
 TEST_CASE("A .glb whose header lies is refused", "[io][gltf]") {
   const auto glb = triangle().glb();
   const auto with = [&](size_t offset, uint32_t value) {

@@ -80,3 +80,35 @@ TEST_CASE("Images in buffer views are kept encoded", "[io][gltf]") {
   CHECK(model.model.images[0].encoded == std::vector<uint8_t>{9, 8, 7});
   CHECK(model.model.images[0].name == "images/0");
 }
+
+TEST_CASE("An image that may not be read costs its place, a buffer that nothing uses nothing", "[io][gltf]") {
+  const test::TemporaryFolder folder;
+  folder.write("outside.png", std::string("x"));
+  folder.write("m/textures/in.png", std::string("x"));
+  GltfBuilder b = triangle();
+  const std::pair<const char*, const char*> images[] = {
+      {"http://example.org/a.png", "the URI \"http://example.org/a.png\" is not a relative path"},
+      {"../outside.png", "the URI \"../outside.png\" leads out of the model's folder"},
+      {"..\\outside.png", "the file \"..\\outside.png\" does not exist"},
+      {"/etc/passwd", "the URI \"/etc/passwd\" leads out of the model's folder"},
+      {"file:///etc/passwd", "the URI \"file:///etc/passwd\" is not a relative path"},
+      {"textures", "\"textures\" is not a regular file"},
+      {"textures\\in.png", ""}};
+  for (const auto& [uri, problem] : images) b.append("images", {{"uri", uri}});
+  b.json["buffers"] = {{{"byteLength", b.bytes.size()}, {"uri", test::dataUri(b.bytes)}},
+                       {{"byteLength", 7}, {"uri", "no.bin"}}};
+  const auto path = folder.write("m/m.gltf", b.json.dump());
+  auto model = io::loadGltf(path);
+  REQUIRE(outcome(model) == "loaded");
+  for (size_t i = 0; i < std::size(images); ++i) {
+    INFO(images[i].first);
+    CHECK(model->model.images[i].problem == images[i].second);
+    CHECK(model->model.images[i].file.empty() == (images[i].second[0] != '\0'));
+  }
+  CHECK(notes(*model) ==
+        "/buffers/1/uri: the file \"no.bin\": no such file: nothing uses the buffer\n"
+        "/images/6/uri: its backslashes are taken for slashes\n");
+  b.append("bufferViews", {{"buffer", 1}, {"byteLength", 4}});
+  CHECK(outcome(io::loadGltf(folder.write("m/m.gltf", b.json.dump()))) ==
+        path.string() + ": /buffers/1/uri: the file \"no.bin\": no such file; put the file beside the model.");
+}

@@ -157,8 +157,8 @@ TEST_CASE("Texture coordinates and colours of every type", "[io][gltf]") {
   const auto colour = [](const auto& values, test::Component component, const char* type, bool normalized) {
     return primitive(withAttribute("COLOR_0", values, component, type, normalized)).colors[1];
   };
-  CHECK(colour(std::vector<float>{0, 0, 0, 0.25f, 0.5f, 2, 0, 0, 0}, test::floatType, "VEC3", false) ==
-        glm::vec4(0.25f, 0.5f, 2, 1));
+  CHECK(colour(std::vector<float>{0, 0, 0, 0.25f, 0.5f, 1, 0, 0, 0}, test::floatType, "VEC3", false) ==
+        glm::vec4(0.25f, 0.5f, 1, 1));
   CHECK(colour(std::vector<uint8_t>{0, 0, 0, 0, 51, 102, 0, 255, 0, 0, 0, 0}, test::ubyteType, "VEC4", true) ==
         glm::vec4(0.2f, 0.4f, 0, 1));
   CHECK(colour(std::vector<uint16_t>{0, 0, 0, 13107, 0, 65535, 0, 0, 0}, test::ushortType, "VEC3", true) ==
@@ -166,6 +166,20 @@ TEST_CASE("Texture coordinates and colours of every type", "[io][gltf]") {
   // Colours of integers without "normalized" are a writer's slip: 255 is white.
   CHECK(colour(std::vector<uint8_t>{0, 0, 0, 0, 255, 255, 255, 51, 0, 0, 0, 0}, test::ubyteType, "VEC4", false) ==
         glm::vec4(1, 1, 1, 0.2f));
+}
+
+TEST_CASE("Colours are clamped to 0 to 1, where targets change them only afterwards", "[io][gltf]") {
+  const std::vector<float> colors = {3, 0.25f, -1, 0.5f, 0.5f, 0.5f, 1, 1, 1};
+  GltfBuilder b = triangle();
+  attributes(b)["COLOR_0"] = b.add(colors, test::floatType, "VEC3");
+  auto model = loaded(b);
+  CHECK(primitive(model).colors[0] == glm::vec4(1, 0.25f, 0, 1));
+  CHECK(notes(model) == "/meshes/0/primitives/0/attributes/COLOR_0: 1 are not within 0 to 1: clamped\n");
+  b.json["meshes"][0]["primitives"][0]["targets"] = {
+      {{"COLOR_0", b.add(std::vector<float>(9, -2), test::floatType, "VEC3")}}};
+  model = loaded(b);
+  CHECK(primitive(model).colors[0] == glm::vec4(3, 0.25f, -1, 1));
+  CHECK(notes(model) == "");
 }
 
 TEST_CASE("Sparse accessors and accessors without a view", "[io][gltf]") {

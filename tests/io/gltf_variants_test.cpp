@@ -32,9 +32,9 @@ TEST_CASE("KHR_materials_variants: names, and a material for each variant that i
 }
 
 TEST_CASE("KHR_materials_variants: what is wrong is told with its place", "[io][gltf]") {
-  const auto problem = [](Json mappings) { return outcome(variants(std::move(mappings)).text()); };
-  const std::string at = "m: /meshes/0/primitives/0/extensions/KHR_materials_variants/mappings";
-  const std::string remedy = "; export the model again.";
+  const auto problem = [](Json mappings) { return notes(loaded(variants(std::move(mappings)))); };
+  const std::string at = "! /meshes/0/primitives/0/extensions/KHR_materials_variants/mappings";
+  const std::string remedy = ": shown without its variants\n";
   CHECK(problem({{{"material", 3}, {"variants", {0, 1}}}}) ==
         at + "/0/material: material 3 does not exist; there are 3" + remedy);
   CHECK(problem({{{"variants", {0, 1}}}}) == at + "/0/material: is not a whole number" + remedy);
@@ -45,7 +45,9 @@ TEST_CASE("KHR_materials_variants: what is wrong is told with its place", "[io][
   CHECK(problem(3) == at + ": is not a list of mappings" + remedy);
   GltfBuilder b = variants(Json::array());
   b.json["extensions"]["KHR_materials_variants"] = Json::object();
-  CHECK(outcome(b.text()) == "m: /extensions/KHR_materials_variants/variants: is not a list of variants" + remedy);
+  CHECK(notes(loaded(b)) ==
+        "! /extensions/KHR_materials_variants/variants: is not a list of variants: there are none\n" + at +
+            ": is not a list of mappings" + remedy);
   b = variants({{{"material", 1}, {"variants", {0, 2}}}, {{"material", 2}, {"variants", {1, 2}}}});
   b.json["extensions"]["KHR_materials_variants"]["variants"][1] = {{"title", "b"}};
   const auto model = loaded(b);

@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 #include <webp/encode.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "support/gltf_builder.hpp"
@@ -54,6 +55,20 @@ Bytes greyJpeg() {
                    "1001000000"
                    "0"
                    "00");
+}
+
+// Writes the checksums of a PNG's chunks anew (PNG, annex D).
+void sumChunks(Bytes& png) {
+  for (size_t at = 8; at + 12 <= png.size();) {
+    const size_t size = size_t{png[at]} << 24 | size_t{png[at + 1]} << 16 | size_t{png[at + 2]} << 8 | png[at + 3];
+    uint32_t crc = 0xFFFFFFFFu;
+    for (size_t i = at + 4; i < at + 8 + size; ++i) {
+      crc ^= png[i];
+      for (int k = 0; k < 8; ++k) crc = crc & 1 ? 0xEDB88320u ^ crc >> 1 : crc >> 1;
+    }
+    for (size_t i = 0; i < 4; ++i) png[at + 8 + size + i] = static_cast<uint8_t>(~crc >> (24 - 8 * i));
+    at += 12 + size;
+  }
 }
 
 // Lossless.
@@ -136,11 +151,12 @@ TEST_CASE("PNG of 16 bits keeps them", "[io][image]") {
 }
 
 TEST_CASE("PNG of one, two and four bits, and of palettes, becomes 8 bits", "[io][image]") {
-  // A row of one byte is relabelled (byte 19 width, 24 depth, 25 colour type); the decoder does not look at the sums.
+  // A row of one byte is relabelled (byte 19 width, 24 depth, 25 colour type).
   const auto packed = [](uint8_t bits, uint8_t type, const Bytes& chunks) {
     Bytes png = test::pngBytes(1, 1, 1, 8, Bytes{0b11'00'01'10});
     png[19] = static_cast<uint8_t>(8 / bits), png[24] = bits, png[25] = type;
     png.insert(png.begin() + 33, chunks.begin(), chunks.end());
+    sumChunks(png);
     return png;
   };
   CHECK(io::decodeImage(packed(1, 0, {}), "i")->data == Bytes{255, 255, 0, 0, 0, 255, 255, 0});
@@ -219,11 +235,11 @@ TEST_CASE("Images that are refused say why", "[io][image]") {
   CHECK(decode({0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0x82, 0x5a, 0x82, 0x5a, 32, 0}) ==
         "i: is no PNG, JPEG or WebP image; convert it to PNG or JPEG.");
   CHECK(decode(Bytes(png.begin(), png.begin() + 20)) == "i: the image's header is damaged; save it again.");
-  CHECK(decode(Bytes(png.begin(), png.begin() + 50)) == "i: the image is damaged: outofdata; save it again.");
+  CHECK(decode(Bytes(png.begin(), png.begin() + 50)) == "i: the image is damaged: end of stream; save it again.");
   CHECK(decode(test::pngBytes(0, 4, 1, 8, {})) == "i: the image's header is damaged; save it again.");
   auto damaged = greyJpeg();
   damaged.resize(100);
-  CHECK(decode(damaged) == "i: the image is damaged: expected marker; save it again.");
+  CHECK(decode(damaged) == "i: the image's header is damaged; save it again.");
 }
 
 TEST_CASE("A decompression bomb is refused by its header", "[io][image]") {
@@ -238,9 +254,88 @@ TEST_CASE("A decompression bomb is refused by its header", "[io][image]") {
         "i: the image has 3 x 2 pixels, more than the limit of 5; use a smaller image.");
   auto jpeg = greyJpeg();
   const size_t height = 71 + 5;  // the frame's sizes follow the tables
-  jpeg[height] = jpeg[height + 1] = jpeg[height + 2] = jpeg[height + 3] = 0xff;
+  jpeg[height] = jpeg[height + 2] = 0xff, jpeg[height + 1] = jpeg[height + 3] = 0xdc;
   CHECK(decode(jpeg) ==
-        "i: the image has 65535 x 65535 pixels, more than the limit of 268435456; use a smaller image.");
+        "i: the image has 65500 x 65500 pixels, more than the limit of 268435456; use a smaller image.");
+  jpeg[height] = jpeg[height + 2] = 0x3f, jpeg[height + 1] = jpeg[height + 3] = 0xff;
+  CHECK(decode(jpeg) == "i: the file is too short for 16383 x 16383 pixels; save it again.");
+}
+
+TEST_CASE("A progressive JPEG of too many scans is refused by its header", "[io][image]") {
+  auto jpeg = greyJpeg();
+  const Bytes scan = {0xff, 0xda};
+  for (int i = 0; i < 40; ++i) jpeg.insert(jpeg.end(), scan.begin(), scan.end());
+  io::Limits limits;
+  limits.imagePixels = 16 * 8;
+  CHECK(decode(jpeg, limits) == "i: the image has 41 scans of 16 x 8 pixels; save it again.");
+}
+
+TEST_CASE("An image that is damaged in part is shown with a warning, and refused where nobody could be warned",
+          "[io][image]") {
+  auto cutOff = greyJpeg();
+  cutOff.resize(cutOff.size() - 3);  // the last bits and the end
+  CHECK(decode(cutOff) == "i: the image is damaged: Premature end of JPEG file; save it again.");
+  // A wrong sum of the pixels, but not of the bytes that hold them.
+  auto sum = test::pngBytes(2, 2, 1, 8, Bytes{1, 2, 3, 4});
+  sum[sum.size() - 12 - 4 - 1] ^= 1;
+  sumChunks(sum);
+  CHECK(decode(sum) == "i: the image is damaged: its checksum does not fit; save it again.");
+
+  scene::Model model;
+  model.images.push_back({"cut", {}, cutOff, {}});
+  model.images.push_back({"sum", {}, sum, {}});
+  Notes notes;
+  const auto images = io::decodeImages(model, {true, true}, notes);
+  CHECK_FALSE(images[0].placeholder);
+  CHECK(Bytes(images[0].data.begin(), images[0].data.begin() + 8) == Bytes(8, 200));
+  CHECK(images[1].data == Bytes{1, 2, 3, 4});
+  REQUIRE(notes.size() == 2);
+  CHECK(notes[0].text == "the image \"cut\" is damaged, and a part of it may look wrong: Premature end of JPEG file");
+  CHECK(notes[1].text == "the image \"sum\" is damaged, and a part of it may look wrong: its checksum does not fit");
+}
+
+TEST_CASE("What a PNG says besides its pixels cannot spoil them", "[io][image]") {
+  const Bytes data = {1, 2, 3, 4};
+  const auto with = [&](const std::string& type, const Bytes& content) {
+    Bytes png = test::pngBytes(2, 2, 1, 8, data);
+    Bytes chunk = {static_cast<uint8_t>(content.size() >> 24), static_cast<uint8_t>(content.size() >> 16),
+                   static_cast<uint8_t>(content.size() >> 8), static_cast<uint8_t>(content.size())};
+    chunk.insert(chunk.end(), type.begin(), type.end());
+    chunk.insert(chunk.end(), content.begin(), content.end());
+    chunk.insert(chunk.end(), 4, 0);
+    png.insert(png.begin() + 33, chunk.begin(), chunk.end());
+    sumChunks(png);
+    return io::decodeImage(png, "i");
+  };
+  // A gamma, a rendering intent, a profile and a time that are none; half grey is what gamma would change.
+  for (const auto& [type, content] : {std::pair<std::string, Bytes>("gAMA", {0}),
+                                      {"gAMA", {0, 1, 0x86, 0xa0}},
+                                      {"sRGB", {9}},
+                                      {"iCCP", {'x', 0, 0, 'r', 'u', 'b'}},
+                                      {"tIME", Bytes(7, 255)},
+                                      {"tEXt", {0, 0}}}) {
+    INFO(type);
+    const auto pixels = with(type, content);
+    REQUIRE(outcome(pixels) == "decoded");
+    CHECK(pixels->data == data);
+  }
+  CHECK(outcome(with("tEXt", Bytes(size_t{17} << 20, 'a'))) == "decoded");  // longer than is kept
+  CHECK(outcome(with("ABCD", {1})) == "i: the image's header is damaged; save it again.");
+}
+
+// Huffman tables that a decoder must not believe: counts of codes that no tree holds, codes of more bits than are left.
+TEST_CASE("A JPEG with damaged Huffman tables is an error or a warning", "[io][image]") {
+  const Bytes good = greyJpeg();
+  const Bytes marker = {0xff, 0xc4};
+  const auto table = std::search(good.begin(), good.end(), marker.begin(), marker.end()) - good.begin();
+  for (size_t at = static_cast<size_t>(table) + 4; at < static_cast<size_t>(table) + 2 + 0x15 + 2 + 0x14; ++at) {
+    for (const int value : {0, 1, 2, 16, 17, 127, 254, 255}) {
+      Bytes bytes = good;
+      bytes[at] = static_cast<uint8_t>(value);
+      const auto pixels = io::decodeImage(bytes, "i");
+      if (pixels) CHECK(pixels->data.size() == 16 * 8);
+    }
+  }
 }
 
 TEST_CASE("Damage anywhere never crashes the decoders", "[io][image]") {
@@ -305,7 +400,7 @@ TEST_CASE("Missing and corrupt images become placeholders with a warning", "[io]
                    "/images/3: the image \"pipe\" cannot be shown: is not a regular file" + instead +
                    "/images/4: the image \"broken\" cannot be shown: is no PNG, JPEG or WebP image" + instead +
                    "/images/5: the image \"named\" cannot be shown: the file \"x.png\" does not exist" + instead +
-                   "/images/7: the image \"short\" cannot be shown: the image is damaged: outofdata" + instead);
+                   "/images/7: the image \"short\" cannot be shown: the image is damaged: end of stream" + instead);
 }
 
 TEST_CASE("All images together stay within the budget", "[io][image]") {

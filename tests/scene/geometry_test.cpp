@@ -327,6 +327,26 @@ TEST_CASE("The materials of variants get what they need as well") {
     CHECK(p.tangents.size() == p.positions.size());
     CHECK(notes.empty());
   }
+  SECTION("tangents are those of the texture's transform, and others are noted") {
+    model.materials.push_back(mapped);
+    model.materials[3].normal.transform.rotation = 3.14159265f;
+    model.materials.push_back(model.materials[3]);
+    model.materials[4].normal.transform.scale = {2, 3};  // leaves the directions
+    model.materials[4].normal.transform.offset = {0.5f, 0.5f};
+    p.variantMaterials = {3, 4};
+    completeGeometry(model, notes);
+    REQUIRE(p.tangents.size() == p.positions.size());
+    CHECK(notes.empty());
+    const glm::vec4 turned = p.tangents[0];
+    p.tangents.clear();
+    p.variantMaterials = {2, 3, 4};
+    completeGeometry(model, notes);
+    CHECK(glm::distance(glm::vec3(p.tangents[0]), -glm::vec3(turned)) < 1e-6f);
+    REQUIRE(notes.size() == 1);
+    CHECK(notes[0].text ==
+          "a normal or anisotropy texture is turned or mirrored by its KHR_texture_transform otherwise than the first; "
+          "its tangents are those of the first");
+  }
   SECTION("other coordinates are noted, once each") {
     model.materials.push_back(mapped);
     model.materials[3].normal.texCoord = 1;

@@ -165,6 +165,144 @@ TEST_CASE("Corners with other influences or morph targets stay apart and keep th
   CHECK(withTangents(other, 0).positions.size() == 5);
 }
 
+namespace {
+
+// A target that moves each position to matrix * position and turns normals along, if said.
+MorphTarget targetOf(const Primitive& p, const glm::dmat3& matrix, bool normals) {
+  MorphTarget target;
+  const glm::dmat3 forNormals = glm::transpose(glm::inverse(matrix));
+  for (const glm::vec3& x : p.positions) target.positions.push_back(glm::vec3(matrix * glm::dvec3(x)) - x);
+  for (const glm::vec3& n : p.normals)
+    if (normals) target.normals.push_back(glm::vec3(glm::normalize(forNormals * glm::dvec3(n))) - n);
+  return target;
+}
+
+glm::dmat3 turned(double degrees, const glm::dvec3& axis) {
+  return glm::mat3_cast(glm::angleAxis(degrees * pi / 180, glm::normalize(axis)));
+}
+
+// The shape itself with the targets' weights.
+Primitive morphed(const Primitive& p, const std::vector<float>& weights) {
+  Primitive out = p;
+  for (size_t t = 0; t < weights.size(); ++t)
+    for (size_t v = 0; v < p.positions.size(); ++v) {
+      if (!p.targets[t].positions.empty()) out.positions[v] += weights[t] * p.targets[t].positions[v];
+      if (!p.targets[t].normals.empty()) out.normals[v] += weights[t] * p.targets[t].normals[v];
+    }
+  for (glm::vec3& n : out.normals) n = glm::normalize(n);
+  out.targets.clear();
+  return out;
+}
+
+// The largest angle in degrees between tangents as the vertex stage adds them up and those of the morphed shape.
+double worstAngle(const Primitive& rest, const std::vector<float>& weights) {
+  const Primitive out = withTangents(rest, 0), baked = withTangents(morphed(rest, weights), 0);
+  REQUIRE(out.indices.size() == baked.indices.size());
+  double worst = 0;
+  for (size_t c = 0; c < out.indices.size(); ++c) {
+    const size_t v = out.indices[c];
+    glm::dvec3 t = glm::vec3(out.tangents[v]);
+    for (size_t i = 0; i < weights.size(); ++i)
+      if (!out.targets[i].tangents.empty()) t += double(weights[i]) * glm::dvec3(out.targets[i].tangents[v]);
+    const glm::dvec3 wanted = glm::vec3(tangentAt(baked, c));
+    CHECK(out.tangents[v].w == tangentAt(baked, c).w);
+    worst = std::max(worst, std::acos(std::clamp(glm::dot(glm::normalize(t), wanted), -1.0, 1.0)) * 180 / pi);
+  }
+  return worst;
+}
+
+}  // namespace
+
+TEST_CASE("Tangents follow morph targets") {
+  const glm::dmat3 stretched(3, 0, 0, 0, 0.5, 0, 0, 0, 1), sheared(1, 0, 0, 1, 1, 0, 0, 0, 1);
+  for (const Primitive& base : {quad(), fromShape(sphereShape(8, 16))}) {
+    for (const glm::dmat3& matrix : {turned(180, {0, 0, 1}), turned(90, {1, 2, 3}), turned(50, {0, 1, 0}) * stretched,
+                                     sheared * turned(20, {1, 0, 0})}) {
+      Primitive p = base;
+      p.targets = {targetOf(p, matrix, true)};
+      CHECK(worstAngle(p, {1}) < 0.05);
+      CHECK(worstAngle(p, {0}) < 0.05);
+    }
+  }
+  // In between: exact where the surface is flat, for several targets, too; half of a half turn is a point.
+  for (const float w : {0.2f, 0.6f, 0.9f, 1.5f, -0.4f}) {
+    Primitive p = quad();
+    p.targets = {targetOf(p, turned(180, {0, 0, 1}), true)};
+    CHECK(worstAngle(p, {w}) < 0.05);
+    p.targets = {targetOf(p, turned(90, {0, 0, 1}) * stretched, true), targetOf(p, sheared, true)};
+    CHECK(worstAngle(p, {w, 0.3f}) < 0.05);
+  }
+}
+
+TEST_CASE("What turns no tangent adds none, and what a target had is replaced") {
+  Primitive p = quad();
+  p.targets.resize(3);
+  p.targets[0].positions.assign(4, {0, 0, 7});  // moved as a whole
+  p.targets[1].colors.assign(4, {1, 0, 0, 0});
+  p.targets[2] = targetOf(p, turned(90, {0, 0, 1}), false);
+  p.targets[2].tangents.assign(4, {9, 9, 9});
+  const Primitive out = withTangents(p, 0);
+  CHECK(out.targets[0].tangents.empty());
+  CHECK(out.targets[1].tangents.empty());
+  REQUIRE(out.targets[2].tangents.size() == out.positions.size());
+  for (const glm::vec3& t : out.targets[2].tangents) CHECK(glm::distance(t, glm::vec3(-1, 1, 0)) < 1e-6f);
+  CHECK(out.positions.size() == 4);
+}
+
+TEST_CASE("A target that collapses a shape, or brings it out of a point, gives finite tangents") {
+  Primitive p = quad();
+  p.targets = {targetOf(p, glm::dmat3(0), false)};
+  Primitive out = withTangents(p, 0);
+  checkDefined(out);
+  for (const glm::vec3& t : out.targets[0].tangents) CHECK(std::isfinite(t.x + t.y + t.z));
+  // The tangent keeps its direction all the way to the point.
+  for (size_t v = 0; v < out.positions.size(); ++v) {
+    const glm::vec3 t = glm::vec3(out.tangents[v]) + 0.9f * out.targets[0].tangents[v];
+    CHECK(glm::distance(glm::normalize(t), glm::vec3(out.tangents[v])) < 1e-5f);
+  }
+  p = quad();
+  p.targets = {MorphTarget{p.positions, {}, {}, {}, {}}};
+  p.positions.assign(4, glm::vec3(0));
+  out = withTangents(p, 0);
+  checkDefined(out);
+  for (const glm::vec3& t : out.targets[0].tangents) CHECK(std::isfinite(t.x + t.y + t.z));
+}
+
+TEST_CASE("Flat triangles' tangents follow their morphed normals") {
+  Primitive p = quad();
+  p.indices.clear();
+  p.positions.resize(3), p.normals.resize(3), p.texCoords[0].resize(3);
+  p.flatNormals = true;
+  p.targets = {targetOf(p, turned(90, {0, 1, 0}), false)};
+  const Primitive out = withTangents(p, 0);
+  for (size_t v = 0; v < 3; ++v)
+    CHECK(glm::distance(glm::vec3(out.tangents[v]) + out.targets[0].tangents[v], glm::vec3(0, 0, -1)) < 1e-6f);
+}
+
+TEST_CASE("Tangents follow KHR_texture_transform as baked coordinates do") {
+  const TextureTransform transforms[] = {
+      {{}, float(pi), {1, 1}}, {{0.3f, 0.7f}, float(pi / 4), {1, 1}}, {{}, 0, {-1, 1}},
+      {{1, 0}, 0, {1, -1}},    {{0, 0.2f}, -0.7f, {2, -0.5f}},        {{}, float(pi / 2), {-3, 1}}};
+  const Primitive p = quad();
+  for (const TextureTransform& t : transforms) {
+    Primitive baked = p;
+    // The extension's text: translation * rotation * scale, rotation [c s; -s c].
+    const double c = std::cos(double(t.rotation)), s = std::sin(double(t.rotation));
+    for (glm::vec2& uv : baked.texCoords[0]) {
+      const glm::dvec2 scaled = glm::dvec2(uv) * glm::dvec2(t.scale);
+      uv = glm::vec2(c * scaled.x + s * scaled.y + t.offset.x, -s * scaled.x + c * scaled.y + t.offset.y);
+    }
+    const Primitive got = withTangents(p, 0, t), wanted = withTangents(baked, 0);
+    CAPTURE(t.rotation, t.scale.x, t.scale.y);
+    for (size_t i = 0; i < 6; ++i) CHECK(glm::distance(tangentAt(got, i), tangentAt(wanted, i)) < 1e-6f);
+    CHECK(got.texCoords[0] == p.texCoords[0]);
+  }
+  // By hand: half a turn, and u mirrored.
+  CHECK(glm::distance(withTangents(p, 0, transforms[0]).tangents[0], glm::vec4(-1, 0, 0, 1)) < 1e-6f);
+  CHECK(glm::distance(withTangents(p, 0, transforms[2]).tangents[0], glm::vec4(-1, 0, 0, -1)) < 1e-6f);
+  CHECK(withTangents(p, 0, {{5, 5}, 0, {2, 3}}).tangents == withTangents(p, 0).tangents);
+}
+
 TEST_CASE("On a sphere the tangent is the parallel's direction, better with finer meshes") {
   double before = 0;
   for (const int stacks : {16, 32, 64}) {

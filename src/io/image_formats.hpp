@@ -1,0 +1,43 @@
+#pragma once
+
+// The decoders behind io/image.hpp, one for each format. Internal to io/. Errors come without a name; no call keeps or
+// changes the bytes. Limits on sizes are image.cpp's, which looks at the header before it calls decode.
+
+#include <cstdint>
+#include <span>
+
+#include "base/error.hpp"
+#include "io/image.hpp"
+
+namespace facet::io {
+
+struct ImageHeader {
+  int width = 0, height = 0;  // > 0
+  int channels = 0;           // as in Pixels
+  int bytesPerSample = 1;
+  uint64_t leastBytes = 0;  // no file of so many pixels is shorter
+  uint64_t passes = 1;      // how often the file comes back to all pixels
+  uint64_t pixels() const { return static_cast<uint64_t>(width) * static_cast<uint64_t>(height); }
+};
+
+inline tl::unexpected<Error> damagedHeader() { return fail("", "", "the image's header is damaged", "save it again"); }
+inline tl::unexpected<Error> damagedImage(const std::string& reason) {
+  return fail("", "", "the image is damaged: " + reason, "save it again");
+}
+
+// image_jpeg.cpp, through libjpeg-turbo: baseline and progressive; grey, RGB, and CMYK as Adobe writes it (inverted).
+bool isJpeg(std::span<const uint8_t> bytes);
+Result<ImageHeader> readJpegHeader(std::span<const uint8_t> bytes);
+Result<Pixels> decodeJpeg(std::span<const uint8_t> bytes, const ImageHeader& header);
+
+// image_png.cpp, through libspng: palettes and less than 8 bits become 8, tRNS becomes alpha.
+bool isPng(std::span<const uint8_t> bytes);
+Result<ImageHeader> readPngHeader(std::span<const uint8_t> bytes);
+Result<Pixels> decodePng(std::span<const uint8_t> bytes, const ImageHeader& header);
+
+// image_webp.cpp, through libwebp: RGB or RGBA; no animations.
+bool isWebp(std::span<const uint8_t> bytes);
+Result<ImageHeader> readWebpHeader(std::span<const uint8_t> bytes);
+Result<Pixels> decodeWebp(std::span<const uint8_t> bytes, const ImageHeader& header);
+
+}  // namespace facet::io
