@@ -260,12 +260,9 @@ TEST_CASE("Hostile material extensions", "[io][gltf]") {
   };
   const std::string normal = at + "KHR_materials_clearcoat/clearcoatNormalTexture";
   CHECK(clearcoat(7) == normal + ": is not an object" + again);
-  CHECK(clearcoat(Json::object()) == normal + "/index: is not a whole number" + again);
-  CHECK(clearcoat({{"index", 20}}) == normal + "/index: texture 20 does not exist; there are 20" + again);
-  CHECK(clearcoat({{"index", -1}}) == normal + "/index: texture -1 does not exist; there are 20" + again);
-  CHECK(clearcoat({{"index", 4294967296}}) ==
-        normal + "/index: texture 4294967296 does not exist; there are 20" + again);
-  CHECK(clearcoat({{"index", 1.5}}) == normal + "/index: is not a whole number" + again);
+  // A texture that does not exist costs itself.
+  for (const Json& index : {Json(20), Json(-1), Json(4294967296), Json(1.5), Json()})
+    CHECK(clearcoat({{"index", index}}) == "loaded");
   CHECK(clearcoat({{"index", 1}, {"texCoord", "0"}}) == normal + "/texCoord: is not a whole number" + again);
   CHECK(clearcoat({{"index", 1}, {"texCoord", 1e300}}) == "loaded");
   CHECK(clearcoat({{"index", 1}, {"extensions", {{"KHR_texture_transform", {{"offset", {1}}}}}}}) ==

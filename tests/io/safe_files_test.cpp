@@ -109,9 +109,10 @@ TEST_CASE("An image's file stays below the model's folder", "[io][gltf]") {
   GltfBuilder builder = triangle();
   builder.append("images", {{"uri", "..%2Fsecret.png"}});
   const auto path = folder.write("m.gltf", builder.text());
-  CHECK(outcome(io::loadGltf(path)) == path.string() +
-                                           ": /images/0/uri: the URI \"..%2Fsecret.png\" leads out of the model's "
-                                           "folder; put the file below that folder and name it by a relative path.");
+  const auto model = io::loadGltf(path);
+  REQUIRE(outcome(model) == "loaded");
+  CHECK(model->model.images[0].file.empty());
+  CHECK(model->model.images[0].problem == "the URI \"..%2Fsecret.png\" leads out of the model's folder");
 }
 
 TEST_CASE("The current folder is not searched", "[io][gltf]") {
@@ -143,6 +144,8 @@ TEST_CASE("All files of a model together stay within the budget", "[io][gltf]") 
   folder.write("a.bin", std::vector<uint8_t>(600, 0));
   GltfBuilder builder;
   builder.json["buffers"] = {{{"byteLength", 600}, {"uri", "a.bin"}}, {{"byteLength", 600}, {"uri", "a.bin"}}};
+  // What nothing uses is let pass.
+  for (int i = 0; i < 2; ++i) builder.append("bufferViews", {{"buffer", i}, {"byteLength", 4}});
   const auto path = folder.write("m.gltf", builder.text());
   io::Limits limits;
   limits.totalBytes = std::filesystem::file_size(path) + 1000;
