@@ -9,7 +9,7 @@ using commands::Job;
 
 namespace {
 
-Result<std::vector<Job>> parse(const std::string& text, const commands::PictureArguments& overrides = {}) {
+Result<std::vector<Job>> parseJobList(const std::string& text, const commands::PictureArguments& overrides = {}) {
   return commands::parseJobs(text, "j.json", "dir", overrides);
 }
 
@@ -19,7 +19,7 @@ TEST_CASE("jobs: an object with a list or the list itself") {
   const std::string list = R"([{"model": "a.glb", "output": "out/a.png"},
       {"model": "builtin:spheres", "output": "/tmp/b.EXR", "stats": "b.json", "size": [64, 32], "env": "m.hdr"}])";
   const bool wrapped = GENERATE(false, true);
-  const Result<std::vector<Job>> jobs = parse(wrapped ? "{\"jobs\": " + list + "}" : list);
+  const Result<std::vector<Job>> jobs = parseJobList(wrapped ? "{\"jobs\": " + list + "}" : list);
   REQUIRE(jobs);
   REQUIRE(jobs->size() == 2);
   CHECK((*jobs)[0].model == "dir/a.glb");
@@ -36,12 +36,12 @@ TEST_CASE("jobs: an object with a list or the list itself") {
 
 TEST_CASE("jobs: the command line wins over the file, which wins over the defaults") {
   const Result<std::vector<Job>> jobs =
-      parse(R"([{"model": "a", "output": "a.png", "samples": 8, "exposure": 1}])", {{"exposure", "-2"}});
+      parseJobList(R"([{"model": "a", "output": "a.png", "samples": 8, "exposure": 1}])", {{"exposure", "-2"}});
   REQUIRE(jobs);
   CHECK((*jobs)[0].settings.display.exposureStops == -2);
   CHECK((*jobs)[0].settings.quality.samples == 8);
   CHECK((*jobs)[0].settings.frame.occlusion == 1);
-  CHECK(describe(parse(R"([{"model": "a", "output": "a.png", "camera": 1}])", {{"orbit", "0,90"}}).error()) ==
+  CHECK(describe(parseJobList(R"([{"model": "a", "output": "a.png", "camera": 1}])", {{"orbit", "0,90"}}).error()) ==
         "--orbit: the camera of the file has its own place; give either this or --camera.");
 }
 
@@ -76,21 +76,21 @@ TEST_CASE("jobs: every way to be wrong has its sentence") {
        "j.json: /0: --orbit: the camera of the file has its own place; give either this or --camera."},
   }));
   CAPTURE(row.text);
-  const Result<std::vector<Job>> jobs = parse(row.text);
+  const Result<std::vector<Job>> jobs = parseJobList(row.text);
   REQUIRE_FALSE(jobs);
   CHECK(describe(jobs.error()) == row.message);
 }
 
 TEST_CASE("jobs: what is not JSON is told with line and column") {
-  const Result<std::vector<Job>> jobs = parse("[\n  {\"model\": \"a\",,}\n]");
+  const Result<std::vector<Job>> jobs = parseJobList("[\n  {\"model\": \"a\",,}\n]");
   REQUIRE_FALSE(jobs);
   CHECK(jobs.error().file == "j.json");
   CHECK(jobs.error().place == "line 2, column 17");
   CHECK(jobs.error().problem.starts_with("not JSON: syntax error"));
-  CHECK(parse("").error().place == "line 1, column 1");
-  CHECK(parse("[1e999]").error().problem.starts_with("not JSON: number overflow"));
-  CHECK_FALSE(parse(std::string(1'000'000, '[')));
-  CHECK_FALSE(parse("[\"\xff\"]"));
+  CHECK(parseJobList("").error().place == "line 1, column 1");
+  CHECK(parseJobList("[1e999]").error().problem.starts_with("not JSON: number overflow"));
+  CHECK_FALSE(parseJobList(std::string(1'000'000, '[')));
+  CHECK_FALSE(parseJobList("[\"\xff\"]"));
 }
 
 TEST_CASE("jobs: the file is read, and its folder is where paths start") {

@@ -9,7 +9,7 @@ using commands::Suite;
 
 namespace {
 
-Result<Suite> parse(const std::string& text, const commands::PictureArguments& overrides = {}) {
+Result<Suite> parseSuiteText(const std::string& text, const commands::PictureArguments& overrides = {}) {
   return commands::parseSuite(text, "suite.json", "dir", overrides);
 }
 
@@ -22,11 +22,12 @@ double limit(const commands::SuiteJob& job, std::string_view name) {
 }  // namespace
 
 TEST_CASE("suite: defaults, what jobs change of them, and paths") {
-  const Result<Suite> suite = parse(R"({"defaults": {"size": "64x32", "samples": 8, "tolerance": {"ssim": 0.1}},
+  const Result<Suite> suite =
+      parseSuiteText(R"({"defaults": {"size": "64x32", "samples": 8, "tolerance": {"ssim": 0.1}},
       "jobs": [{"name": "a", "model": "m/a.glb"},
                {"name": "b-2", "model": "builtin:spheres", "samples": 1, "env": "e.hdr",
                 "tolerance": {"flip": 0.5, "ssim": null}}]})",
-                                    {{"shader-dir", "s"}});
+                     {{"shader-dir", "s"}});
   REQUIRE(suite);
   REQUIRE(suite->jobs.size() == 2);
   const commands::SuiteJob &a = suite->jobs[0], &b = suite->jobs[1];
@@ -75,7 +76,7 @@ TEST_CASE("suite: every way to be wrong has its sentence") {
        "suite.json: /defaults/materal: there is no such option; perhaps material is meant."},
   }));
   CAPTURE(row.text);
-  const Result<Suite> suite = parse(row.text);
+  const Result<Suite> suite = parseSuiteText(row.text);
   REQUIRE_FALSE(suite);
   CHECK(describe(suite.error()) == row.message);
 }

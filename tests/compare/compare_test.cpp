@@ -6,14 +6,16 @@
 #include <limits>
 
 #include "base/srgb.hpp"
+#include "support/not_a_number.hpp"
 
 using namespace facet;
 using compare::comparePictures;
 using compare::Comparison;
 
+using facet::test::notANumber;
+
 namespace {
 
-constexpr float notANumber = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
 io::RadianceImage uniform(int width, int height, const glm::vec4& color) {

@@ -64,7 +64,7 @@ const Extension extensions[] = {
 };
 
 const float roughnesses[] = {0, 0.1f, 0.4f, 0.7f, 1};
-constexpr int columns = 5, cell = 40;
+constexpr int columns = 5, patch = 40;
 
 // Spheres of a white material, one for each roughness, in a row; tangents as MikkTSpace would give for longitude.
 io::LoadedModel sphereRow(const Extension& extension) {
@@ -86,7 +86,7 @@ io::LoadedModel sphereRow(const Extension& extension) {
 }
 
 PictureSettings rowSettings(const char* environment) {
-  PictureSettings settings = test::bareSettings(columns * cell, cell);
+  PictureSettings settings = test::bareSettings(columns * patch, patch);
   settings.viewpoint.camera = "0";
   settings.sources.environment = environment;
   return settings;
@@ -94,7 +94,7 @@ PictureSettings rowSettings(const char* environment) {
 
 // The sphere's normal at a pixel's centre; false off the sphere or on its rim.
 bool normalAt(int x, int y, glm::dvec3& N) {
-  const double u = (x % cell + 0.5) / cell * 2 - 1, v = 1 - (y + 0.5) / cell * 2, r2 = u * u + v * v;
+  const double u = (x % patch + 0.5) / patch * 2 - 1, v = 1 - (y + 0.5) / patch * 2, r2 = u * u + v * v;
   if (r2 > 0.98) return false;
   N = {u, v, std::sqrt(1 - r2)};
   return true;
@@ -173,18 +173,18 @@ TEST_CASE("Layers: one light on spheres is what the twin says") {
     model.model.nodes.push_back(node);
     const frame::Picture picture = studio.render(model, rowSettings("none"));
     double largest = 0, sharpest = 0;  // of roughness 0.1
-    for (int y = 5; y < cell; y += 7)
-      for (int x = 2; x < columns * cell; x += 7) {
+    for (int y = 5; y < patch; y += 7)
+      for (int x = 2; x < columns * patch; x += 7) {
         glm::dvec3 N, dNdx, dNdy;
         if (!normalAt(x, y, N) || !turnAt(x, y, dNdx, dNdy) || glm::dot(N, L) < 0.02) continue;
-        if (x / cell == 0) continue;  // nearly a mirror: the rounding of its normals counts
-        const optics::Surface surface = surfaceOf(model.model.materials[size_t(x / cell)], N, dNdx, dNdy);
+        if (x / patch == 0) continue;  // nearly a mirror: the rounding of its normals counts
+        const optics::Surface surface = surfaceOf(model.model.materials[size_t(x / patch)], N, dNdx, dNdy);
         const glm::dvec3 expected = optics::evaluate(surface, optics::albedosOf(surface, N, V, L), N, V, L);
         const glm::vec4& got = test::pixel(picture.radiance, x, y);
         double error = 0;
         for (int i = 0; i < 3; ++i)
           error = std::max(error, std::abs(double(got[i]) - expected[i]) / (expected[i] + 0.02));
-        double& worstThere = x / cell == 1 ? sharpest : largest;
+        double& worstThere = x / patch == 1 ? sharpest : largest;
         worstThere = std::max(worstThere, error);
       }
     std::printf("one light, %-34s off by %.4f, of roughness 0.1 by %.4f\n", extension.name, largest, sharpest);

@@ -65,7 +65,7 @@ struct Cuts {
   }
 };
 
-std::vector<glm::dvec3> spread(size_t count) {
+std::vector<glm::dvec3> spreadDirections(size_t count) {
   std::vector<glm::dvec3> list;
   for (size_t i = 0; i < count; ++i) list.push_back(optics::goldenSpiral(i, count));
   return list;
@@ -78,11 +78,11 @@ scene::Environment grey(int width, int height, float value) {
 }
 
 // Root mean square of the relative error, the mean error, and the root mean square error over that of the references.
-struct Errors {
+struct CutErrors {
   double relative = 0, bias = 0, normalised = 0;
 };
-Errors errors(const Texels& got, const scene::Environment& map, double r,
-              optics::LobeWeight weight = optics::LobeWeight::NoL) {
+CutErrors errors(const Texels& got, const scene::Environment& map, double r,
+                 optics::LobeWeight weight = optics::LobeWeight::NoL) {
   double squares = 0, bias = 0, absolute = 0, reference = 0;
   for (size_t i = 0; i < got.values.size(); ++i) {
     const glm::dvec3 truth = optics::prefiltered(map, got.directions[i], r * r, weight).value;
@@ -117,9 +117,9 @@ struct Bounds {
 constexpr Bounds bounds{0.025, 0.06, 0.02};
 
 void checkLayer(Cuts& cuts, const scene::Environment& map, const glm::dvec3& sun, double r, const std::string& what) {
-  const Texels everywhere = cuts.nearest(spread(16), 16, r);
-  const Errors e = errors(everywhere, map, r);
-  const Errors zone = errors(cuts.nearest(about(sun, std::max(0.05, 4 * r * r), 8), 32, r), map, r);
+  const Texels everywhere = cuts.nearest(spreadDirections(16), 16, r);
+  const CutErrors e = errors(everywhere, map, r);
+  const CutErrors zone = errors(cuts.nearest(about(sun, std::max(0.05, 4 * r * r), 8), 32, r), map, r);
   std::cout << what << ", r " << r << ": relative RMSE " << e.relative << ", bias " << e.bias << ", near the sun "
             << zone.normalised << ", reads " << everywhere.visits << "\n";
   CHECK(e.relative <= bounds.relative);
@@ -158,7 +158,8 @@ TEST_CASE("Cut: weighted by G2, and bands") {
   scene::Environment map = grey(64, 32, 1);
   for (size_t i = 0; i < map.radiance.size(); ++i) map.radiance[i] *= i % 5 == 0 ? 4.0f : 0.5f;
   Cuts cuts(map);
-  const Errors e = errors(cuts.nearest(spread(12), 8, 0.6, {.weightedByG2 = true}), map, 0.6, optics::LobeWeight::G2);
+  const CutErrors e =
+      errors(cuts.nearest(spreadDirections(12), 8, 0.6, {.weightedByG2 = true}), map, 0.6, optics::LobeWeight::G2);
   CHECK(e.relative <= 0.01);
   const std::vector<glm::vec4> whole = cuts.layer(16, 0.6);
   gl::Texture array({.target = GL_TEXTURE_CUBE_MAP_ARRAY, .format = GL_RGBA16F, .width = 16, .height = 16, .layers = 1},
@@ -179,7 +180,7 @@ TEST_CASE("Cut: black but for a lamp, nothing is negative or off by more than a 
   Cuts cuts(map);
   const double mean = 100 * 24 * optics::equirectTexelSolidAngle(21, 128, 64) / (4 * pi);
   for (const double r : {0.3, 1.0}) {
-    const Texels got = cuts.nearest(spread(16), 16, r);
+    const Texels got = cuts.nearest(spreadDirections(16), 16, r);
     for (size_t i = 0; i < got.values.size(); ++i) {
       const double truth = optics::prefiltered(map, got.directions[i], r * r).value.y;
       CHECK(got.values[i].y >= 0);

@@ -5,6 +5,9 @@
 #include <limits>
 
 #include "support/gltf_load.hpp"
+#include "support/not_a_number.hpp"
+
+using facet::test::notANumber;
 
 namespace {
 
@@ -13,8 +16,6 @@ using namespace facet::test;
 using scene::AnimatedProperty;
 using scene::Interpolation;
 using Json = nlohmann::json;
-
-const float notANumber = std::numeric_limits<float>::quiet_NaN();
 
 Json& animation(GltfBuilder& b) { return b.json["animations"][0]; }
 Json& sampler(GltfBuilder& b) { return animation(b)["samplers"][0]; }

@@ -23,7 +23,7 @@ GltfBuilder instanced() {
   return b;
 }
 
-std::string outcome(const GltfBuilder& b) { return facet::test::outcome(b.text()); }
+std::string instancingOutcome(const GltfBuilder& b) { return facet::test::outcome(b.text()); }
 
 }  // namespace
 
@@ -80,14 +80,15 @@ TEST_CASE("Broken instances are refused with one sentence", "[io][instancing]") 
   Json& attributes = instancing(b)["attributes"];
   const std::string place = "m: /nodes/0/extensions/EXT_mesh_gpu_instancing/attributes";
   attributes["TRANSLATION"] = "x";
-  CHECK(outcome(b) == place + "/TRANSLATION: is not a whole number; export the model again.");
+  CHECK(instancingOutcome(b) == place + "/TRANSLATION: is not a whole number; export the model again.");
   attributes["TRANSLATION"] = 2;
-  CHECK(outcome(b) == place + "/TRANSLATION: accessor 2 does not exist; there are 2; export the model again.");
+  CHECK(instancingOutcome(b) ==
+        place + "/TRANSLATION: accessor 2 does not exist; there are 2; export the model again.");
   attributes["TRANSLATION"] = 1;
   attributes["SCALE"] = b.add(std::vector<float>(6, 1), floatType, "VEC3");
-  CHECK(outcome(b) == place + "/TRANSLATION: has 3 elements, but another has 2; export the model again.");
+  CHECK(instancingOutcome(b) == place + "/TRANSLATION: has 3 elements, but another has 2; export the model again.");
   attributes["SCALE"] = b.add(std::vector<float>(3, 1), floatType, "SCALAR");
-  CHECK(outcome(b) == place + "/SCALE: is not a vector of 3 components; export the model again.");
+  CHECK(instancingOutcome(b) == place + "/SCALE: is not a vector of 3 components; export the model again.");
   const auto glb = instanced().glb();
   io::Limits limits;
   limits.geometryBytes = 3 * 800 - 1;
@@ -105,11 +106,11 @@ TEST_CASE("Instances that the file does not store", "[io][instancing]") {
   instancing(b)["attributes"] = {{"TRANSLATION", zeros(65536)}};
   CHECK(loaded(b).model.nodes[0].instances.size() == 65536);
   instancing(b)["attributes"] = {{"TRANSLATION", zeros(65537)}};
-  CHECK(outcome(b) ==
+  CHECK(instancingOutcome(b) ==
         "m: /nodes/0/extensions/EXT_mesh_gpu_instancing/attributes/TRANSLATION: has no buffer view for 65537 "
         "instances; at most 65536 can do without; export the model again.");
   instancing(b)["attributes"] = {{"_ID", zeros(65537)}};  // it too says how many there are
-  CHECK(outcome(b).find("attributes/_ID: has no buffer view for 65537 instances") != std::string::npos);
+  CHECK(instancingOutcome(b).find("attributes/_ID: has no buffer view for 65537 instances") != std::string::npos);
 }
 
 TEST_CASE("Visibility of nodes", "[io][instancing]") {

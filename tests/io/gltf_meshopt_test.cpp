@@ -17,7 +17,7 @@ using namespace facet::test;
 using Json = nlohmann::json;
 using Bytes = std::vector<uint8_t>;
 
-constexpr const char* name = "EXT_meshopt_compression";
+constexpr const char* meshopt = "EXT_meshopt_compression";
 
 template <class T>
 Bytes encodeVertices(const std::vector<T>& data, size_t stride) {
@@ -46,10 +46,11 @@ int addCompressed(GltfBuilder& b, const Bytes& encoded, size_t count, size_t str
                     {"count", count}, {"byteStride", stride},         {"mode", mode}};
   if (filter) extension["filter"] = filter;
   for (const uint8_t byte : encoded) b.bytes.push_back(byte);
-  Json view = {{"buffer", 1}, {"byteOffset", 0}, {"byteLength", count * stride}, {"extensions", {{name, extension}}}};
+  Json view = {
+      {"buffer", 1}, {"byteOffset", 0}, {"byteLength", count * stride}, {"extensions", {{meshopt, extension}}}};
   if (std::string(mode) == "ATTRIBUTES") view["byteStride"] = stride;
   b.json["buffers"] = {{{"byteLength", b.bytes.size()}},
-                       {{"byteLength", 1000000}, {"extensions", {{name, {{"fallback", true}}}}}}};
+                       {{"byteLength", 1000000}, {"extensions", {{meshopt, {{"fallback", true}}}}}}};
   return b.append("bufferViews", view);
 }
 
@@ -71,7 +72,7 @@ GltfBuilder points(size_t count) {
   b.append("meshes",
            {{"primitives",
              {{{"mode", 0}, {"attributes", {{"POSITION", addAttribute(b, view, count, test::floatType, "VEC3")}}}}}}});
-  b.json["extensionsUsed"] = b.json["extensionsRequired"] = {name};
+  b.json["extensionsUsed"] = b.json["extensionsRequired"] = {meshopt};
   return b;
 }
 
@@ -85,9 +86,9 @@ GltfBuilder grid() {
   return b;
 }
 
-Json& extension(GltfBuilder& b, int view) { return b.json["bufferViews"][view]["extensions"][name]; }
+Json& extension(GltfBuilder& b, int view) { return b.json["bufferViews"][view]["extensions"][meshopt]; }
 
-std::string load(const GltfBuilder& b, const io::Limits& limits = {}) {
+std::string loadMeshopt(const GltfBuilder& b, const io::Limits& limits = {}) {
   return outcome(io::loadGltfBytes(b.glb(), "m", {}, limits));
 }
 
@@ -238,7 +239,7 @@ TEST_CASE("Meshopt: what is broken is refused", "[io][meshopt]") {
   const auto refused = [&](int view, void (*breakIt)(Json&)) {
     GltfBuilder b = grid();
     breakIt(extension(b, view));
-    std::string text = load(b);
+    std::string text = loadMeshopt(b);
     const std::string head = place + std::to_string(view) + "/extensions/EXT_meshopt_compression";
     CHECK(text.starts_with(head));
     CHECK(text.ends_with(end));
@@ -284,36 +285,36 @@ TEST_CASE("Meshopt: what is broken is refused", "[io][meshopt]") {
 TEST_CASE("Meshopt: limits and fallbacks", "[io][meshopt]") {
   GltfBuilder b = grid();
   b.json["bufferViews"].push_back({{"buffer", 1}, {"byteLength", 4}});
-  CHECK(load(b) ==
+  CHECK(loadMeshopt(b) ==
         "m: /bufferViews/2/buffer: buffer 1 is a fallback, which only compressed views may use; "
         "export the model again, or without meshopt compression.");
   // 108 bytes of vertices and 48 of indices beside the file's own
   b = grid();
   io::Limits limits;
   limits.totalBytes = b.glb().size() + 156;
-  CHECK(load(b, limits) == "loaded");
+  CHECK(loadMeshopt(b, limits) == "loaded");
   --limits.totalBytes;
-  CHECK(load(b, limits) ==
+  CHECK(loadMeshopt(b, limits) ==
         "m: /bufferViews/1/extensions/EXT_meshopt_compression: with its 48 bytes the model has more "
         "than the limit of " +
             std::to_string(limits.totalBytes) + "; use a smaller model.");
   // Few bytes that claim to be many are refused before memory is taken.
   extension(b, 0)["count"] = 100000000;
   b.json["bufferViews"][0]["byteLength"] = 1200000000;
-  CHECK(load(b).find("bytes are too few to decode to 1200000000; export") != std::string::npos);
+  CHECK(loadMeshopt(b).find("bytes are too few to decode to 1200000000; export") != std::string::npos);
   // Without the mark, a buffer without data is a fallback where the extension is required, else one like others.
   b = grid();
   b.json["buffers"][1].erase("extensions");
-  CHECK(load(b) == "loaded");
+  CHECK(loadMeshopt(b) == "loaded");
   b.json.erase("extensionsRequired");
-  CHECK(load(b) == "m: /buffers/1: has no uri; embed the buffer or name its file.");
+  CHECK(loadMeshopt(b) == "m: /buffers/1: has no uri; embed the buffer or meshopt its file.");
 }
 
 TEST_CASE("Meshopt: the KHR extension is read like EXT, and has a filter for colours", "[io][meshopt]") {
   // Renames the extension in views, buffers and lists.
   const auto asKhr = [](GltfBuilder b) {
     std::string text = b.json.dump();
-    for (size_t i = 0; (i = text.find(name, i)) != std::string::npos;) text.replace(i, 3, "KHR");
+    for (size_t i = 0; (i = text.find(meshopt, i)) != std::string::npos;) text.replace(i, 3, "KHR");
     b.json = Json::parse(text);
     return b;
   };
@@ -350,7 +351,7 @@ TEST_CASE("Meshopt: the KHR extension is read like EXT, and has a filter for col
 TEST_CASE("Meshopt: version 1 of the vertex codec is named where the library cannot read it", "[io][meshopt]") {
   GltfBuilder b = points(4);
   b.bytes[0] = 0xa1;
-  const std::string said = load(b);
+  const std::string said = loadMeshopt(b);
   // A newer library reads it, if not these bytes.
   if (said.find("version 1") != std::string::npos)
     CHECK(

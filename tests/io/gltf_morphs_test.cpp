@@ -4,14 +4,15 @@
 #include <limits>
 
 #include "support/gltf_load.hpp"
+#include "support/not_a_number.hpp"
+
+using facet::test::notANumber;
 
 namespace {
 
 using namespace facet;
 using namespace facet::test;
 using Json = nlohmann::json;
-
-const float notANumber = std::numeric_limits<float>::quiet_NaN();
 
 Json& mesh(GltfBuilder& b) { return b.json["meshes"][0]; }
 Json& targets(GltfBuilder& b) { return mesh(b)["primitives"][0]["targets"]; }
@@ -23,7 +24,7 @@ GltfBuilder lifted() {
   return b;
 }
 
-std::string outcome(const GltfBuilder& b) { return facet::test::outcome(b.text()); }
+std::string morphOutcome(const GltfBuilder& b) { return facet::test::outcome(b.text()); }
 
 }  // namespace
 
@@ -142,7 +143,7 @@ TEST_CASE("Weights and names of targets", "[io][morphs]") {
   CHECK(model.model.meshes[0].targetNames == std::vector<std::string>{"smile", ""});
 
   mesh(b)["weights"] = {1e39, 0};
-  CHECK(outcome(b) ==
+  CHECK(morphOutcome(b) ==
         "m: /meshes/0/weights: holds a number that is not finite in single precision; export the model again.");
 }
 
@@ -173,14 +174,14 @@ TEST_CASE("Differences that are not finite", "[io][morphs]") {
 TEST_CASE("Broken targets are refused with one sentence", "[io][morphs]") {
   GltfBuilder b = lifted();
   targets(b)[0]["NORMAL"] = 7;
-  CHECK(outcome(b) ==
+  CHECK(morphOutcome(b) ==
         "m: /meshes/0/primitives/0/targets/0/NORMAL: accessor 7 does not exist; there are 2; export the model again.");
   targets(b)[0]["NORMAL"] = b.add(std::vector<float>(6, 0), floatType, "VEC2");
-  CHECK(outcome(b) ==
+  CHECK(morphOutcome(b) ==
         "m: /meshes/0/primitives/0/targets/0/NORMAL: is not a vector of 3 components; export the model again.");
   b = lifted();
   b.json["accessors"][1]["count"] = 2147483648u;
-  CHECK(outcome(b) ==
+  CHECK(morphOutcome(b) ==
         "m: /accessors/1: needs 25769803776 bytes of buffer view 1, which has 36; export the model again.");
   b = lifted();
   const Json first = targets(b)[0];

@@ -5,14 +5,15 @@
 #include <limits>
 
 #include "support/gltf_load.hpp"
+#include "support/not_a_number.hpp"
+
+using facet::test::notANumber;
 
 namespace {
 
 using namespace facet;
 using namespace facet::test;
 using Json = nlohmann::json;
-
-const float notANumber = std::numeric_limits<float>::quiet_NaN();
 
 // A triangle that node 0 draws with skin 0; its joints are nodes 0 to `joints` - 1.
 GltfBuilder skinned(int joints) {
@@ -49,7 +50,7 @@ std::string influences(const scene::Primitive& p) {
   return text;
 }
 
-std::string outcome(const GltfBuilder& b) { return facet::test::outcome(b.text()); }
+std::string skinOutcome(const GltfBuilder& b) { return facet::test::outcome(b.text()); }
 
 }  // namespace
 
@@ -170,11 +171,11 @@ TEST_CASE("Joints are checked against the smallest skin", "[io][skins]") {
   GltfBuilder b = skinned(3);
   addSet(b, 0, std::vector<uint8_t>{0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0}, ubyteType,
          std::vector<float>{1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, floatType);
-  CHECK(outcome(b) == "loaded");
+  CHECK(skinOutcome(b) == "loaded");
   b.append("skins", {{"joints", {1, 2}}});
-  CHECK(outcome(b) == "loaded");
+  CHECK(skinOutcome(b) == "loaded");
   b.append("nodes", {{"mesh", 0}, {"skin", 1}});
-  CHECK(outcome(b) ==
+  CHECK(skinOutcome(b) ==
         "m: /meshes/0/primitives/0/attributes: vertex 1 follows joint 2, but skin 1 has 2 joints; export the model "
         "again.");
 }
@@ -283,7 +284,7 @@ TEST_CASE("Broken skins cost what they move its motion, broken influences the mo
     GltfBuilder b = skinned(2);
     addSet(b, 0, noJoints, ubyteType, std::vector<float>{1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, floatType);
     row.breakIt(b);
-    const std::string said = outcome(b);
+    const std::string said = skinOutcome(b);
     CHECK((said == "loaded" ? notes(loaded(b)) : said) == row.message);
   }
 }

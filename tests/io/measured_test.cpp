@@ -8,10 +8,13 @@
 
 #include "io/merl.hpp"
 #include "optics/synthetic_brdf.hpp"
+#include "support/not_a_number.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace facet;
 using optics::MeasuredKind;
+
+using facet::test::notANumber;
 
 namespace {
 
@@ -33,8 +36,7 @@ std::string problemOf(const std::string& path) {
 
 bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-constexpr double notANumber = std::numeric_limits<double>::quiet_NaN(),
-                 infinity = std::numeric_limits<double>::infinity();
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 

@@ -5,15 +5,13 @@
 #include <random>
 
 #include "optics/quadrature.hpp"
+#include "support/direction.hpp"
 
 using namespace facet::optics;
 
-namespace {
+using facet::test::direction;
 
-glm::dvec3 direction(double cosine, double phi) {
-  const double sine = std::sqrt((1 - cosine) * (1 + cosine));
-  return {sine * std::cos(phi), sine * std::sin(phi), cosine};
-}
+namespace {
 
 // Integral of f(H) over the hemisphere in the stretched coordinates of the lobe: slopes = alpha tan(w) (cos, sin).
 template <class Function>

@@ -13,14 +13,14 @@ using namespace facet::optics;
 
 namespace {
 
-const glm::dvec3 N(0, 0, 1);
+const glm::dvec3 up(0, 0, 1);
 
 struct Case {
   const char* name;
   std::function<void(Surface&, double roughness)> apply;
 };
 
-void coat(Surface& s, double r) { s.coat = {1, r, N}; }
+void coat(Surface& s, double r) { s.coat = {1, r, up}; }
 void cloth(Surface& s, double r) { s.sheen = {{1, 0.5, 0.2}, r}; }
 void film(Surface& s, double) { s.film = {1, 1.3, 350}; }
 void grain(Surface& s, double) { s.grain = {0.8, {1, 0, 0}}; }
@@ -63,7 +63,7 @@ glm::dvec3 furnace(const Surface& surface, double NoV, const std::vector<double>
   constexpr size_t heights = 160, azimuths = 400;
   static const Quadrature rule = gaussLegendre(heights);
   const glm::dvec3 V(std::sqrt(1 - NoV * NoV) * 0.8, std::sqrt(1 - NoV * NoV) * 0.6, NoV);
-  Albedos albedos = albedosOf(surface, N, V, V);
+  Albedos albedos = albedosOf(surface, up, V, V);
   glm::dvec3 sum(0);
   for (size_t i = 0; i < heights; ++i) {
     const double t = rule.nodes[i], NoL = t * t, sine = std::sqrt(1 - NoL * NoL);
@@ -71,7 +71,7 @@ glm::dvec3 furnace(const Surface& surface, double NoV, const std::vector<double>
     for (size_t j = 0; j < azimuths; ++j) {
       const double phi = 2 * pi * (double(j) + 0.5) / azimuths;
       const glm::dvec3 L(sine * std::cos(phi), sine * std::sin(phi), NoL);
-      sum += evaluate(surface, albedos, N, V, L) * (rule.weights[i] * 2 * t * 2 * pi / azimuths);
+      sum += evaluate(surface, albedos, up, V, L) * (rule.weights[i] * 2 * t * 2 * pi / azimuths);
     }
   }
   return sum;
@@ -105,18 +105,18 @@ TEST_CASE("Layers: none of weight 0 changes a bit, a coat alone is its lobe") {
   const glm::dvec3 V(0.6, 0, 0.8), L(-0.48, 0.36, 0.8);
   const Surface plain{{0.8, 0.5, 0.1}, 0.3, 0.5};
   Surface covered = plain;
-  covered.coat = {0, 0.3, N};
+  covered.coat = {0, 0.3, up};
   covered.sheen = {{0, 0, 0}, 0.5};
   covered.film.weight = 0;
   setDielectricSpecular(covered, 1.5, 1, {1, 1, 1});
-  const glm::dvec3 a = evaluate(plain, albedosOf(plain, N, V, L), N, V, L);
-  const glm::dvec3 b = evaluate(covered, albedosOf(covered, N, V, L), N, V, L);
+  const glm::dvec3 a = evaluate(plain, albedosOf(plain, up, V, L), up, V, L);
+  const glm::dvec3 b = evaluate(covered, albedosOf(covered, up, V, L), up, V, L);
   for (int i = 0; i < 3; ++i) CHECK(a[i] == Approx(b[i]).epsilon(1e-12));
   // Weight 0: nothing but the diffuse base; index infinite: f0 is the colour.
   Surface noLobe = plain;
   setDielectricSpecular(noLobe, 1.5, 0, {1, 1, 1});
   noLobe.metallic = 0;
-  const Reflected r = reflect(noLobe, dfgOf(noLobe, 0.8), N, V, L);
+  const Reflected r = reflect(noLobe, dfgOf(noLobe, 0.8), up, V, L);
   CHECK(r.specular == glm::dvec3(0));
   CHECK(r.diffuse.x == Approx(0.8 / pi * 0.8));
   setDielectricSpecular(noLobe, 0, 1, {0.2, 1, 3});
@@ -135,7 +135,7 @@ TEST_CASE("Layers: the coat has its own normal, finite at the ends") {
         s.film = {1, 1, 0};
         s.grain = {1, {1, 0, 0}};
         const glm::dvec3 V(std::sqrt(1 - v * v), 0, v), L(0, std::sqrt(1 - l * l), l);
-        const glm::dvec3 value = evaluate(s, albedosOf(s, N, V, L), N, V, L);
+        const glm::dvec3 value = evaluate(s, albedosOf(s, up, V, L), up, V, L);
         for (int i = 0; i < 3; ++i) bad += !(std::isfinite(value[i]) && value[i] >= 0);
       }
   CHECK(bad == 0);
@@ -143,6 +143,6 @@ TEST_CASE("Layers: the coat has its own normal, finite at the ends") {
   tilted.f0 = glm::dvec3(0), tilted.f90 = 0;
   tilted.coat = {1, 0.5, glm::normalize(glm::dvec3(1, 0, 1))};
   const glm::dvec3 facing = tilted.coat.normal;
-  const glm::dvec3 peak = evaluate(tilted, albedosOf(tilted, N, facing, facing), N, facing, facing);
+  const glm::dvec3 peak = evaluate(tilted, albedosOf(tilted, up, facing, facing), up, facing, facing);
   CHECK(peak.x == Approx(0.04 / (4 * pi * 0.25 * 0.25)));  // D V F NoL at the coat's own normal: alpha 1/4
 }

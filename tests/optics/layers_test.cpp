@@ -6,19 +6,17 @@
 #include "optics/fresnel.hpp"
 #include "optics/microfacet.hpp"
 #include "optics/quadrature.hpp"
+#include "support/direction.hpp"
 
 using namespace facet::optics;
+
+using facet::test::direction;
 
 namespace {
 
 double coatAlbedo(double NoV, double alpha) {
   const Dfg dfg = integrateDfg(NoV, alpha, 1e-6);
   return coatF0 * dfg.A + dfg.B;
-}
-
-glm::dvec3 direction(double cosine, double phi) {
-  const double sine = std::sqrt((1 - cosine) * (1 + cosine));
-  return {sine * std::cos(phi), sine * std::sin(phi), cosine};
 }
 
 }  // namespace

@@ -6,17 +6,15 @@
 #include <vector>
 
 #include "optics/quadrature.hpp"
+#include "support/direction.hpp"
 
 using namespace facet::optics;
+
+using facet::test::direction;
 
 namespace {
 
 const glm::dvec3 up(0, 0, 1);
-
-glm::dvec3 direction(double cosine, double phi) {
-  const double sine = std::sqrt((1 - cosine) * (1 + cosine));
-  return {sine * std::cos(phi), sine * std::sin(phi), cosine};
-}
 
 // Integral over the hemisphere of f(direction), symmetric in phi; f may have a kink where dot(V, direction) = 0.
 template <class Function>

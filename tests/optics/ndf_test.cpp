@@ -4,15 +4,13 @@
 #include <cmath>
 
 #include "optics/quadrature.hpp"
+#include "support/direction.hpp"
 
 using namespace facet::optics;
 
-namespace {
+using facet::test::direction;
 
-glm::dvec3 direction(double cosine, double phi) {
-  const double sine = std::sqrt((1 - cosine) * (1 + cosine));
-  return {sine * std::cos(phi), sine * std::sin(phi), cosine};
-}
+namespace {
 
 // int D NoH dH for an isotropic D(sin^2) of width alpha: tan = alpha tan(w).
 template <class Distribution>

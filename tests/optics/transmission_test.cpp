@@ -8,15 +8,13 @@
 #include "optics/fresnel.hpp"
 #include "optics/microfacet.hpp"
 #include "optics/quadrature.hpp"
+#include "support/direction.hpp"
 
 using namespace facet::optics;
 
-namespace {
+using facet::test::direction;
 
-glm::dvec3 direction(double cosine, double phi) {
-  const double sine = std::sqrt((1 - cosine) * (1 + cosine));
-  return {sine * std::cos(phi), sine * std::sin(phi), cosine};
-}
+namespace {
 
 constexpr double etas[] = {1.5, 1 / 1.5, 1.05, 2.4};
 

@@ -6,14 +6,16 @@
 
 #include "base/angle.hpp"
 #include "scene/nodes.hpp"
+#include "support/not_a_number.hpp"
 
 using namespace facet;
 using namespace facet::scene;
 
+using facet::test::notANumber;
+
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 
 AnimationSampler sampler(Interpolation interpolation, int width, std::vector<float> times, std::vector<float> values) {
   return {interpolation, std::move(times), std::move(values), width};

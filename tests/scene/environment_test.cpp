@@ -6,13 +6,16 @@
 
 #include "base/angle.hpp"
 #include "scene/builtin_environments.hpp"
+#include "support/not_a_number.hpp"
 
 using facet::pi;
 using namespace facet::scene;
 
+using facet::test::notANumber;
+
 namespace {
 
-const float notANumber = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
+const float inf = std::numeric_limits<float>::infinity();
 
 Environment grid(int width, int height, float value) {
   Environment e;

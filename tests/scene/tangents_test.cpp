@@ -18,7 +18,7 @@ using namespace facet::scene;
 namespace {
 
 // Unit square in the plane z = 0 seen from +Z, u to the right and v down as an image has it.
-Primitive quad() {
+Primitive texturedQuad() {
   Primitive p;
   p.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   p.normals.assign(4, {0, 0, 1});
@@ -56,9 +56,9 @@ glm::vec4 tangentAt(const Primitive& p, size_t corner) { return p.tangents[p.ind
 }  // namespace
 
 TEST_CASE("On a plane the tangent follows u, the bitangent points to smaller v") {
-  const Primitive p = withTangents(quad(), 0);
+  const Primitive p = withTangents(texturedQuad(), 0);
   CHECK(p.positions.size() == 4);
-  CHECK(p.indices == quad().indices);
+  CHECK(p.indices == texturedQuad().indices);
   CHECK(p.material == 3);
   for (const glm::vec4& t : p.tangents) {
     CHECK(t == glm::vec4(1, 0, 0, 1));
@@ -82,7 +82,7 @@ TEST_CASE("Turned, stretched and mirrored texture coordinates") {
       {{{1e-12f, 0}, {0, -1e-12f}}, {1, 0, 0, 1}},  // tiny, but with area
   };
   for (const Row& row : rows) {
-    Primitive p = quad();
+    Primitive p = texturedQuad();
     for (size_t i = 0; i < 4; ++i) p.texCoords[0][i] = row.uvFromXy * glm::vec2(p.positions[i]);
     for (const glm::vec4& t : withTangents(p, 0).tangents) CHECK(glm::distance(t, row.tangent) < 1e-6f);
   }
@@ -104,7 +104,7 @@ TEST_CASE("A mirrored half doesn't share its seam's vertices") {
 
 TEST_CASE("Corners are welded by what they are, not by their indices") {
   Primitive soup;
-  const Primitive indexed = quad();
+  const Primitive indexed = texturedQuad();
   for (const uint32_t i : indexed.indices) {
     soup.positions.push_back(indexed.positions[i]);
     soup.normals.push_back(indexed.normals[i]);
@@ -125,7 +125,7 @@ TEST_CASE("Corners are welded by what they are, not by their indices") {
 
 TEST_CASE("Corners with other influences or morph targets stay apart and keep them, all coordinate sets do") {
   Primitive soup;
-  const Primitive indexed = quad();
+  const Primitive indexed = texturedQuad();
   soup.influencesPerVertex = 2;
   soup.targets.resize(2);
   soup.variantMaterials = {7};
@@ -345,7 +345,7 @@ TEST_CASE("Weights are the corners' angles, as the algorithm says") {
 }
 
 TEST_CASE("Triangles without area inherit from good ones at the same vertices") {
-  Primitive p = quad();
+  Primitive p = texturedQuad();
   p.texCoords[0] = {{0, 0}, {0, 1}, {1, 1}, {1, 0}};  // u up
   p.indices = {0, 0, 1, 0, 1, 2, 0, 2, 3, 2, 2, 2};
   const Primitive out = withTangents(p, 0);
@@ -357,7 +357,7 @@ TEST_CASE("Triangles without area inherit from good ones at the same vertices") 
 
 TEST_CASE("Triangles without texture area join their neighbours, or get any perpendicular") {
   // A square and, over its right edge, a triangle whose texture has collapsed to that edge.
-  Primitive p = quad();
+  Primitive p = texturedQuad();
   p.positions.push_back({2, 0.5f, 0});
   p.normals.push_back({0, 0, 1});
   p.texCoords[0].push_back({1, 0.5f});
@@ -369,7 +369,7 @@ TEST_CASE("Triangles without texture area join their neighbours, or get any perp
   CHECK(tangentAt(out, 8) == glm::vec4(1, 0, 0, 1));
 
   for (const glm::vec3& n : {glm::vec3(1, 0, 0), glm::vec3(0, -1, 0), glm::vec3(0.6f, 0, 0.8f)}) {
-    Primitive collapsed = quad();
+    Primitive collapsed = texturedQuad();
     collapsed.normals.assign(4, n);
     collapsed.texCoords[0].assign(4, {0.5f, 0.5f});
     out = withTangents(collapsed, 0);
@@ -392,22 +392,22 @@ TEST_CASE("Scale and place don't matter") {
 }
 
 TEST_CASE("Nothing to do: no normals, no such coordinates, no triangles") {
-  Primitive p = quad();
+  Primitive p = texturedQuad();
   CHECK(withTangents(p, 1).tangents.empty());
   CHECK(withTangents(p, -1).tangents.empty());
   CHECK(withTangents(p, 2).tangents.empty());
   p.topology = Topology::lines;
   CHECK(withTangents(p, 0).tangents.empty());
-  p = quad();
+  p = texturedQuad();
   p.normals.clear();
   CHECK(withTangents(p, 0).tangents.empty());
 }
 
 TEST_CASE("Strips and fans are expanded first") {
-  Primitive strip = quad();
+  Primitive strip = texturedQuad();
   strip.topology = Topology::triangleStrip;
   strip.indices = {0, 1, 3, 2};
-  Primitive fan = quad();
+  Primitive fan = texturedQuad();
   fan.topology = Topology::triangleFan;
   fan.indices.clear();
   for (const Primitive& p : {withTangents(strip, 0), withTangents(fan, 0)}) {

@@ -12,7 +12,7 @@ using namespace facet;
 
 namespace {
 
-view::ViewerState example() {
+view::ViewerState exampleState() {
   view::ViewerState state;
   state.settings.frame.width = 640;
   state.settings.frame.height = 480;
@@ -39,7 +39,7 @@ view::Actions drop(view::ViewerState& state, const std::string& path) {
 }  // namespace
 
 TEST_CASE("controls: drags and the wheel move the camera") {
-  view::ViewerState state = example();
+  view::ViewerState state = exampleState();
   view::Input input;
   input.orbit = {48, 0};
   input.wheel = 2;
@@ -58,7 +58,7 @@ TEST_CASE("controls: drags and the wheel move the camera") {
 }
 
 TEST_CASE("controls: flight crosses the scene at 0.7 radii a second, four times as fast with Shift") {
-  view::ViewerState state = example();
+  view::ViewerState state = exampleState();
   const double radius = std::sqrt(3.0);
   view::control({}, {{0, 0, 0.1}, false}, {}, 480, state);
   CHECK(state.camera.target.z == Approx(-0.07 * radius));
@@ -67,7 +67,7 @@ TEST_CASE("controls: flight crosses the scene at 0.7 radii a second, four times 
 }
 
 TEST_CASE("controls: keys") {
-  view::ViewerState state = example();
+  view::ViewerState state = exampleState();
   CHECK(press(state, GLFW_KEY_P).screenshot);
   CHECK(press(state, GLFW_KEY_F12).screenshot);
   CHECK(press(state, GLFW_KEY_ESCAPE).quit);
@@ -111,7 +111,7 @@ TEST_CASE("controls: keys") {
 }
 
 TEST_CASE("controls: views along the axes, turntable, framing the selection, help") {
-  view::ViewerState state = example();
+  view::ViewerState state = exampleState();
   press(state, GLFW_KEY_3);
   CHECK(state.camera.theta == 90);
   press(state, GLFW_KEY_KP_1, true);
@@ -139,7 +139,7 @@ TEST_CASE("controls: views along the axes, turntable, framing the selection, hel
 }
 
 TEST_CASE("controls: a hand on the camera leaves the file's camera and starts from its view") {
-  view::ViewerState state = example();
+  view::ViewerState state = exampleState();
   scene::OrbitCamera placed;
   placed.theta = 70;
   placed.phi = 50;
@@ -160,7 +160,7 @@ TEST_CASE("controls: a hand on the camera leaves the file's camera and starts fr
 }
 
 TEST_CASE("controls: an orthographic camera becomes an orbit that shows as much") {
-  view::ViewerState state = example();
+  view::ViewerState state = exampleState();
   scene::Camera camera;
   camera.perspective = false;
   camera.xMag = camera.yMag = 2;
@@ -174,7 +174,7 @@ TEST_CASE("controls: an orthographic camera becomes an orbit that shows as much"
 }
 
 TEST_CASE("controls: dropped files are told apart by their ending") {
-  view::ViewerState state = example();
+  view::ViewerState state = exampleState();
   CHECK(drop(state, "/models/a chair.GLB").model == "/models/a chair.GLB");
   CHECK(drop(state, "b.gltf").model == "b.gltf");
   CHECK(drop(state, "/skies/dawn.hdr").model.empty());

@@ -18,7 +18,7 @@ double rmsDifference(const io::Pixels& a, const io::Pixels& b) {
   return std::sqrt(sum / double(a.data.size()));
 }
 
-io::Pixels headless(const std::string& source, frame::PictureSettings settings) {
+io::Pixels renderedWhole(const std::string& source, frame::PictureSettings settings) {
   test::Studio studio;
   return studio.render(test::loadBuiltin(source), settings).display;
 }
@@ -48,7 +48,7 @@ TEST_CASE("refinement: a resting picture becomes what facet render makes, byte b
   CHECK(viewer.converge() >= 4);  // steps end at the estimates at the latest
   CHECK(viewer.state.refinement.shown == 16);
   CHECK(viewer.state.refinement.error >= 0);
-  CHECK((viewer.display().data == headless("builtin:spheres", viewer.state.settings).data));
+  CHECK((viewer.display().data == renderedWhole("builtin:spheres", viewer.state.settings).data));
   CHECK_FALSE(view::drawViewport(viewer.viewport, viewer.state));
 
   // However the work is cut: in bands of rows, too.
@@ -59,7 +59,7 @@ TEST_CASE("refinement: a resting picture becomes what facet render makes, byte b
     glFinish();
     viewer.viewport.refinement.rows = 7;
   }
-  CHECK((viewer.display().data == headless("builtin:spheres", viewer.state.settings).data));
+  CHECK((viewer.display().data == renderedWhole("builtin:spheres", viewer.state.settings).data));
 }
 
 TEST_CASE("refinement: an error to keep to asks for more samples until it is kept, as facet render does", "[gl]") {
@@ -89,7 +89,7 @@ TEST_CASE("refinement: an error to keep to asks for more samples until it is kep
   viewer.converge();
   CHECK(viewer.state.refinement.shown == 16);
   CHECK(viewer.viewport.environments.shown->method.irradianceSize == 32);
-  CHECK((viewer.display().data == headless("builtin:poster", viewer.state.settings).data));
+  CHECK((viewer.display().data == renderedWhole("builtin:poster", viewer.state.settings).data));
 }
 
 TEST_CASE("refinement: glass, blending, an odd number of samples and a coloured background", "[gl]") {
@@ -146,7 +146,7 @@ TEST_CASE("refinement: the estimated error follows the true one", "[gl]") {
   Viewer viewer;
   viewer.load("builtin:poster");
   viewer.state.settings.quality.samples = 512;
-  const io::Pixels truth = headless("builtin:poster", viewer.state.settings);
+  const io::Pixels truth = renderedWhole("builtin:poster", viewer.state.settings);
   for (const int samples : {8, 16, 64}) {
     viewer.state.settings.quality.samples = samples;
     viewer.converge();

@@ -7,7 +7,7 @@ using namespace facet;
 namespace {
 
 // root (0) > arm (1) > Hand (2); lamp (3).
-scene::Model example() {
+scene::Model exampleModel() {
   scene::Model model;
   model.nodes.resize(4);
   model.nodes[0].name = "root";
@@ -35,7 +35,7 @@ std::vector<int> indices(const view::SceneTree& tree) {
 }  // namespace
 
 TEST_CASE("scene tree: open nodes show what is below them, a few roots are open at first") {
-  const scene::Model model = example();
+  const scene::Model model = exampleModel();
   view::SceneTree tree;
   view::updateTree(tree, model, 0);
   CHECK(indices(tree) == std::vector<int>{0, 1, 3});
@@ -51,7 +51,7 @@ TEST_CASE("scene tree: open nodes show what is below them, a few roots are open 
 }
 
 TEST_CASE("scene tree: a search finds what is closed, a selection opens what is above it") {
-  const scene::Model model = example();
+  const scene::Model model = exampleModel();
   view::SceneTree tree;
   tree.filter = "left h";
   view::updateTree(tree, model, 0);
@@ -72,7 +72,7 @@ TEST_CASE("scene tree: a search finds what is closed, a selection opens what is 
 }
 
 TEST_CASE("scene tree: names and kinds") {
-  const scene::Model model = example();
+  const scene::Model model = exampleModel();
   CHECK(view::nodeName(model, 0) == "root");
   CHECK(view::nodeName(model, 1) == "node 1");
   CHECK(view::meshName(model, 1) == "mesh 1");
