@@ -41,6 +41,9 @@ int runViewer(const WindowArguments& arguments) {
   options.settings.frame.height = 800;
   options.settings.quality.samples = 256;  // a resting picture converges
   if (Result<void> r = apply(arguments.picture, options.settings); !r) return badInput(r.error());
+  options.commandLine = [](const frame::PictureSettings& settings, const std::string& model) {
+    return commandLine(settings, model, "picture.png");
+  };
   options.sizeGiven = arguments.picture.contains("size");
   if (Result<void> r = sortSources(arguments.sources, options); !r) return badInput(r.error());
   options.diskCache = !arguments.noCache;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "frame/settings.hpp"
-#include "ibl/tables.hpp"
+#include "ibl/needs.hpp"
 #include "layout.h"
 #include "scene/model.hpp"
 #include "scene/nodes.hpp"

@@ -12,25 +12,13 @@
 #include "gl/texture.hpp"
 #include "ibl/filters.hpp"
 #include "ibl/method.hpp"
+#include "ibl/needs.hpp"
 #include "layout.h"
 #include "scene/environment.hpp"
 #include "scene/sun.hpp"
 #include "shading/programs.hpp"
 
 namespace facet::ibl {
-
-// What the frame's draws will read.
-struct Needs {
-  bool dfg = false;         // anything lit
-  bool irradiance = false;  // lit by the environment
-  bool layers = false;      // LD, for the split sum
-  // Perceptual roughness of the lobes that look LD up: only the layers about it are made.
-  float lowestRoughness = 0, highestRoughness = 1;
-  bool cube = false;        // the environment as a cube map with levels, for sampling it per pixel
-  bool taps = false;        // fitted look-ups
-  bool sheen = false;       // a sheen that anything lights
-  bool background = false;  // the environment itself is visible
-};
 
 struct TableStatistics {
   std::string name;

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double mirrorAlpha = 1e-9;
 
-glm::dvec3 texel(const scene::Environment& environment, int column, int row) {
+glm::dvec3 texel(const Environment& environment, int column, int row) {
   const int x = (column % environment.width + environment.width) % environment.width;
   const int y = std::clamp(row, 0, environment.height - 1);
   return glm::dvec3(environment.radiance[size_t(y) * size_t(environment.width) + size_t(x)]);
@@ -121,7 +121,7 @@ void refine(const Cell& cell, const Lobe& lobe, int depth, Moments<ValueOf<Lobe>
 }
 
 template <class Lobe>
-Sum<ValueOf<Lobe>> overRow(const scene::Environment& environment, const Lobe& lobe, int row) {
+Sum<ValueOf<Lobe>> overRow(const Environment& environment, const Lobe& lobe, int row) {
   const double dPhi = 2 * pi / environment.width, dTheta = pi / environment.height;
   using Value = ValueOf<Lobe>;
   Sum<Value> sum;
@@ -141,7 +141,7 @@ Sum<ValueOf<Lobe>> overRow(const scene::Environment& environment, const Lobe& lo
 
 // Rows in parallel, added up in order: the same bits every time.
 template <class Lobe>
-Sum<ValueOf<Lobe>> overSphere(const scene::Environment& environment, const Lobe& lobe) {
+Sum<ValueOf<Lobe>> overSphere(const Environment& environment, const Lobe& lobe) {
   std::vector<Sum<ValueOf<Lobe>>> rows(size_t(environment.height) + 1);
   parallelFor(rows.size(), [&](size_t row) { rows[row] = overRow(environment, lobe, static_cast<int>(row)); });
   Sum<ValueOf<Lobe>> sum;
@@ -286,7 +286,7 @@ double prefilterWeight(double alpha, LobeWeight weight) {
 
 }  // namespace
 
-glm::dvec3 radianceAt(const scene::Environment& environment, const glm::dvec3& direction) {
+glm::dvec3 radianceAt(const Environment& environment, const glm::dvec3& direction) {
   const glm::dvec2 uv = equirectFromDirection(direction);
   const double x = uv.x * environment.width - 0.5, y = (1 - uv.y) * environment.height - 0.5;
   const double column = std::floor(x), row = std::floor(y);
@@ -297,19 +297,18 @@ glm::dvec3 radianceAt(const scene::Environment& environment, const glm::dvec3& d
   return glm::mix(across(k), across(k + 1), y - row);
 }
 
-Reference irradiance(const scene::Environment& environment, const glm::dvec3& n) {
+Reference irradiance(const Environment& environment, const glm::dvec3& n) {
   const auto sum = overSphere(environment, CosineLobe{n});
   return {sum.radiance[0] * (pi / sum.weight.x), sum.weight.x / pi};
 }
 
-Reference prefiltered(const scene::Environment& environment, const glm::dvec3& n, double alpha, LobeWeight weight) {
+Reference prefiltered(const Environment& environment, const glm::dvec3& n, double alpha, LobeWeight weight) {
   if (alpha < mirrorAlpha) return {radianceAt(environment, n), 1};
   const auto sum = overSphere(environment, PrefilterLobe{n, alpha, weight});
   return {sum.radiance[0] / sum.weight.x, sum.weight.x / prefilterWeight(alpha, weight)};
 }
 
-SpecularReference specular(const scene::Environment& environment, const glm::dvec3& N, const glm::dvec3& V,
-                           double alpha) {
+SpecularReference specular(const Environment& environment, const glm::dvec3& N, const glm::dvec3& V, double alpha) {
   if (alpha < mirrorAlpha) {
     const Dfg dfg = integrateDfg(glm::dot(N, V), 0);
     const glm::dvec3 mirrored = radianceAt(environment, glm::reflect(-V, N));
@@ -319,18 +318,18 @@ SpecularReference specular(const scene::Environment& environment, const glm::dve
   return {sum.radiance[0], sum.radiance[1], {sum.weight.x, sum.weight.y}};
 }
 
-Reference anisotropic(const scene::Environment& environment, const glm::dvec3& N, const glm::dvec3& T,
-                      const glm::dvec3& V, const AnisotropicAlpha& alpha) {
+Reference anisotropic(const Environment& environment, const glm::dvec3& N, const glm::dvec3& T, const glm::dvec3& V,
+                      const AnisotropicAlpha& alpha) {
   const auto sum = overSphere(environment, AnisotropicLobe{N, T, glm::cross(N, T), V, alpha});
   return {sum.radiance[0] / sum.weight.x, sum.weight.x};
 }
 
-Reference sheen(const scene::Environment& environment, const glm::dvec3& N, const glm::dvec3& V, double alpha) {
+Reference sheen(const Environment& environment, const glm::dvec3& N, const glm::dvec3& V, double alpha) {
   const auto sum = overSphere(environment, SheenLobe{N, V, alpha});
   return {sum.radiance[0] / sum.weight.x, sum.weight.x};
 }
 
-MeasuredReference measured(const scene::Environment& environment, const glm::dvec3& N, const glm::dvec3& T,
+MeasuredReference measured(const Environment& environment, const glm::dvec3& N, const glm::dvec3& T,
                            const glm::dvec3& V, const MeasuredBrdf& brdf, const MeasuredProxy& proxy, LookUp lookUp) {
   MeasuredLobe lobe{brdf, proxy, N, T, glm::cross(N, T), V, lookUp};
   lobe.view = lobe.local(V);

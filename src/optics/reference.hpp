@@ -12,13 +12,13 @@
 
 #include "optics/anisotropy.hpp"
 #include "optics/energy.hpp"
+#include "optics/environment.hpp"
 #include "optics/measured_proxy.hpp"
-#include "scene/environment.hpp"
 
 namespace facet::optics {
 
 // Bilinear radiance in a direction.
-glm::dvec3 radianceAt(const scene::Environment& environment, const glm::dvec3& direction);
+glm::dvec3 radianceAt(const Environment& environment, const glm::dvec3& direction);
 
 struct Reference {
   glm::dvec3 value{0};
@@ -28,7 +28,7 @@ struct Reference {
 };
 
 // Irradiance int L max(n.l, 0) dl, divided by weight: a constant map c gives pi c.
-Reference irradiance(const scene::Environment& environment, const glm::dvec3& n);
+Reference irradiance(const Environment& environment, const glm::dvec3& n);
 
 // The split sum's prefiltered radiance, V = N = n: int L D w dl / int D w dl.
 enum class LobeWeight {
@@ -36,7 +36,7 @@ enum class LobeWeight {
   G2,   // w = G2(NoV = 1, NoL): exact for the direction n = V with F constant
 };
 // alpha below 1e-9 (a lobe narrower than directions are resolved): radianceAt(n).
-Reference prefiltered(const scene::Environment& environment, const glm::dvec3& n, double alpha,
+Reference prefiltered(const Environment& environment, const glm::dvec3& n, double alpha,
                       LobeWeight weight = LobeWeight::NoL);
 
 // int L D V F NoL dl without any split: a and b belong to (1 - Fc) and Fc as in Dfg, so that the specular radiance
@@ -46,22 +46,21 @@ struct SpecularReference {
   glm::dvec3 a{0}, b{0};
   Dfg dfg;
 };
-SpecularReference specular(const scene::Environment& environment, const glm::dvec3& N, const glm::dvec3& V,
-                           double alpha);
+SpecularReference specular(const Environment& environment, const glm::dvec3& N, const glm::dvec3& V, double alpha);
 
 // Mean radiance under a lobe, int L f NoL dl / int f NoL dl, F = 1; weight is the lobe's own integral: its albedo.
 // Anisotropic GGX, long along the unit tangent T, which is at right angles to N. alpha.b >= 1e-4, NoV >= 0.01.
-Reference anisotropic(const scene::Environment& environment, const glm::dvec3& N, const glm::dvec3& T,
-                      const glm::dvec3& V, const AnisotropicAlpha& alpha);
+Reference anisotropic(const Environment& environment, const glm::dvec3& N, const glm::dvec3& T, const glm::dvec3& V,
+                      const AnisotropicAlpha& alpha);
 // Sheen (optics/sheen.hpp), alpha >= 1e-3.
-Reference sheen(const scene::Environment& environment, const glm::dvec3& N, const glm::dvec3& V, double alpha);
+Reference sheen(const Environment& environment, const glm::dvec3& N, const glm::dvec3& V, double alpha);
 
 // A measured BRDF: int L f NoL dl, T where UTIA's azimuths begin, at right angles to N; NoV > 0. `albedo` is the same
 // integral for L = 1. The proxy says how finely to look: its alpha from 1e-3 on.
 struct MeasuredReference {
   glm::dvec3 value{0}, albedo{0};
 };
-MeasuredReference measured(const scene::Environment& environment, const glm::dvec3& N, const glm::dvec3& T,
+MeasuredReference measured(const Environment& environment, const glm::dvec3& N, const glm::dvec3& T,
                            const glm::dvec3& V, const MeasuredBrdf& brdf, const MeasuredProxy& proxy,
                            LookUp lookUp = LookUp::interpolated);
 

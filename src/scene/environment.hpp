@@ -1,22 +1,10 @@
 #pragma once
 
-// Distant light: an equirectangular radiance map. Direction d <-> u = atan2(d.z, d.x) / 2pi + 1/2,
-// v = asin(d.y) / pi + 1/2 (v up); column = u * width, row = (1 - v) * height from the top.
-
-#include <cstdint>
-#include <glm/glm.hpp>
-#include <string>
-#include <vector>
+#include "optics/environment.hpp"
 
 namespace facet::scene {
 
-struct Environment {
-  std::string name;
-  int width = 0, height = 0;
-  std::vector<glm::vec3> radiance;  // linear Rec. 709, row 0 = top (+Y); finite and >= 0
-  // Texels that were mended on reading.
-  uint64_t nanTexels = 0, infiniteTexels = 0, negativeTexels = 0;
-};
+using optics::Environment;
 
 // Replaces NaN by the mean of the valid neighbours (0 if none), Inf by the largest finite value, negatives by 0; counts
 // them.

@@ -1,6 +1,6 @@
 #pragma once
 
-// Input -> what it does to the viewer's state, and what is left for the window to do. No window, no OpenGL.
+// Input -> what it does to the viewer's state, and what is left for the window to do. Calls neither the window nor OpenGL.
 
 #include <optional>
 #include <string>

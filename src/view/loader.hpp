@@ -1,6 +1,6 @@
 #pragma once
 
-// Reading and decoding beside the window: no OpenGL here. Of each kind only the newest request counts; an older one
+// Reading and decoding beside the window: calls no OpenGL. Of each kind only the newest request counts; an older one
 // that still runs ends unheard.
 
 #include <chrono>
@@ -14,7 +14,7 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "frame/fitted_gpu.hpp"
-#include "ibl/source.hpp"
+#include "ibl/prepared.hpp"
 #include "io/bump.hpp"
 #include "io/gltf.hpp"
 #include "io/image.hpp"

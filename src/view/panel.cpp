@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "commands/picture_options.hpp"
 #include "view/divider.hpp"
 #include "view/help.hpp"
 #include "view/layout.hpp"
@@ -30,11 +29,7 @@ void header(ViewerState& state, PanelResult& result) {
     hint("GPU time of the last frame that was measured");
   }
   ImGui::BeginDisabled(state.shown.model.empty());
-  if (ImGui::Button("copy command")) {
-    const std::string command = commands::commandLine(commandSettings(state), state.shown.model, "picture.png");
-    ImGui::SetClipboardText(command.c_str());
-    state.status = {"copied: " + command, false};
-  }
+  if (ImGui::Button("copy command")) result.copyCommand = true;
   hint("the facet render line that makes this very picture");
   ImGui::SameLine();
   if (ImGui::Button("screenshot")) result.screenshot = true;

@@ -49,6 +49,7 @@ struct Loop {
   Followed followed;
   Browser browser;
   std::string model;  // what the loader reads
+  decltype(WindowOptions::commandLine) commandLine;
   std::string noted;  // model and environment that the browser was told last
   LoadTime load;
 };
@@ -97,6 +98,11 @@ void followFramebuffer(GLFWwindow* window, frame::PictureSettings& settings) {
   if (width < 1 || height < 1) return;  // minimised
   settings.frame.width = std::min(width, 16384);
   settings.frame.height = std::min(height, 16384);
+}
+
+void copyCommand(const std::string& command, ViewerState& state) {
+  ImGui::SetClipboardText(command.c_str());
+  state.status = {"copied: " + command, false};
 }
 
 void applyPanel(const PanelResult& panel, Viewport& viewport, ViewerState& state, Input& input, Actions& actions) {
@@ -218,6 +224,8 @@ bool turn(Loop& loop, ImGuiSession& imgui, Viewport& viewport, ViewerState& stat
     PanelResult panel;
     drawBrowser(loop.browser, state, panel);
     drawPanel(state, panel);
+    if (panel.copyCommand && loop.commandLine)
+      copyCommand(loop.commandLine(commandSettings(state), state.shown.model), state);
     applyPanel(panel, viewport, state, loop.input, actions);
   }
   loop.input.keyboardTaken |= state.searchAsked || loop.browser.focusing > 0;
@@ -301,6 +309,7 @@ Result<bool> runWindow(const WindowOptions& options) {
   glfwSwapInterval(1);
   Loop loop;
   loop.window = context->window();
+  loop.commandLine = options.commandLine;
   loop.shaders = watchShaders(options.settings.sources.shaderDir);
   listen(loop.window, loop.input);
   ImGuiSession imgui(loop.window, state);
