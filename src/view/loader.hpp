@@ -1,6 +1,6 @@
 #pragma once
 
-// Reading and decoding beside the window: calls no OpenGL. Of each kind only the newest request counts; an older one
+// Reading and decoding beside the window: never calls OpenGL. Of each kind only the newest request counts; an older one
 // that still runs ends unheard.
 
 #include <chrono>
