@@ -24,7 +24,7 @@ Result<FileCamera> findCamera(const std::string& wanted, const scene::Model& mod
     for (const FileCamera& camera : list.cameras)
       if (camera.placed.camera == *index) return camera;
   return fail(model.name, "", "the scene has no camera '" + wanted + "'",
-              known.empty() ? "it has none at all: leave out --camera" : "it has " + known);
+              known.empty() ? "it has none at all: choose no camera of the file" : "it has " + known);
 }
 
 const scene::BuiltinScene* builtinOf(const std::string& source) {
@@ -81,7 +81,7 @@ Result<int> chooseVariant(const Look& look, const scene::Model& model) {
   }
   if (const std::optional<int> index = wholeNumber(look.variant); index && *index >= 0 && *index < count) return *index;
   return fail(model.name, "", "the file has no material variant '" + look.variant + "'",
-              known.empty() ? "it has none at all: leave out --variant" : "it has " + known);
+              known.empty() ? "it has none at all: choose none" : "it has " + known);
 }
 
 Result<scene::Pose> choosePose(const Placement& placement, const scene::Model& model) {

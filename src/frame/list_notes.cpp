@@ -15,8 +15,9 @@ void noteUnlit(const DrawList& list, const ibl::Needs& needs, Notes& notes) {
   const bool anyLit =
       std::ranges::any_of(list.classes(), [&](const auto* draws) { return std::ranges::any_of(*draws, lit); });
   if (anyLit && !needs.irradiance && !needs.cube && list.lights.empty() && list.features.channel == 0)
-    notes.push_back({Note::Severity::warning, "",
-                     "nothing lights the scene: it has no lights and --env is none; give --env or --lights demo"});
+    notes.push_back(
+        {Note::Severity::warning, "",
+         "nothing lights the scene: it has no lights and there is no environment; choose one, or the demo lights"});
 }
 
 // What the chosen models do not reach.
@@ -28,19 +29,25 @@ void noteModels(const DrawList& list, Notes& notes) {
   const optics::Models& models = list.features.models;
   if (models.distribution != optics::NormalDistribution::ggx || models.masking != optics::Masking::smith) {
     if (!any([](const Draw& d) { return d.key.distribution != 0 || d.key.masking != 0; }))
-      warn("--ndf and --masking change nothing: they are for point, spot and directional lights, and none shines");
+      warn(
+          "the distribution of normals and the masking term change nothing: they are for point, spot and directional "
+          "lights, and none shines");
     else if (list.features.environment)
-      warn("--ndf and --masking are for point, spot and directional lights: GGX reflects the environment");
+      warn(
+          "the distribution of normals and the masking term are for point, spot and directional lights: GGX reflects "
+          "the environment");
   }
   if (models.fresnel == optics::FresnelModel::schlick) return;
   const bool sampled = list.features.imageLightSamples != 0;
   if (!any([](const Draw& d) { return d.key.fresnel != 0; }))
     warn(
-        "--fresnel changes nothing: exact is for dielectrics and for metals whose index is known, f82 for the latter, "
+        "the Fresnel term changes nothing: exact is for dielectrics and for metals whose index is known, f82 for the "
+        "latter, "
         "under point, spot and directional lights, or with more than 4 samples");
   else if (list.features.environment && !sampled)
     warn(
-        "--fresnel is for point, spot and directional lights: the environment's tables are Schlick's; more than 4 "
+        "the chosen Fresnel term is for point, spot and directional lights: the environment's tables are Schlick's; "
+        "more than 4 "
         "samples do without them");
 }
 
@@ -54,9 +61,10 @@ void noteMeasured(const DrawList& list, Notes& notes) {
     }
   const auto warn = [&](const std::string& text) { notes.push_back({Note::Severity::warning, "", text}); };
   if (list.features.channel == 0 && unlit > 0)
-    warn("--brdf: " + std::to_string(unlit) + " draws keep their own look, because they are unlit or have no normals");
+    warn("measured BRDF: " + std::to_string(unlit) +
+         " draws keep their own look, because they are unlit or have no normals");
   if (levelled > 0)
-    warn("--brdf: " + std::to_string(levelled) +
+    warn("measured BRDF: " + std::to_string(levelled) +
          " draws have no tangents: the BRDF's azimuths begin at their level direction");
 }
 

@@ -95,7 +95,7 @@ Result<std::string> resolveMeasured(const std::string& pathOrName, const fs::pat
     return fail(pathOrName, "", "neither a file nor a database by that name",
                 "perhaps " + std::string(meant) + " is meant");
   return fail(pathOrName, "", "neither a file nor a database by that name",
-              "give a path, builtin:NAME, or the name of a file in --brdf-dir");
+              "give a path, builtin:NAME, or the name of a file in the folder of measured BRDFs");
 }
 
 }  // namespace facet::io

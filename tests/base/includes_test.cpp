@@ -135,3 +135,21 @@ TEST_CASE("What promises no OpenGL reaches none", "[base][includes]") {
   }
   CHECK(promises >= 4);
 }
+
+// A window's user reads these messages, too.
+TEST_CASE("Below the commands nobody names an option of the command line", "[base][includes]") {
+  const std::set<std::string> below = {"base", "optics", "scene", "io", "gl", "shading", "ibl", "frame"};
+  std::vector<std::string> named;
+  for (const auto& [path, text] : sources()) {
+    if (!below.contains(folderOf(path))) continue;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+      const size_t quote = line.find('"'), comment = line.find("//");
+      const size_t option = quote == std::string::npos ? quote : line.find("--", quote);
+      if (option == std::string::npos || comment < option || option + 2 >= line.size()) continue;
+      const char before = line[option - 1], after = line[option + 2];
+      if ((before == '"' || before == ' ') && after >= 'a' && after <= 'z') named.push_back(path + ": " + line);
+    }
+  }
+  CHECK(named == std::vector<std::string>());
+}

@@ -274,7 +274,7 @@ TEST_CASE("Draw list: a variant's materials take the place of the primitives' ow
   frame::PictureSettings settings;
   settings.look.variant = "night";
   CHECK(describe(frame::chooseVariant(settings.look, {}).error()) ==
-        "the file has no material variant 'night'; it has none at all: leave out --variant.");
+        "the file has no material variant 'night'; it has none at all: choose none.");
 }
 
 TEST_CASE("Draw list: 100,000 nodes of one mesh are one draw, 1,000 materials as many, sorted by material") {

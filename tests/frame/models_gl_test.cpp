@@ -279,11 +279,12 @@ TEST_CASE("Models that a picture cannot show are told") {
   };
   const auto beckmann = [](PictureSettings& s) { s.look.models.distribution = NormalDistribution::beckmann; };
   const auto exact = [](PictureSettings& s) { s.look.models.fresnel = FresnelModel::exact; };
-  CHECK(notesOf("builtin:furnace", "builtin:white", beckmann).find("--ndf and --masking change nothing") == 0);
+  CHECK(notesOf("builtin:furnace", "builtin:white", beckmann)
+            .find("the distribution of normals and the masking term change nothing") == 0);
   CHECK(notesOf("builtin:spheres", "builtin:white", beckmann).find("GGX reflects the environment") !=
         std::string::npos);
   CHECK(notesOf("builtin:spheres", "none", beckmann).empty());
-  CHECK(notesOf("builtin:furnace", "builtin:white", exact).find("--fresnel changes nothing") == 0);
+  CHECK(notesOf("builtin:furnace", "builtin:white", exact).find("the Fresnel term changes nothing") == 0);
   CHECK(notesOf("builtin:spheres", "none", exact).empty());
   CHECK(notesOf("builtin:ndf", "builtin:white", [](PictureSettings&) {}).empty());
 }

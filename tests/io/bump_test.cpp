@@ -129,5 +129,5 @@ TEST_CASE("Bump: every material of a built-in scene gets the normal texture, and
   CHECK(io::loadModel("builtin:spheres")->model.textures.empty());
   const auto file = io::loadModel("model.glb", {}, {folder.file("h.png"), 0.1});
   REQUIRE_FALSE(file.has_value());
-  CHECK(file.error().problem == "--bump is for the built-in scenes");
+  CHECK(file.error().problem == "a bump is for the built-in scenes");
 }

@@ -55,7 +55,7 @@ TEST_CASE("Whether a source exists is told without reading it", "[io]") {
   CHECK(problem(io::checkEnvironmentSource("builtin:sun")) == problem(io::loadEnvironmentSource("builtin:sun", notes)));
   CHECK(problem(io::checkEnvironmentSource("builtin:sun")).find("studio") != std::string::npos);
   const io::Bump bump{folder.file("missing.png"), 1};
-  CHECK(problem(io::checkModelSource(text, {}, bump)).find("--bump is for the built-in scenes") != std::string::npos);
+  CHECK(problem(io::checkModelSource(text, {}, bump)).find("a bump is for the built-in scenes") != std::string::npos);
   CHECK(problem(io::checkModelSource("builtin:poster", {}, bump)).find("no such file") != std::string::npos);
 }
 
