@@ -79,7 +79,7 @@ Result<scene::Environment> loadEnvironment(const std::filesystem::path& path, No
                                       std::to_string(environment.height) +
                                       " pixels and not twice as many across as down: stretched over the sphere");
   }
-  mend(environment);
+  scene::mend(environment);
   const std::pair<uint64_t, const char*> mended[] = {
       {environment.nanTexels, "are not numbers: replaced by their neighbours"},
       {environment.infiniteTexels, "are infinite: replaced by the largest value"},

@@ -14,8 +14,8 @@ using namespace facet::optics;
 namespace {
 
 template <class Function>
-scene::Environment makeMap(int width, int height, const Function& radiance) {
-  scene::Environment environment;
+Environment makeMap(int width, int height, const Function& radiance) {
+  Environment environment;
   environment.width = width;
   environment.height = height;
   for (int row = 0; row < height; ++row)
@@ -25,8 +25,8 @@ scene::Environment makeMap(int width, int height, const Function& radiance) {
   return environment;
 }
 
-scene::Environment delta(int width, int height, int column, int row, float value) {
-  scene::Environment environment;
+Environment delta(int width, int height, int column, int row, float value) {
+  Environment environment;
   environment.width = width;
   environment.height = height;
   environment.radiance.assign(size_t(width) * size_t(height), glm::vec3(0));
@@ -45,7 +45,7 @@ const auto one = [](const glm::dvec3&) { return glm::dvec3(1); };
 }  // namespace
 
 TEST_CASE("radianceAt: texel centres, the wrap, the poles") {
-  scene::Environment map = delta(4, 2, 0, 0, 0);
+  Environment map = delta(4, 2, 0, 0, 0);
   for (size_t i = 0; i < 8; ++i) map.radiance[i] = glm::vec3(float(i));
   for (int row = 0; row < 2; ++row)
     for (int column = 0; column < 4; ++column)
@@ -59,7 +59,7 @@ TEST_CASE("radianceAt: texel centres, the wrap, the poles") {
 TEST_CASE("References: a constant map stays constant, on any size of map") {
   const int sizes[][2] = {{1, 1}, {2, 1}, {25, 12}, {128, 64}};
   for (const auto& [width, height] : sizes) {
-    const scene::Environment map = makeMap(width, height, one);
+    const Environment map = makeMap(width, height, one);
     for (size_t i = 0; i < 3; ++i) {
       const glm::dvec3 n = goldenSpiral(i, 3);
       INFO(width << " x " << height << ", n " << n.x << ' ' << n.y << ' ' << n.z);
@@ -78,9 +78,9 @@ TEST_CASE("References: a constant map stays constant, on any size of map") {
 }
 
 TEST_CASE("irradiance: closed forms") {
-  const scene::Environment slope =
+  const Environment slope =
       makeMap(256, 128, [](const glm::dvec3& d) { return glm::dvec3(1 + d.y, 1 + d.x, 1); });
-  const scene::Environment sky = makeMap(256, 128, [](const glm::dvec3& d) { return glm::dvec3(d.y > 0); });
+  const Environment sky = makeMap(256, 128, [](const glm::dvec3& d) { return glm::dvec3(d.y > 0); });
   double worst = 0;
   for (size_t i = 0; i < 12; ++i) {
     const glm::dvec3 n = goldenSpiral(i, 12);
@@ -95,7 +95,7 @@ TEST_CASE("irradiance: closed forms") {
 }
 
 TEST_CASE("prefiltered: rough is irradiance, a mirror is the map, a delta is the lobe") {
-  const scene::Environment map = makeMap(
+  const Environment map = makeMap(
       128, 64, [](const glm::dvec3& d) { return glm::dvec3(1 + d.x * d.y, std::exp(2 * d.z), 2 + std::sin(5 * d.x)); });
   for (size_t i = 0; i < 5; ++i) {
     const glm::dvec3 n = goldenSpiral(i, 5);
@@ -109,7 +109,7 @@ TEST_CASE("prefiltered: rough is irradiance, a mirror is the map, a delta is the
   }
   // One texel of solid angle w and radiance 1000 at angle t from n: 1000 w (D / 4) NoL / int (D / 4) NoL.
   const int width = 512, height = 256, column = 100, row = 128;
-  const scene::Environment sun = delta(width, height, column, row, 1000);
+  const Environment sun = delta(width, height, column, row, 1000);
   const glm::dvec3 towards = directionFromEquirect(equirectTexelCentre(column, row, width, height));
   for (double alpha : {0.2, 0.6, 1.0})
     for (double angle : {0.0, 0.3, 1.0}) {
@@ -129,8 +129,8 @@ TEST_CASE("prefiltered: rough is irradiance, a mirror is the map, a delta is the
 TEST_CASE("References: a sun on the wrap or in a pole row is like any other") {
   const int width = 64, height = 32;
   for (int row : {0, 15, 31}) {
-    const scene::Environment inside = delta(width, height, 20, row, 1e5f);
-    const scene::Environment edge = delta(width, height, 63, row, 1e5f);
+    const Environment inside = delta(width, height, 20, row, 1e5f);
+    const Environment edge = delta(width, height, 63, row, 1e5f);
     for (size_t i = 0; i < 4; ++i) {
       const glm::dvec3 n = goldenSpiral(i, 4);
       const glm::dvec3 m = turned(n, 43, width);
@@ -142,7 +142,7 @@ TEST_CASE("References: a sun on the wrap or in a pole row is like any other") {
 }
 
 TEST_CASE("specular: a constant map gives the DFG integral") {
-  const scene::Environment map = makeMap(64, 32, one);
+  const Environment map = makeMap(64, 32, one);
   const glm::dvec3 N = glm::normalize(glm::dvec3(0.3, 0.5, -0.8));
   const glm::dvec3 T = glm::normalize(glm::cross(N, glm::dvec3(0, 1, 0)));
   for (double alpha : {1e-4, 0.01, 0.1, 0.4, 1.0})
@@ -158,7 +158,7 @@ TEST_CASE("specular: a constant map gives the DFG integral") {
 }
 
 TEST_CASE("specular: agrees with sampling of visible normals on a map with structure") {
-  const scene::Environment map = makeMap(
+  const Environment map = makeMap(
       128, 64, [](const glm::dvec3& d) { return glm::dvec3(1 + d.x * d.y, std::exp(2 * d.z), 2 + std::sin(5 * d.x)); });
   const glm::dvec3 N(0, 0, 1);
   for (double alpha : {0.05, 0.5})
