@@ -1,6 +1,7 @@
 #pragma once
 
-// Input -> what it does to the viewer's state, and what is left for the window to do. Calls neither the window nor OpenGL.
+// Input -> what it does to the viewer's state, and what is left for the window to do. Calls neither the window nor
+// OpenGL.
 
 #include <optional>
 #include <string>

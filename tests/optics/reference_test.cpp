@@ -78,8 +78,7 @@ TEST_CASE("References: a constant map stays constant, on any size of map") {
 }
 
 TEST_CASE("irradiance: closed forms") {
-  const Environment slope =
-      makeMap(256, 128, [](const glm::dvec3& d) { return glm::dvec3(1 + d.y, 1 + d.x, 1); });
+  const Environment slope = makeMap(256, 128, [](const glm::dvec3& d) { return glm::dvec3(1 + d.y, 1 + d.x, 1); });
   const Environment sky = makeMap(256, 128, [](const glm::dvec3& d) { return glm::dvec3(d.y > 0); });
   double worst = 0;
   for (size_t i = 0; i < 12; ++i) {
