@@ -90,26 +90,26 @@ Result<void> checkNothingBefore(const CLI::App& root, const CLI::App& command) {
   return {};
 }
 
-struct Choice {
+struct ChosenCommand {
   CLI::App* app = nullptr;
   std::function<int()> run;
 };
 
 // The program's options and those of every command; the first is the nameless command's.
-std::vector<Choice> addCommands(CLI::App& root, std::span<const Command> table, std::string& level) {
-  std::vector<Choice> choices = {{&root, {}}};
+std::vector<ChosenCommand> addCommands(CLI::App& root, std::span<const Command> table, std::string& level) {
+  std::vector<ChosenCommand> choices = {{&root, {}}};
   for (const Command& command : table) {
     const bool nameless = *command.name == '\0';
     CLI::App& app = nameless ? root : *root.add_subcommand(command.name, command.summary);
     app.footer("\nExamples:\n" + std::string(command.examples) + "\n\n" + exitStatusHelp);
-    Choice choice{&app, command.add(app)};
+    ChosenCommand choice{&app, command.add(app)};
     if (nameless) {
       choices.front() = choice;
     } else {
       choices.push_back(choice);
     }
   }
-  for (const Choice& choice : choices) {
+  for (const ChosenCommand& choice : choices) {
     choice.app->add_option("--log-level", level, "quiet, error, warning, info or debug (info)")->type_name("LEVEL");
   }
   root.require_subcommand(choices.front().run ? 0 : 1, 1);
@@ -122,9 +122,9 @@ int parseAndRun(std::span<const Command> table, int argc, char** argv) {
   CLI::App root("facet: physically based pictures of glTF models", "facet");
   root.set_version_flag("--version", "facet " FACET_VERSION);
   std::string level = "info";
-  const std::vector<Choice> choices = addCommands(root, table, level);
-  const auto chosen = [&]() -> const Choice& {
-    const auto isParsed = [&](const Choice& choice) { return choice.app != &root && choice.app->parsed(); };
+  const std::vector<ChosenCommand> choices = addCommands(root, table, level);
+  const auto chosen = [&]() -> const ChosenCommand& {
+    const auto isParsed = [&](const ChosenCommand& choice) { return choice.app != &root && choice.app->parsed(); };
     const auto found = std::find_if(choices.begin(), choices.end(), isParsed);
     return found == choices.end() ? choices.front() : *found;
   };
