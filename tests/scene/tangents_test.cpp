@@ -215,7 +215,7 @@ double worstAngle(const Primitive& rest, const std::vector<float>& weights) {
 
 TEST_CASE("Tangents follow morph targets") {
   const glm::dmat3 stretched(3, 0, 0, 0, 0.5, 0, 0, 0, 1), sheared(1, 0, 0, 1, 1, 0, 0, 0, 1);
-  for (const Primitive& base : {quad(), fromShape(sphereShape(8, 16))}) {
+  for (const Primitive& base : {texturedQuad(), fromShape(sphereShape(8, 16))}) {
     for (const glm::dmat3& matrix : {turned(180, {0, 0, 1}), turned(90, {1, 2, 3}), turned(50, {0, 1, 0}) * stretched,
                                      sheared * turned(20, {1, 0, 0})}) {
       Primitive p = base;
@@ -226,7 +226,7 @@ TEST_CASE("Tangents follow morph targets") {
   }
   // In between: exact where the surface is flat, for several targets, too; half of a half turn is a point.
   for (const float w : {0.2f, 0.6f, 0.9f, 1.5f, -0.4f}) {
-    Primitive p = quad();
+    Primitive p = texturedQuad();
     p.targets = {targetOf(p, turned(180, {0, 0, 1}), true)};
     CHECK(worstAngle(p, {w}) < 0.05);
     p.targets = {targetOf(p, turned(90, {0, 0, 1}) * stretched, true), targetOf(p, sheared, true)};
@@ -235,7 +235,7 @@ TEST_CASE("Tangents follow morph targets") {
 }
 
 TEST_CASE("What turns no tangent adds none, and what a target had is replaced") {
-  Primitive p = quad();
+  Primitive p = texturedQuad();
   p.targets.resize(3);
   p.targets[0].positions.assign(4, {0, 0, 7});  // moved as a whole
   p.targets[1].colors.assign(4, {1, 0, 0, 0});
@@ -250,7 +250,7 @@ TEST_CASE("What turns no tangent adds none, and what a target had is replaced") 
 }
 
 TEST_CASE("A target that collapses a shape, or brings it out of a point, gives finite tangents") {
-  Primitive p = quad();
+  Primitive p = texturedQuad();
   p.targets = {targetOf(p, glm::dmat3(0), false)};
   Primitive out = withTangents(p, 0);
   checkDefined(out);
@@ -260,7 +260,7 @@ TEST_CASE("A target that collapses a shape, or brings it out of a point, gives f
     const glm::vec3 t = glm::vec3(out.tangents[v]) + 0.9f * out.targets[0].tangents[v];
     CHECK(glm::distance(glm::normalize(t), glm::vec3(out.tangents[v])) < 1e-5f);
   }
-  p = quad();
+  p = texturedQuad();
   p.targets = {MorphTarget{p.positions, {}, {}, {}, {}}};
   p.positions.assign(4, glm::vec3(0));
   out = withTangents(p, 0);
@@ -269,7 +269,7 @@ TEST_CASE("A target that collapses a shape, or brings it out of a point, gives f
 }
 
 TEST_CASE("Flat triangles' tangents follow their morphed normals") {
-  Primitive p = quad();
+  Primitive p = texturedQuad();
   p.indices.clear();
   p.positions.resize(3), p.normals.resize(3), p.texCoords[0].resize(3);
   p.flatNormals = true;
@@ -283,7 +283,7 @@ TEST_CASE("Tangents follow KHR_texture_transform as baked coordinates do") {
   const TextureTransform transforms[] = {
       {{}, float(pi), {1, 1}}, {{0.3f, 0.7f}, float(pi / 4), {1, 1}}, {{}, 0, {-1, 1}},
       {{1, 0}, 0, {1, -1}},    {{0, 0.2f}, -0.7f, {2, -0.5f}},        {{}, float(pi / 2), {-3, 1}}};
-  const Primitive p = quad();
+  const Primitive p = texturedQuad();
   for (const TextureTransform& t : transforms) {
     Primitive baked = p;
     // The extension's text: translation * rotation * scale, rotation [c s; -s c].
