@@ -1,6 +1,7 @@
 // Anisotropic GGX in tangent space: x along the tangent, y along the bitangent, z along the normal; unit vectors.
 // alpha = (alpha_t, alpha_b), each >= minAnalyticAlpha. The twin is src/optics/anisotropy.cpp.
 #include "constants.glsl"
+#include "lobe_sample.glsl"
 
 // KHR_materials_anisotropy: alpha_t = mix(alpha, 1, strength^2), alpha_b = alpha.
 vec2 alphaFromAnisotropy(float alpha, float strength) { return vec2(mix(alpha, 1.0, strength * strength), alpha); }
@@ -35,6 +36,22 @@ vec3 sampleVisibleNormalAnisotropic(vec3 V, vec2 alpha, vec2 u) {
   float t2 = mix(sqrt(max(1.0 - t1 * t1, 0.0)), r * sin(phi), 0.5 + 0.5 * stretched.z);
   vec3 h = t1 * T1 + t2 * T2 + sqrt(max(1.0 - t1 * t1 - t2 * t2, 0.0)) * stretched;
   return normalize(vec3(alpha * h.xy, max(h.z, 1e-7)));
+}
+
+// The reflected lobe with F = 1: value f NoL, density of its samples [1/sr], sample. V.z >= minNoV.
+float ggxValue(vec3 V, vec3 L, vec2 alpha) {
+  return L.z > 0.0 ? D_GGXAnisotropic(halfVector(V, L), alpha) * V_GGXAnisotropic(V, L, alpha) * L.z : 0.0;
+}
+float ggxDensity(vec3 V, vec3 L, vec2 alpha) {
+  return G1_GGXAnisotropic(V, alpha) * D_GGXAnisotropic(halfVector(V, L), alpha) / (4.0 * V.z);
+}
+LobeSample sampleGgx(vec3 V, vec2 alpha, vec2 u) {
+  vec3 H = sampleVisibleNormalAnisotropic(V, alpha, u);
+  float VoH = max(dot(V, H), 1e-6);
+  vec3 L = 2.0 * VoH * H - V;
+  float G1 = G1_GGXAnisotropic(V, alpha);
+  float weight = L.z > 0.0 ? V_GGXAnisotropic(V, L, alpha) * 4.0 * V.z * L.z / G1 : 0.0;
+  return LobeSample(L, G1 * D_GGXAnisotropic(H, alpha) / (4.0 * V.z), weight, VoH);
 }
 
 // A and B of the lobe (energy.glsl) at V by quadrature over the visible normals: 8 radii, squeezed towards the rim as in

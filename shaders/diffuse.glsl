@@ -1,9 +1,18 @@
 // Diffuse BRDFs for albedo 1 [1/sr], without the cosine. NoV, NoL in [0, 1]; VoL = dot(V, L); all are finite there.
 // The twin, and what each returns of a white furnace, are in src/optics/diffuse.hpp.
 #include "constants.glsl"
+#include "lobe_sample.glsl"
 
 // Lambert's BRDF [1/sr] of albedo 1, without the cosine.
 float Fd_Lambert() { return 1.0 / PI; }
+
+// The cosine lobe in the frame of N: density [1/sr], which is Lambert's value f NoL of albedo 1, and sample. Every diffuse
+// lobe is sampled by it; light that is scattered out beyond the surface by its mirror image.
+float cosineDensity(vec3 L) { return max(L.z, 0.0) / PI; }
+LobeSample sampleCosine(vec2 u) {
+  float phi = 2.0 * PI * u.x, NoL = sqrt(max(1.0 - u.y, 1e-6)), sinL = sqrt(max(1.0 - NoL * NoL, 0.0));
+  return LobeSample(vec3(cos(phi) * sinL, sin(phi) * sinL, NoL), NoL / PI, 1.0, 1.0);
+}
 
 // (1 - NoX)^5 (f90 - 1) + 1
 float schlickFrom1(float NoX, float f90) {

@@ -22,6 +22,13 @@ float coatLobe(vec3 coatNormal, vec3 V, vec3 L, float alpha) {
   return D_GGX(coatNormal, H, alpha) * V_SmithGGXCorrelated(NoV, NoL, alpha) * F_Coat(dot(V, H)) * NoL;
 }
 
+// Sample of that lobe in the frame of the coat's normal; its weight has F_Coat in it, its density is ggxDensity.
+LobeSample sampleCoat(vec3 V, float alpha, vec2 u) {
+  LobeSample drawn = sampleGgx(V, alpha, u);
+  drawn.weight *= F_Coat(drawn.VoH);
+  return drawn;
+}
+
 // KHR_materials_clearcoat: on base and emission, once; and both ways.
 float coatTransmittance(float clearcoat, float coatNoV) { return 1.0 - clearcoat * F_Coat(coatNoV); }
 float coatTransmittanceBothWays(float clearcoat, float coatNoV, float coatNoL) {

@@ -1,6 +1,7 @@
 // Cloth, the lobe of KHR_materials_sheen. alpha = sheenRoughness^2, counted from minSheenAlpha up.
 // The twin is src/optics/sheen.cpp.
 #include "constants.glsl"
+#include "lobe_sample.glsl"
 
 const float minSheenAlpha = 1e-3;
 
@@ -38,6 +39,22 @@ float V_Charlie(float NoV, float NoL, float alpha) {
 float V_Ashikhmin(float NoV, float NoL) {
   float v = clamp(NoV, minNoV, 1.0), l = clamp(NoL, minNoV, 1.0);
   return 0.25 / (l + v - l * v);
+}
+
+// The lobe in the frame of N, of sheen colour 1 and without its guard: value f NoL, density of its samples [1/sr], sample:
+// uniform in the square root of NoL, as the lobe is dense at the horizon: NoL = u^2, dL = 2 u du dphi.
+float sheenValue(vec3 V, vec3 L, float alpha) {
+  if (L.z <= 0.0) return 0.0;
+  vec3 H = halfVector(V, L);
+  return H.z > 0.0 ? D_Charlie(H.z, alpha) * V_Charlie(V.z, L.z, alpha) * min(L.z, 1.0) : 0.0;
+}
+float sheenDensity(vec3 L) { return L.z > 0.0 ? 1.0 / (4.0 * PI * sqrt(L.z)) : 0.0; }
+LobeSample sampleSheen(vec3 V, float alpha, vec2 u) {
+  float phi = 2.0 * PI * u.x, NoL = max(u.y * u.y, 1e-12);
+  float sine = sqrt((1.0 - NoL) * (1.0 + NoL));
+  vec3 L = vec3(sine * cos(phi), sine * sin(phi), NoL);
+  float density = sheenDensity(L);
+  return LobeSample(L, density, sheenValue(V, L, alpha) / density, 1.0);
 }
 
 // Share left for the layers below, KHR_materials_sheen; albedoV, albedoL from the table of E. For distant light albedoV

@@ -16,24 +16,43 @@ vec3 refractedDirection(vec3 V, vec3 H, float eta) {
   return normalize((VoH - sqrt(g2)) * H - V);
 }
 
-// f |NoL| of transmission [1/sr], Walter et al. 2007, eq. 21 without the eta^2 of radiance; N on V's side, L beyond.
-// eta = 1 is a delta: 0; within 1e-3 of it the lobe is as narrow as alpha (eta - 1), and 32 bit lose it: the caller
-// treats it as no interface. alpha >= minAnalyticAlpha, dot(N, V) >= minNoV.
-float transmissionBsdf(vec3 N, vec3 V, vec3 L, float alpha, float eta) {
+// Density of the directions that visible normals refract V to [1/sr], Walter et al. 2007, eq. 17; VoH at the facet. N on
+// V's side, L beyond. eta = 1 is a delta: 0; within 1e-3 of it the lobe is as narrow as alpha (eta - 1), and 32 bit lose
+// it: the caller treats it as no interface. alpha >= minAnalyticAlpha, dot(N, V) >= minNoV.
+float refractionDensity(vec3 N, vec3 V, vec3 L, float alpha, float eta, out float VoH) {
   float NoV = dot(N, V), NoL = dot(N, L);
+  VoH = 1.0;
   if (eta <= 0.0 || NoV <= 0.0 || NoL >= 0.0) return 0.0;
   vec3 H = V + eta * L;
   float length2 = dot(H, H);
   if (length2 < 1e-10) return 0.0;
   H *= inversesqrt(length2);
   if (dot(N, H) < 0.0) H = -H;
-  float VoH = dot(V, H), LoH = -dot(L, H);
+  VoH = dot(V, H);
+  float LoH = -dot(L, H);
   if (VoH <= 0.0 || LoH <= 0.0) return 0.0;
   // (VoH - eta LoH)^2 = |V + eta L|^2: H is along that sum.
   float jacobian = eta * eta * LoH / length2;
   float visible = 4.0 * V_SmithGGXCorrelated(1.0, NoV, alpha);  // G1(V) / NoV
-  float density = D_GGX(N, H, alpha) * VoH * visible * jacobian;
-  return (1.0 - F_Dielectric(VoH, eta)) * density * G1_GGX(-NoL, alpha);
+  return D_GGX(N, H, alpha) * VoH * visible * jacobian;
+}
+// f |NoL| of what is refracted [1/sr] where nothing is reflected (F = 0), Walter et al. 2007, eq. 21 without the eta^2 of
+// radiance.
+float refractionValue(vec3 N, vec3 V, vec3 L, float alpha, float eta) {
+  float VoH;
+  return refractionDensity(N, V, L, alpha, eta, VoH) * G1_GGX(max(-dot(N, L), 0.0), alpha);
+}
+// Sample in the frame of N.
+LobeSample sampleRefraction(vec3 V, float alpha, float eta, vec2 u) {
+  vec3 H = sampleVisibleNormal(V, alpha, u), L = refractedDirection(V, H, eta);
+  if (L.z >= 0.0) return noSample();
+  float VoH, density = refractionDensity(vec3(0.0, 0.0, 1.0), V, L, alpha, eta, VoH);
+  return density > 0.0 ? LobeSample(L, density, G1_GGX(-L.z, alpha), VoH) : noSample();
+}
+// f |NoL| of transmission [1/sr] with the exact dielectric's F.
+float transmissionBsdf(vec3 N, vec3 V, vec3 L, float alpha, float eta) {
+  float VoH, density = refractionDensity(N, V, L, alpha, eta, VoH);
+  return density > 0.0 ? (1.0 - F_Dielectric(VoH, eta)) * density * G1_GGX(-dot(N, L), alpha) : 0.0;
 }
 
 // f |NoL| of reflection [1/sr] with the exact dielectric's F.

@@ -24,6 +24,14 @@ float transmittedLobe(vec3 N, vec3 V, vec3 L, float alpha) {
   return D_GGX(N, VL * inversesqrt(length2), alpha) * V_SmithGGXCorrelated(NoV, NoL, alpha) * NoL;
 }
 
+// Density of the lobe's samples [1/sr] and sample, in the frame of N; V.z >= minNoV.
+float transmittedDensity(vec3 V, vec3 L, float alpha) { return ggxDensity(V, mirroredBelow(L), alpha); }
+LobeSample sampleTransmitted(vec3 V, float alpha, vec2 u) {
+  LobeSample drawn = sampleGgx(V, alpha, u);
+  drawn.L = mirroredBelow(drawn.L);
+  return drawn;
+}
+
 // The blur of a plane at distance 1 behind, facing the viewer: facet slopes' density 1 / (pi a^2 (1 + (x / a)^2)^2) with
 // a = 2 alpha, an edge's profile 1/2 (1 + x / sqrt(x^2 + a^2)). As the sum of two Gaussians the profile is off by
 // 0.006 at most. x, y: standard deviation and share of the narrow one, z, w: of the wide one.

@@ -3,6 +3,9 @@
 #include "transmitted.glsl"
 #include "bsdf.glsl"
 #include "frame.glsl"
+#if defined(HAS_ENVIRONMENT) && defined(IMAGE_LIGHT_SAMPLES)
+#include "lobe_frames.glsl"
+#endif
 
 layout(binding = opaqueFrameUnit) uniform sampler2D behindColor;
 layout(binding = opaqueDepthUnit) uniform sampler2D behindDepth;
@@ -75,26 +78,22 @@ float footprintVariance(vec2 pixel) {
 #if defined(HAS_ENVIRONMENT) && defined(IMAGE_LIGHT_SAMPLES)
 // The lobe itself, each sample at the pixel where it meets a plane at the distance of what is behind.
 vec4 behindSampled(Surface s, vec3 from, vec2 pixel, float along, float alpha) {
-  mat3 worldFromLocal = frameAround(s.N);
-  vec3 V = s.V * worldFromLocal;
-  V = normalize(vec3(V.xy, max(V.z, minNoV)));
+  LobeFrame at = normalFrame(s);
   float start = axisDistance(from), perMetre = pixelsPerMetre(along) * max(along - start, 0.0);
   int first = int(frame.options.y) * IMAGE_LIGHT_SAMPLES;
   float total = float(IMAGE_LIGHT_SAMPLES) * frame.options.z;
   vec4 sum = vec4(0.0);
   float weights = 0.0;
   for (int i = first; i < first + IMAGE_LIGHT_SAMPLES; ++i) {
-    vec3 H = sampleVisibleNormal(V, alpha, samplePoint(i));
-    vec3 L = 2.0 * max(dot(V, H), 1e-6) * H - V;
-    vec3 away = worldFromLocal * vec3(L.xy, -L.z);
+    LobeSample drawn = sampleTransmitted(at.V, alpha, samplePoint(i));
+    vec3 away = at.worldFromLocal * drawn.L;
     float forward = -dot(away, frame.towardsEye.xyz);
-    if (L.z <= 0.0 || forward <= 0.0) continue;
-    float pdf = G1_GGX(V.z, alpha) * D_GGX(vec3(0.0, 0.0, 1.0), H, alpha) / (4.0 * V.z);
-    float weight = V_SmithGGXCorrelated(V.z, L.z, alpha) * 4.0 * V.z * L.z / G1_GGX(V.z, alpha);
-    float paths = max(along - start, 0.0) / forward;  // length until the plane
-    vec2 at = behindPixel(paths > 1e6 ? vec4(away + from / paths, 1.0 / paths) : vec4(from + away * paths, 1.0), pixel);
-    float variance = perMetre * perMetre * filterGain / (total * pdf * 4.0 * PI);
-    sum += weight * behindBlurred(at, variance);
+    // No branch: a driver takes one level for each quad of pixels, and those of pixels that are left out are anything.
+    float weight = forward > 0.0 ? drawn.weight : 0.0;
+    float paths = max(along - start, 0.0) / max(forward, 1e-6);  // length until the plane
+    vec2 seen = behindPixel(paths > 1e6 ? vec4(away + from / paths, 1.0 / paths) : vec4(from + away * paths, 1.0), pixel);
+    float variance = perMetre * perMetre * filterGain / (total * drawn.density * 4.0 * PI);
+    sum += weight * behindBlurred(seen, variance);
     weights += weight;
   }
   return weights > 0.0 ? sum / weights : behindSharp(pixel);

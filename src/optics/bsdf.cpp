@@ -66,7 +66,8 @@ Reflected reflectFacets(const Surface& surface, const Dfg& dfg, const Angles& an
                                      (1 - m) * lobe(dielectric, surface.f0, surface.f90, f0.dielectric));
   const DiffuseAngles base{angles.NoV, angles.NoL, 2 * angles.VoH * angles.VoH - 1};
   reflected.diffuse =
-      (1 - m) * diffuseTerm(surface.models.diffuse, base, surface.perceptualRoughness, surface.baseColor) *
+      (1 - m) * surface.diffuseShare *
+      diffuseTerm(surface.models.diffuse, base, surface.perceptualRoughness, surface.baseColor) *
       leftBelow(surface, specularAlbedo(lightEnergy(surface.models.energy), dfg, alpha, f0.bound, surface.f90)) *
       angles.NoL;
   return reflected;
@@ -176,21 +177,42 @@ DistantWeights distantWeights(const Surface& surface, const Dfg& dfg, double NoV
   DistantWeights weights;
   weights.prefiltered = m * metal.gain * (f0.metal * dfg.A + dfg.B) +
                         (1 - m) * dielectric.gain * (f0.dielectric * dfg.A + surface.f90 * dfg.B);
-  const glm::dvec3 base = diffuseReturned(surface.models.diffuse, NoV, surface.perceptualRoughness, surface.baseColor);
+  const glm::dvec3 base = surface.diffuseShare *
+                          diffuseReturned(surface.models.diffuse, NoV, surface.perceptualRoughness, surface.baseColor);
   weights.irradiance = m * metal.multiple + (1 - m) * (dielectric.multiple + base * left);
   return weights;
 }
 
+namespace {
+
+// What the coat leaves of distant light, and what of that the sheen leaves.
+struct Left {
+  double coat, sheen;
+};
+Left leftByLayers(const Surface& surface, const Albedos& albedos) {
+  const double sheenAlbedoV = std::min(albedos.sheenV, 1.0);
+  return {layerTransmittance(surface.coat.weight, coatF0 * albedos.coat.A + albedos.coat.B),
+          sheenScaling(largestOf(surface.sheen.color), sheenAlbedoV, sheenAlbedoV)};
+}
+
+}  // namespace
+
 DistantWeights distantWeights(const Surface& surface, const Albedos& albedos, double NoV) {
   DistantWeights weights = distantWeights(surface, albedos.base, NoV);
-  const double sheenAlbedoV = std::min(albedos.sheenV, 1.0), coatAlbedoV = coatF0 * albedos.coat.A + albedos.coat.B;
-  const double belowCoat = layerTransmittance(surface.coat.weight, coatAlbedoV);
-  const double below = belowCoat * sheenScaling(largestOf(surface.sheen.color), sheenAlbedoV, sheenAlbedoV);
-  weights.prefiltered *= below;
-  weights.irradiance *= below;
-  weights.sheen = belowCoat * sheenAlbedoV * surface.sheen.color;
-  weights.coat = glm::dvec3(surface.coat.weight * coatAlbedoV);
+  const Left left = leftByLayers(surface, albedos);
+  weights.prefiltered *= left.coat * left.sheen;
+  weights.irradiance *= left.coat * left.sheen;
+  weights.sheen = left.coat * std::min(albedos.sheenV, 1.0) * surface.sheen.color;
+  weights.coat = glm::dvec3(surface.coat.weight * (coatF0 * albedos.coat.A + albedos.coat.B));
   return weights;
+}
+
+glm::dvec3 enteringShare(const Surface& surface, const Albedos& albedos, double NoV) {
+  const glm::dvec3 bound = albedoF0(surface, NoV).bound;
+  const EnergyModel energy = distantEnergy(surface.models.energy);
+  const Left left = leftByLayers(surface, albedos);
+  return (1 - surface.metallic) * left.coat * left.sheen *
+         leftBelow(surface, specularAlbedo(energy, albedos.base, alphaOf(surface), bound, surface.f90));
 }
 
 }  // namespace facet::optics

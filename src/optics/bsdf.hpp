@@ -47,6 +47,7 @@ struct Surface {
   Coat coat = {};
   Models models = {};                    // grain keeps GGX with Smith's term, the film its own Fresnel term
   const Conductor* conductor = nullptr;  // the metal's, where it is known
+  double diffuseShare = 1;               // of the light below the dielectric's interface: what does not pass through
 };
 
 // KHR_materials_ior and KHR_materials_specular: f0 = min(f0FromIor(ior) color, 1) weight, f90 = weight. ior 0:
@@ -108,5 +109,9 @@ struct DistantWeights {
 DistantWeights distantWeights(const Surface& surface, const Dfg& dfg, double NoV = 1);
 // Of all layers; albedos.sheenL is not looked at.
 DistantWeights distantWeights(const Surface& surface, const Albedos& albedos, double NoV);
+
+// What enters the dielectric below all layers, of distant light, before its colour; the rest is reflected by its
+// interface, by the metal or by the layers.
+glm::dvec3 enteringShare(const Surface& surface, const Albedos& albedos, double NoV);
 
 }  // namespace facet::optics

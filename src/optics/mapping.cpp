@@ -89,4 +89,9 @@ double cubeTexelSolidAngle(int column, int row, int size) {
   return cornerSolidAngle(x1, y1) - cornerSolidAngle(x0, y1) - cornerSolidAngle(x1, y0) + cornerSolidAngle(x0, y0);
 }
 
+glm::dmat3 frameAround(const glm::dvec3& n) {
+  const double s = n.z >= 0 ? 1 : -1, a = -1 / (s + n.z), b = n.x * n.y * a;
+  return {{1 + s * n.x * n.x * a, s * b, -s * n.x}, {b, s + n.y * n.y * a, -n.y}, n};
+}
+
 }  // namespace facet::optics

@@ -30,4 +30,8 @@ glm::dvec3 directionFromCube(const CubePoint& point);
 // Solid angle [sr] of a texel of a face of size^2: closed form, atan(x y / sqrt(x^2 + y^2 + 1)) over its corners.
 double cubeTexelSolidAngle(int column, int row, int size);
 
+// Some orthonormal frame around the unit vector n, its third column: Duff et al. 2017, "Building an Orthonormal Basis,
+// Revisited" (JCGT 6(1)).
+glm::dmat3 frameAround(const glm::dvec3& n);
+
 }  // namespace facet::optics

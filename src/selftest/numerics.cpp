@@ -56,7 +56,7 @@ void judge(const Check& check, CheckVectors in, CheckVectors out, CheckResult& r
 std::vector<Check> numericalChecks() {
   std::vector<Check> checks = surfaceChecks();
   for (auto more : {modelChecks(), choiceChecks(), lobeChecks(), layerChecks(), layeredChecks(), transmittedChecks(),
-                    lightChecks(), displayChecks(), mappingChecks()})
+                    lightChecks(), samplingChecks(), displayChecks(), mappingChecks()})
     checks.insert(checks.end(), more.begin(), more.end());
   return checks;
 }

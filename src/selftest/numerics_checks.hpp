@@ -17,6 +17,7 @@ std::vector<Check> layerChecks();        // transmission, layers
 std::vector<Check> layeredChecks();      // bsdf with all layers, anisotropy's albedo
 std::vector<Check> transmittedChecks();  // what is seen through glass
 std::vector<Check> lightChecks();        // lights
+std::vector<Check> samplingChecks();     // the lobes' samplers and densities, bsdf_sampling
 std::vector<Check> displayChecks();      // color
 std::vector<Check> mappingChecks();      // mapping, environment_layers, zonal
 

@@ -262,11 +262,7 @@ Check checkIrradianceAlbedo() {
 
 Check checkVisibleNormal() {
   Check check{"sampleVisibleNormal",
-              {{"image_light_sampled.glsl"},
-               "out0.xyz = sampleVisibleNormal(in0.xyz, in0.w, in1.xy);",
-               2,
-               1,
-               {{"IMAGE_LIGHT_SAMPLES"}}},
+              {{"microfacet.glsl"}, "out0.xyz = sampleVisibleNormal(in0.xyz, in0.w, in1.xy);", 2},
               {"V.x", "V.y", "V.z", "alpha", "u.x", "u.y"}};
   for (double alpha : {1e-5, 1e-3, 0.1, 0.5, 1.0})
     for (double NoV : {minNoV, 0.02, 0.5, 1.0})

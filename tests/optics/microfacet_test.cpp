@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "optics/quadrature.hpp"
+#include "support/chi_squared.hpp"
 #include "support/direction.hpp"
 
 using namespace facet::optics;
@@ -31,12 +32,6 @@ double overHemisphere(const glm::dvec3& V, const Function& f, double tolerance) 
   for (int piece = 0; piece < 8; ++piece)  // so that no narrow lobe hides between the first nodes
     sum += integrateAdaptive<double>(overRing, pi / 16 * piece, pi / 16 * (piece + 1), tolerance, 25);
   return sum;
-}
-
-// Chance that chi squared with `freedom` degrees exceeds x (Wilson and Hilferty 1931; good to 1e-3 for freedom > 30).
-double chiSquaredTail(double x, double freedom) {
-  const double t = 2 / (9 * freedom);
-  return 0.5 * std::erfc((std::cbrt(x / freedom) - (1 - t)) / std::sqrt(t) / std::sqrt(2.0));
 }
 
 struct Bins {
@@ -162,7 +157,7 @@ TEST_CASE("GGX samples follow their densities: chi squared, significance 0.1 %")
     INFO("alpha " << alpha << ", chi^2 " << chi << " of " << freedom);
     CHECK(total == Approx(count).epsilon(2e-3));  // bins end at 1 - 1e-12 of the lobe
     CHECK(freedom > 30);
-    CHECK(chiSquaredTail(chi, freedom) > significance);
+    CHECK(facet::test::chiSquaredTail(chi, freedom) > significance);
   };
   for (double alpha : {0.05, 0.7})
     check(

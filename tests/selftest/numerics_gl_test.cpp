@@ -134,6 +134,24 @@ TWIN("transmittedAlpha")
 TWIN("transmittedLobe")
 TWIN("behindVariance")
 TWIN("findBehindLevel")
+TWIN("sampleGgx")
+TWIN("sampleGgx, anisotropic")
+TWIN("sampleCoat")
+TWIN("sampleCosine")
+TWIN("sampleSheen")
+TWIN("sampleTransmitted")
+TWIN("sampleRefraction")
+TWIN("ggxValue")
+TWIN("ggxDensity")
+TWIN("ggxValue, anisotropic")
+TWIN("ggxDensity, anisotropic")
+TWIN("cosineDensity")
+TWIN("sheenDensity")
+TWIN("transmittedDensity")
+TWIN("refractionDensity")
+TWIN("refractionValue")
+TWIN("sampleProxy, pdfProxy")
+TWIN("sampleBsdf, bsdfDensity")
 TWIN("distanceAttenuation")
 TWIN("coneAttenuation")
 TWIN("encodeSrgb")
@@ -155,7 +173,7 @@ TWIN("findLdLayer")
 TWIN("spreadCosine")
 TWIN("spreadZonalKernel")
 
-TEST_CASE("Twin: the cases above are the whole table") { CHECK(selftest::numericalChecks().size() == 119); }
+TEST_CASE("Twin: the cases above are the whole table") { CHECK(selftest::numericalChecks().size() == 137); }
 
 TEST_CASE("A check sees a wrong function, and counts what is not finite") {
   selftest::Check check{
@@ -184,10 +202,10 @@ TEST_CASE("facet selftest: table, JSON, exit status") {
   const test::Outcome table = test::runFacet({"selftest"});
   INFO(table.text);
   CHECK(table.status == 0);
-  CHECK_THAT(table.text, Catch::Contains("D_GGX") && Catch::Contains("131 checks, 0 failed"));
+  CHECK_THAT(table.text, Catch::Contains("D_GGX") && Catch::Contains("149 checks, 0 failed"));
   const auto json = nlohmann::json::parse(test::runFacet({"--log-level", "error", "selftest", "--json"}).text);
   CHECK(json["passed"] == true);
-  CHECK(json["checks"].size() == 131);
+  CHECK(json["checks"].size() == 149);
   CHECK(json["checks"][0]["function"] == "D_GGX");
 
   // A folder with one broken chunk: the failure is named and the exit status says so.
