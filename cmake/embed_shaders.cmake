@@ -1,5 +1,5 @@
 # Writes OUTPUT, a C++ source that holds every file below ROOT as { relative path, text }.
-file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/*.glsl ${ROOT}/*.h)
+file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/*.glsl ${ROOT}/*.h ${ROOT}/*.inc)
 list(SORT files)
 set(text "#include \"shading/embedded_shaders.hpp\"\n\nnamespace facet::shading {\n\nstd::span<const EmbeddedShader> embeddedShaders() {\n  static const EmbeddedShader files[] = {\n")
 foreach(file IN LISTS files)

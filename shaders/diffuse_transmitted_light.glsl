@@ -1,25 +1,20 @@
 // KHR_materials_diffuse_transmission: light that enters beyond the surface and leaves on this side, scattered.
-#include "transmission.glsl"
 #include "bsdf.glsl"
+#include "material.glsl"
+#include "layers/volume.glsl" if HAS_VOLUME
+#include "irradiance.glsl" if HAS_ENVIRONMENT
 
-// share: of the light that enters, rgb. thickness in metres: the way through the body, 0: thin walls.
-vec3 diffuseTransmittedLight(Surface s, vec3 position, vec3 share, float thickness) {
-  vec3 radiance = vec3(0.0);
-#ifdef HAS_PUNCTUAL_LIGHTS
-  for (int i = 0; i < lights.length(); ++i) {
-    vec3 L;
-    vec3 arriving = arrivingLight(lights[i], position, -s.N, L);
-    radiance += arriving * (max(-dot(s.N, L), 0.0) / PI);
-  }
-#endif
-#ifdef HAS_ENVIRONMENT
-  radiance += textureLod(irradianceOverPi, environmentFromWorld(-s.N), 0.0).rgb * (frame.environmentScale.x * s.occlusion);
-#endif
-#ifdef HAS_DFG
+// Of the light that enters the dielectric and does not pass through, what is scattered out beyond.
+float diffuseTransmittedShare(Varyings v) {
+  return clamp(material.diffuseTransmissionFactor * diffuseTransmissionTexel(v).a, 0.0, 1.0);
+}
+
+// transmitted: of all the light that enters.
+vec3 diffuseTransmittedLight(Surface s, Varyings v, float transmitted) {
+  vec3 share = transmitted * (material.diffuseTransmissionColorFactor * diffuseTransmissionColorTexel(v).rgb);
+  vec3 radiance = punctualIrradiance(-s.N, v.position);
+  radiance += lookUpIrradiance(-s.N) * (frame.environmentScale.x * s.occlusion);
   share *= enteringShare(s);
-#endif
-#ifdef HAS_VOLUME
-  share *= volumeTransmittance(material.attenuation.rgb, material.attenuation.w, thickness);
-#endif
+  share *= leftAfter(materialThickness(v));
   return share * radiance;
 }

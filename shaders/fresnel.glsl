@@ -35,15 +35,6 @@ float F_Dielectric(float VoH, float eta) {
   return min(0.5 * s * s * (1.0 + p * p), 1.0);
 }
 
-// Fit of 2 int F_Dielectric(mu, eta) mu dmu, Kulla and Conty 2017; 0.25 <= eta <= 400, clamped beyond; largest error
-// 6.5e-3 at eta = 1.17; eta <= 0 stands for infinity: 1.
-float F_DielectricAverage(float eta) {
-  if (eta <= 0.0) return 1.0;
-  if (eta >= 1.0) return (min(eta, 400.0) - 1.0) / (4.08567 + 1.00071 * min(eta, 400.0));
-  float e = max(eta, 0.25);
-  return clamp(0.997118 + e * (0.1014 - e * (0.965241 + e * 0.130607)), 0.0, 1.0);
-}
-
 // Unpolarised Fresnel equations of a conductor, index eta + i k per channel, in vacuum; eta, k >= 0, counted up to 1e4.
 // a + i b = sqrt((eta + i k)^2 - sin^2): the part that would cancel comes from a b = eta k.
 vec3 F_Conductor(float VoH, vec3 eta, vec3 k) {

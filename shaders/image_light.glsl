@@ -1,12 +1,8 @@
 // Distant light from the precomputed tables (src/ibl/): the split sum of Karis 2013 with multiple scattering.
 #include "bsdf.glsl"
 #include "environment_layers.glsl"
-#include "frame.glsl"
-#ifdef HAS_SHEEN
-#include "mapping.glsl"
-#endif
+#include "irradiance.glsl"
 
-layout(binding = irradianceUnit) uniform samplerCube irradianceOverPi;
 layout(binding = mirrorLayersUnit) uniform samplerCubeArray mirrorLayers;
 layout(binding = roughLayersUnit) uniform samplerCubeArray roughLayers;
 
@@ -48,28 +44,14 @@ vec3 specularMeanDirection(Surface s) { return meanDirection(s.N, s.V, s.dfg.z);
 #include "image_light_taps.glsl"
 #endif
 
-// Mean radiance under the base's lobe.
-#ifdef HAS_ANISOTROPY
-#include "image_light_grain.glsl"
-#else
-vec3 specularRadiance(Surface s) {
-  return lobeRadiance(s.N, s.V, s.NoV, s.perceptualRoughness, s.dfg);
-}
-#endif
-#ifdef HAS_SHEEN
-#include "image_light_sheen.glsl"
-#endif
+#include "image_light_grain.glsl" if HAS_ANISOTROPY
+#include "image_light_sheen.glsl" if HAS_SHEEN
+#include "image_light_coat.glsl" if HAS_CLEARCOAT
 
 // The distant light's share, layer by layer as in evaluateBsdf.
 vec3 imageLight(Surface s) {
-  vec3 irradiance = textureLod(irradianceOverPi, environmentFromWorld(s.N), 0.0).rgb;
+  vec3 irradiance = lookUpIrradiance(s.N);
   vec3 radiance = specularRadiance(s) * prefilteredAlbedo(s) + irradiance * irradianceAlbedo(s);
-#ifdef HAS_SHEEN
-  radiance = radiance * sheenLeft(s) + s.sheen.color * min(s.sheen.albedoV, 1.0) * sheenRadiance(s, irradiance);
-#endif
-#ifdef HAS_CLEARCOAT
-  vec3 reflected = lobeRadiance(s.coat.N, s.V, s.coat.NoV, s.coat.perceptualRoughness, s.coat.dfg);
-  radiance = radiance * coatLeft(s) + s.coat.weight * coatAlbedo(s) * reflected;
-#endif
+  radiance = underLitCoat(s, underLitSheen(s, radiance, irradiance));
   return radiance * (frame.environmentScale.x * s.occlusion);
 }

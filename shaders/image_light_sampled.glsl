@@ -5,11 +5,10 @@
 #include "lobe_frames.glsl"
 #include "frame.glsl"
 #include "environment_samples.glsl"
+#include "irradiance.glsl"
 #if ENERGY_MODEL == 3
 #include "dfg_table.glsl"
 #endif
-
-layout(binding = irradianceUnit) uniform samplerCube irradianceOverPi;
 
 // Smallest alpha of a lobe that is sampled: unlike a value, a sample of a narrow lobe loses nothing.
 const float leastSampledAlpha = 1e-5;
@@ -62,36 +61,11 @@ vec3 diffuseDetail(Surface s) {
 }
 #endif
 
-#ifdef HAS_CLEARCOAT
-vec3 coatSampled(Surface s) {
-  LobeFrame at = coatFrame(s);
-  vec3 sum = vec3(0.0);
-  int first = int(frame.options.y) * IMAGE_LIGHT_SAMPLES;
-  for (int i = first; i < first + IMAGE_LIGHT_SAMPLES; ++i) {
-    LobeSample drawn = sampleCoat(at.V, max(s.coat.alpha, leastSampledAlpha), samplePoint(i));
-    if (drawn.weight <= 0.0) continue;
-    sum += drawn.weight * sampledRadiance(at.worldFromLocal * drawn.L, drawn.density);
-  }
-  return sum / float(IMAGE_LIGHT_SAMPLES);
-}
-#endif
-
-#ifdef HAS_SHEEN
-vec3 sheenSampled(Surface s) {
-  LobeFrame at = normalFrame(s);
-  float guard = sheenGainGuard(s.sheen.albedoV, s.sheen.albedoL);
-  vec3 sum = vec3(0.0);
-  int first = int(frame.options.y) * IMAGE_LIGHT_SAMPLES;
-  for (int i = first; i < first + IMAGE_LIGHT_SAMPLES; ++i) {
-    LobeSample drawn = sampleSheen(at.V, s.sheen.alpha, samplePoint(i));
-    sum += drawn.weight * guard * sampledRadiance(at.worldFromLocal * drawn.L, drawn.density);
-  }
-  return sum / float(IMAGE_LIGHT_SAMPLES);
-}
-#endif
+#include "image_light_sampled_sheen.glsl" if HAS_SHEEN
+#include "image_light_sampled_coat.glsl" if HAS_CLEARCOAT
 
 vec3 imageLight(Surface s) {
-  vec3 irradiance = textureLod(irradianceOverPi, environmentFromWorld(s.N), 0.0).rgb;
+  vec3 irradiance = lookUpIrradiance(s.N);
   vec3 radiance = specularSampled(s) + irradiance * irradianceAlbedo(s);
 #if ENERGY_MODEL == 3
   radiance += multipleDetail(s) * baseMultipleAlbedo(s, distantEnergy);
@@ -99,11 +73,6 @@ vec3 imageLight(Surface s) {
 #if DIFFUSE_MODEL != 0
   radiance += diffuseDetail(s) * s.diffuseShare * dielectricBaseShare(s);
 #endif
-#ifdef HAS_SHEEN
-  radiance = radiance * sheenLeft(s) + s.sheen.color * sheenSampled(s);
-#endif
-#ifdef HAS_CLEARCOAT
-  radiance = radiance * coatLeft(s) + s.coat.weight * coatSampled(s);
-#endif
+  radiance = underLitCoat(s, underLitSheen(s, radiance));
   return radiance * (frame.environmentScale.x * s.occlusion);
 }

@@ -3,8 +3,9 @@
 // 0.4, which covers its share of the hemisphere. Against the integral itself, RMS over directions under the studio's
 // lamps: 0.16 for sheen roughness 0.5 and up, 0.23 at 0.3, 1.3 at 0.1 (where the lobe returns a thousandth). Irradiance
 // in its place: 0.26 at 1, 0.63 at 0.5, 0.87 at 0.3, 2.8 at 0.1.
+#include "mapping.glsl"
+
 const int sheenHeights = 3, sheenAzimuths = 8;
-const int sheenLayer = 6;
 
 // irradiance: over pi; for lobes so narrow that every node misses them.
 vec3 sheenRadiance(Surface s, vec3 irradiance) {
@@ -27,4 +28,9 @@ vec3 sheenRadiance(Surface s, vec3 irradiance) {
     }
   }
   return total > 1e-20 ? sum / total : irradiance;
+}
+
+// What the base sends, and what the sheen adds.
+vec3 underLitSheen(Surface s, vec3 below, vec3 irradiance) {
+  return below * sheenLeft(s) + s.sheen.color * min(s.sheen.albedoV, 1.0) * sheenRadiance(s, irradiance);
 }

@@ -17,38 +17,6 @@ vec3 interferenceColor(float opticalPathNm, vec3 shift) {
   return rec709FromXyz * (xyz / 1.0685e-7);
 }
 
-// F of the film-covered base, per channel >= 0. outsideIor, filmIor >= 1; thicknessNm >= 0; baseF0 in [0, 1] in air.
-// thicknessNm -> 0 is not quite the base (0.007 off facing, 0.42 at cosine 0.2): leave the film out
-// there, or take F_ThinFilm. Total reflection inside: 1.
-vec3 F_Iridescence(float cosine, float outsideIor, float filmIor, float thicknessNm, vec3 baseF0) {
-  float cos1 = clamp(cosine, 0.0, 1.0);
-  thicknessNm = clamp(thicknessNm, 0.0, 1e5);
-  float film = max(mix(outsideIor, filmIor, smoothstep(0.0, 0.03, thicknessNm)), 1e-3);
-  float ratio = outsideIor / film;
-  float cos2Squared = (1.0 - ratio) * (1.0 + ratio) + ratio * ratio * cos1 * cos1;
-  if (cos2Squared < 0.0) return vec3(1.0);
-  float cos2 = sqrt(cos2Squared);
-
-  float m1 = 1.0 - cos1, m2 = 1.0 - cos2;
-  float fresnel1 = m1 * m1 * m1 * m1 * m1, fresnel2 = m2 * m2 * m2 * m2 * m2;
-  float r12 = (film - outsideIor) / (film + outsideIor);
-  float R12 = mix(r12 * r12, 1.0, fresnel1);
-  float T121 = 1.0 - R12;
-  vec3 root = sqrt(clamp(baseF0 + 1e-4, 0.0, 0.9999));
-  vec3 base = (1.0 + root) / (1.0 - root);
-  vec3 r23 = (base - film) / (base + film);
-  vec3 R23 = mix(r23 * r23, vec3(1.0), fresnel2);
-  vec3 phi = vec3(film < outsideIor ? 0.0 : PI) + mix(vec3(0.0), vec3(PI), lessThan(base, vec3(film)));
-
-  vec3 R123 = clamp(R12 * R23, 1e-5, 0.9999);
-  vec3 r123 = sqrt(R123);
-  vec3 Rs = T121 * T121 * R23 / (1.0 - R123);
-  float path = 2.0 * film * thicknessNm * cos2;
-  vec3 C1 = (Rs - T121) * r123;
-  vec3 sum = R12 + Rs + 2.0 * C1 * (interferenceColor(path, phi) + r123 * interferenceColor(2.0 * path, 2.0 * phi));
-  return max(sum, 0.0);
-}
-
 // The same with the exact Fresnel terms of both polarisations and sensitivities that sum to white: an order of
 // magnitude nearer to the spectral sum at grazing angles, and no film is no film. The amplitudes are real, so that a phase of pi
 // is a sign, and one evaluation of the colour per order serves all channels. Arguments as F_Iridescence; cosine 0: 1.

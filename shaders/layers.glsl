@@ -29,16 +29,5 @@ LobeSample sampleCoat(vec3 V, float alpha, vec2 u) {
   return drawn;
 }
 
-// KHR_materials_clearcoat: on base and emission, once; and both ways.
-float coatTransmittance(float clearcoat, float coatNoV) { return 1.0 - clearcoat * F_Coat(coatNoV); }
-float coatTransmittanceBothWays(float clearcoat, float coatNoV, float coatNoL) {
-  return coatTransmittance(clearcoat, coatNoV) * coatTransmittance(clearcoat, coatNoL);
-}
-
 // The rule: 1 - weight E(V), E of the layer's lobe. Never a gain, none lost over a white base.
 float layerTransmittance(float weight, float albedoV) { return clamp(1.0 - weight * albedoV, 0.0, 1.0); }
-// Kulla and Conty 2017; albedoMean = 2 int E mu dmu.
-float layerTransmittanceReciprocal(float weight, float albedoV, float albedoL, float albedoMean) {
-  float left = max(1.0 - weight * albedoMean, 1e-6);
-  return layerTransmittance(weight, albedoV) * layerTransmittance(weight, albedoL) / left;
-}

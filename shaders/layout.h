@@ -2,12 +2,15 @@
 #ifdef __cplusplus
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 
 namespace facet::layout {
 using glm::mat4;
 using glm::uvec4;
+using glm::vec2;
+using glm::vec3;
 using glm::vec4;
 using uint = uint32_t;
 #define LAYOUT_CONST inline constexpr int
@@ -39,44 +42,71 @@ LAYOUT_CONST morphTargetBinding = 7;   // of one primitive
 LAYOUT_CONST morphWeightBinding = 8;   // of all instances
 LAYOUT_CONST measuredBinding = 9;      // a measured BRDF; only where a draw reads it
 
-// Texture units. First the material's slots in the order of scene::TextureSlot. A driver may offer as few as 16 units to
-// a stage: what counts is how many a variant uses, not their numbers.
-LAYOUT_CONST baseColorUnit = 0;
-LAYOUT_CONST metallicRoughnessUnit = 1;
-LAYOUT_CONST normalUnit = 2;
-LAYOUT_CONST occlusionUnit = 3;
-LAYOUT_CONST emissiveUnit = 4;
-LAYOUT_CONST clearcoatUnit = 5;
-LAYOUT_CONST clearcoatRoughnessUnit = 6;
-LAYOUT_CONST clearcoatNormalUnit = 7;
-LAYOUT_CONST sheenColorUnit = 8;
-LAYOUT_CONST sheenRoughnessUnit = 9;
-LAYOUT_CONST anisotropyUnit = 10;
-LAYOUT_CONST specularUnit = 11;
-LAYOUT_CONST specularColorUnit = 12;
-LAYOUT_CONST iridescenceUnit = 13;
-LAYOUT_CONST iridescenceThicknessUnit = 14;
-LAYOUT_CONST transmissionUnit = 15;
-LAYOUT_CONST thicknessUnit = 16;
-LAYOUT_CONST diffuseTransmissionUnit = 17;
-LAYOUT_CONST diffuseTransmissionColorUnit = 18;
-LAYOUT_CONST materialSlotCount = 19;
-LAYOUT_CONST dfgUnit = 19;
-LAYOUT_CONST irradianceUnit = 20;
-LAYOUT_CONST mirrorLayersUnit = 21;  // LD layers 0 and 1
-LAYOUT_CONST roughLayersUnit = 22;   // LD layers 2 and up
-LAYOUT_CONST equirectUnit = 23;
-LAYOUT_CONST sourceUnit = 24;  // input of a full-screen or compute pass
-LAYOUT_CONST environmentCubeUnit = 25;
-LAYOUT_CONST sheenAlbedoUnit = 26;
-LAYOUT_CONST opaqueFrameUnit = 27;  // what is behind transmitting surfaces, with mips
-LAYOUT_CONST opaqueDepthUnit = 28;  // its depth, with mips
-LAYOUT_CONST tapsUnit = 29;         // image_light_taps.glsl
-LAYOUT_CONST comparedUnit = 30;     // the fitted model's picture
+// Texture units. First the material's slots (texture_slots.inc). A driver may offer as few as 16 units to a stage: what
+// counts is how many a variant uses, not their numbers.
+#define TEXTURE_SLOT(name, DEFINE, words, texel) +1
+LAYOUT_CONST materialSlotCount = 0
+#include "texture_slots.inc"
+;
+#undef TEXTURE_SLOT
+LAYOUT_CONST dfgUnit = materialSlotCount;
+LAYOUT_CONST irradianceUnit = materialSlotCount + 1;
+LAYOUT_CONST mirrorLayersUnit = materialSlotCount + 2;  // LD layers 0 and 1
+LAYOUT_CONST roughLayersUnit = materialSlotCount + 3;   // LD layers 2 and up
+LAYOUT_CONST equirectUnit = materialSlotCount + 4;
+LAYOUT_CONST sourceUnit = materialSlotCount + 5;  // input of a full-screen or compute pass
+LAYOUT_CONST environmentCubeUnit = materialSlotCount + 6;
+LAYOUT_CONST sheenAlbedoUnit = materialSlotCount + 7;
+LAYOUT_CONST opaqueFrameUnit = materialSlotCount + 8;  // what is behind transmitting surfaces, with mips
+LAYOUT_CONST opaqueDepthUnit = materialSlotCount + 9;  // its depth, with mips
+LAYOUT_CONST tapsUnit = materialSlotCount + 10;        // image_light_taps.glsl
+LAYOUT_CONST comparedUnit = materialSlotCount + 11;    // the fitted model's picture
+
+// Compute passes: invocations of a work group along x and y; pixels along the edge of the square that one group sums up.
+LAYOUT_CONST groupSize = 8;
+LAYOUT_CONST groupInvocations = groupSize * groupSize;
+LAYOUT_CONST sumTileSize = 64;
+
+// Of the environment for sums over the sphere: vec4s of each cell (passes/cube_to_cells.comp.glsl).
+LAYOUT_CONST cellVectors = 3;
+
+// Locations of the passes' uniforms.
+LAYOUT_CONST displayParametersLocation = 0;  // displayed()'s, of all passes that call it
+LAYOUT_CONST displayBackdropLocation = 1;
+LAYOUT_CONST comparisonLocation = 2;
+LAYOUT_CONST comparedRowsLocation = 2;
+LAYOUT_CONST errorPartsLocation = 2;
+LAYOUT_CONST gatherShareLocation = 0;
+LAYOUT_CONST outlineLineLocation = 0;
+LAYOUT_CONST behindFineLevelLocation = 0;
+LAYOUT_CONST cubeTapsLocation = 0;
+LAYOUT_CONST cubeSteepTapsLocation = 1;
+LAYOUT_CONST cubeSteepLocation = 2;
+LAYOUT_CONST cubeFirstFaceLocation = 3;
+LAYOUT_CONST blurFirstFaceLocation = 0;
+LAYOUT_CONST layerCubeLocation = 0;  // of passes that write a layer of LD
+LAYOUT_CONST layerFirstFaceLocation = 1;
+LAYOUT_CONST mixCountLocation = 2;
+LAYOUT_CONST mixWeightsLocation = 3;  // one each
+LAYOUT_CONST mixCopyCount = 16;
+LAYOUT_CONST cutFirstRowLocation = 2;
+LAYOUT_CONST cutTreeSizeLocation = 3;
+LAYOUT_CONST cutParametersLocation = 4;
+LAYOUT_CONST nodesSizeLocation = 0;
+LAYOUT_CONST nodesOffsetLocation = 1;
+LAYOUT_CONST nodesFineOffsetLocation = 2;
+LAYOUT_CONST cellTexelsLocation = 0;
+LAYOUT_CONST sumAlpha2Location = 0;
+LAYOUT_CONST riemannStepLocation = 0;
+LAYOUT_CONST dfgRadiiLocation = 0;
+LAYOUT_CONST dfgSamplesLocation = 0;
+LAYOUT_CONST sheenHeightsLocation = 0;
+LAYOUT_CONST probeCountLocation = 0;
 
 // The LD chain: layer i holds perceptual roughness ldKnot(i) (environment_layers.glsl); how many cubes of which size.
 LAYOUT_CONST ldLayerCount = 13;
 LAYOUT_CONST ldMirrorLayerCount = 2;
+LAYOUT_CONST sheenLayer = 6;  // that every sheen lobe reads (image_light_sheen.glsl)
 
 // The table of fitted look-ups, texels along an edge of each tap's block; three models of 1, 2, 3 taps.
 LAYOUT_CONST tapsTableSize = 16;
@@ -95,22 +125,26 @@ struct FrameUniforms {
   vec4 backdrop;              // rgb radiance of a colour put behind the picture later; w 0: there is none
 };
 
+// How a slot's texture is looked up: KHR_texture_transform's rows, each to be multiplied with (u, v, 1).
+struct SlotUniforms {
+  vec3 u;
+  float texCoord;  // the set
+  vec3 v;
+  float unused;
+};
+
+// One material; a uniform block, or an element of an array in a storage buffer.
 struct MaterialUniforms {
-  vec4 baseColorFactor;
-  vec4 emissiveFactor;  // rgb factor * strength, W sr^-1 m^-2 relative; w unused
-  vec4 factors;         // metallic, perceptual roughness, occlusion strength, alpha cutoff
-  vec4 scales;          // x normal scale; yzw unused
-  vec4 specularGlossiness;  // rgb f0, a glossiness; of materials of that model
-  vec4 specular;            // rgb colour, a weight (KHR_materials_specular)
-  vec4 clearcoat;           // x factor, y perceptual roughness, z normal scale; w: the dielectric's ior (0: infinite)
-  vec4 sheen;               // rgb colour, a perceptual roughness
-  vec4 anisotropy;          // x strength; y cos, z sin of the rotation; w dispersion
-  vec4 iridescence;         // x factor, y ior; z, w thickness at texel 0 and 1 in nanometres
-  vec4 attenuation;         // rgb colour; w 1 / distance, 0: none
-  vec4 transmission;        // x factor, y thickness, z diffuse transmission; w unused
-  vec4 diffuseTransmission;  // rgb colour; w unused
-  vec4 texCoordSets[5];   // the set of slot s: [s / 4][s % 4]
-  vec4 texCoordRows[38];  // slot s: rows 2s, 2s + 1 of its KHR_texture_transform (xyz)
+#define COPIED(type, name) type name;
+#define MADE(type, name) type name;
+#define UNUSED(name) float name;
+#include "material_members.inc"
+#undef COPIED
+#undef MADE
+#undef UNUSED
+#define TEXTURE_SLOT(name, DEFINE, words, texel) SlotUniforms name##Slot;
+#include "texture_slots.inc"
+#undef TEXTURE_SLOT
 };
 
 struct Instance {
@@ -150,7 +184,24 @@ struct FittedUniforms {
 
 #ifdef __cplusplus
 #undef LAYOUT_CONST
-static_assert(sizeof(MaterialUniforms) == 56 * 16);
+// Work groups, or tiles, along an axis.
+constexpr int groupsFor(int size, int perGroup = groupSize) { return (size + perGroup - 1) / perGroup; }
+
+// What begins where the members before it end lies alike in std140, std430 and C++, if it is aligned as std140 wants.
+#define MEMBER(type, name) static_assert(offsetof(MaterialUniforms, name) % (sizeof(type) > 8 ? 16 : sizeof(type)) == 0);
+#define COPIED MEMBER
+#define MADE MEMBER
+#define UNUSED(name) MEMBER(float, name)
+#include "material_members.inc"
+#undef COPIED
+#undef MADE
+#undef UNUSED
+#define TEXTURE_SLOT(name, ...) MEMBER(SlotUniforms, name##Slot)
+#include "texture_slots.inc"
+#undef TEXTURE_SLOT
+#undef MEMBER
+static_assert(sizeof(SlotUniforms) == 2 * 16);
+static_assert(sizeof(MaterialUniforms) == offsetof(MaterialUniforms, baseColorSlot) + materialSlotCount * sizeof(SlotUniforms));
 static_assert(sizeof(FrameUniforms) == 16 * 16);
 static_assert(sizeof(Instance) == 8 * 16);
 static_assert(sizeof(Joint) == 3 * 16);

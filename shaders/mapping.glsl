@@ -9,12 +9,6 @@ vec2 equirectFromDirection(vec3 d) {
   return vec2(u, 0.5 - atan(d.y, length(d.xz)) / PI);
 }
 
-vec3 directionFromEquirect(vec2 uv) {
-  float phi = (uv.x - 0.5) * 2.0 * PI;
-  float latitude = (0.5 - uv.y) * PI;
-  return vec3(cos(phi) * cos(latitude), sin(latitude), sin(phi) * cos(latitude));
-}
-
 // OpenGL 4.6, table 8.19: face 0..5 = +X -X +Y -Y +Z -Z; st in [-1, 1]. Not normalised.
 vec3 directionFromCube(int face, vec2 st) {
   switch (face) {

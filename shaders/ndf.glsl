@@ -37,22 +37,14 @@ float cosineLambdaBeckmann(float NoX, float alpha) {
   if (a > 6.0) return 0.0;
   return max(0.5 * exp(-a * a) * (width * 0.5641895835 - NoX * erfcScaled(a)), 0.0);
 }
-float G1_Beckmann(float NoX, float alpha) {
-  return NoX > 0.0 ? NoX / (NoX + cosineLambdaBeckmann(NoX, alpha)) : 0.0;
-}
 // Height-correlated G2 / (4 NoV NoL), Heitz 2014, eq. 99.
 float V_BeckmannCorrelated(float NoV, float NoL, float alpha) {
   float sum = NoV * NoL + NoL * cosineLambdaBeckmann(NoV, alpha) + NoV * cosineLambdaBeckmann(NoL, alpha);
   return 0.25 / max(sum, 1e-12);
 }
-// Walter et al. 2007, eq. 27; error 3.1e-3 at most. Also what they take for Blinn, with the same alpha.
-float G1_BeckmannRational(float NoX, float alpha) {
-  float a = NoX / max(alpha * sqrt(max((1.0 - NoX) * (1.0 + NoX), 0.0)), 1e-10);
-  if (NoX <= 0.0) return 0.0;
-  return a < 1.6 ? a * (3.535 + 2.181 * a) / (1.0 + a * (2.276 + 2.577 * a)) : 1.0;
-}
 
-// G1_BeckmannRational / NoX, finite at the horizon.
+// G1 / NoX by Walter et al. 2007, eq. 27, finite at the horizon; G1's error is 3.1e-3 at most. Also what they take for
+// Blinn, with the same alpha.
 float beckmannRationalOverCosine(float NoX, float alpha) {
   float width = max(alpha * sqrt(max((1.0 - NoX) * (1.0 + NoX), 0.0)), 1e-10);
   float a = NoX / width;
@@ -64,10 +56,6 @@ float V_BeckmannRational(float NoV, float NoL, float alpha) {
 }
 
 // Schlick 1994, with k = alpha / 2: Smith's G1 of GGX; error 0.16 at most.
-float G1_SchlickGGX(float NoX, float alpha) {
-  float k = 0.5 * alpha;
-  return NoX > 0.0 ? NoX / (NoX + k * (1.0 - NoX)) : 0.0;
-}
 float V_SchlickGGX(float NoV, float NoL, float alpha) {
   float k = 0.5 * alpha;
   return 0.25 / max((NoV + k * (1.0 - NoV)) * (NoL + k * (1.0 - NoL)), 1e-12);

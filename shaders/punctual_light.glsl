@@ -2,9 +2,7 @@
 #include "bsdf.glsl"
 #include "arriving_light.glsl"
 #include "frame.glsl"
-#ifdef HAS_SHEEN
-#include "sheen_table.glsl"
-#endif
+#include "sheen_table.glsl" if HAS_SHEEN
 #if ENERGY_MODEL == 3
 #include "dfg_table.glsl"
 #endif
@@ -16,12 +14,8 @@ Surface sunlit(Surface s, LightUniforms light) {
   float least = light.cone.y * sqrt(max(frame.environmentScale.z, 1.0));
   float angularRadius = max(light.cone.x * inversesqrt(max(frame.options.z, 1.0)), least);
   s.alpha = alphaOfDisc(s.alpha, angularRadius);
-#ifdef HAS_ANISOTROPY
-  s.grain.alpha = vec2(alphaOfDisc(s.grain.alpha.x, angularRadius), alphaOfDisc(s.grain.alpha.y, angularRadius));
-#endif
-#ifdef HAS_CLEARCOAT
-  s.coat.alpha = alphaOfDisc(s.coat.alpha, angularRadius);
-#endif
+  spreadGrain(s.grain, angularRadius);
+  spreadCoat(s.coat, angularRadius);
   return s;
 }
 #endif
@@ -33,9 +27,7 @@ vec3 punctualLight(Surface s, vec3 position) {
     vec3 L;
     vec3 arriving = arrivingLight(lights[i], position, s.N, L);
     if (arriving == vec3(0.0)) continue;
-#ifdef HAS_SHEEN
-    s.sheen.albedoL = lookUpSheenAlbedo(dot(s.N, L), s.sheen.perceptualRoughness);
-#endif
+    lightSheen(s.sheen, dot(s.N, L));
 #if ENERGY_MODEL == 3
     vec3 dfgL = lookUpDfg(dot(s.N, L), s.perceptualRoughness);
     s.albedoL = dfgL.x + dfgL.y;
@@ -49,4 +41,15 @@ vec3 punctualLight(Surface s, vec3 position) {
     radiance += evaluateBsdf(s, L) * arriving;
   }
   return radiance;
+}
+
+// Irradiance over pi of a plane that faces N.
+vec3 punctualIrradiance(vec3 N, vec3 position) {
+  vec3 irradiance = vec3(0.0);
+  for (int i = 0; i < lights.length(); ++i) {
+    vec3 L;
+    vec3 arriving = arrivingLight(lights[i], position, N, L);
+    irradiance += arriving * (max(dot(N, L), 0.0) / PI);
+  }
+  return irradiance;
 }

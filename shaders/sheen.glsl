@@ -35,12 +35,6 @@ float V_Charlie(float NoV, float NoL, float alpha) {
   return 0.25 / (v * l * (1.0 + Lambda_Charlie(v, alpha) + Lambda_Charlie(l, alpha)));
 }
 
-// Ashikhmin and Premoze 2007: the cheap alternative.
-float V_Ashikhmin(float NoV, float NoL) {
-  float v = clamp(NoV, minNoV, 1.0), l = clamp(NoL, minNoV, 1.0);
-  return 0.25 / (l + v - l * v);
-}
-
 // The lobe in the frame of N, of sheen colour 1 and without its guard: value f NoL, density of its samples [1/sr], sample:
 // uniform in the square root of NoL, as the lobe is dense at the horizon: NoL = u^2, dL = 2 u du dphi.
 float sheenValue(vec3 V, vec3 L, float alpha) {

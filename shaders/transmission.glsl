@@ -49,24 +49,6 @@ LobeSample sampleRefraction(vec3 V, float alpha, float eta, vec2 u) {
   float VoH, density = refractionDensity(vec3(0.0, 0.0, 1.0), V, L, alpha, eta, VoH);
   return density > 0.0 ? LobeSample(L, density, G1_GGX(-L.z, alpha), VoH) : noSample();
 }
-// f |NoL| of transmission [1/sr] with the exact dielectric's F.
-float transmissionBsdf(vec3 N, vec3 V, vec3 L, float alpha, float eta) {
-  float VoH, density = refractionDensity(N, V, L, alpha, eta, VoH);
-  return density > 0.0 ? (1.0 - F_Dielectric(VoH, eta)) * density * G1_GGX(-dot(N, L), alpha) : 0.0;
-}
-
-// f |NoL| of reflection [1/sr] with the exact dielectric's F.
-float reflectionBsdf(vec3 N, vec3 V, vec3 L, float alpha, float eta) {
-  float NoV = dot(N, V), NoL = dot(N, L);
-  vec3 VL = V + L;
-  float length2 = dot(VL, VL);
-  if (NoV <= 0.0 || NoL <= 0.0 || length2 < 1e-12) return 0.0;
-  vec3 H = VL * inversesqrt(length2);
-  return F_Dielectric(dot(V, H), eta) * D_GGX(N, H, alpha) * V_SmithGGXCorrelated(NoV, NoL, alpha) * NoL;
-}
-
-// A thin slab with light going to and fro, F of one face.
-float slabReflectance(float F) { return 2.0 * F / (1.0 + F); }
 
 // KHR_materials_volume, Beer-Lambert: color^(distance / attenuationDistance). inverseDistance = 1 / attenuationDistance
 // [1/m], 0 for none. Distance 0: 1; colour 0: 0 for any path.
@@ -87,7 +69,3 @@ float transmissionRoughness(float perceptualRoughness, float ior) {
   return ior == 0.0 ? perceptualRoughness : perceptualRoughness * clamp(2.0 * ior - 2.0, 0.0, 1.0);
 }
 
-// KHR_materials_diffuse_transmission: BSDF of the diffuse base [1/sr], without the cosine.
-vec3 diffuseTransmissionBsdf(vec3 baseColor, vec3 transmissionColor, float factor, bool sameSide) {
-  return (sameSide ? (1.0 - factor) * baseColor : factor * transmissionColor) / PI;
-}

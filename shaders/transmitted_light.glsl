@@ -6,6 +6,8 @@
 #if defined(HAS_ENVIRONMENT) && defined(IMAGE_LIGHT_SAMPLES)
 #include "lobe_frames.glsl"
 #endif
+#include "material.glsl"
+#include "layers/volume.glsl" if HAS_VOLUME
 
 layout(binding = opaqueFrameUnit) uniform sampler2D behindColor;
 layout(binding = opaqueDepthUnit) uniform sampler2D behindDepth;
@@ -125,54 +127,28 @@ vec4 seenThrough(Surface s, vec3 position, Passage passage) {
 }
 
 Passage passageThrough(Surface s, float ior, float thickness) {
-  Passage passage;
-#ifdef HAS_VOLUME
-  passage.ray = refractedDirection(s.V, s.N, ior) * thickness;
-  passage.alpha = transmittedAlpha(s.perceptualRoughness, ior, thickness > 0.0);
-#else
-  passage.ray = vec3(0.0);
-  passage.alpha = transmittedAlpha(s.perceptualRoughness, ior, false);
-#endif
-  return passage;
+  return Passage(bodyRay(s.V, s.N, ior, thickness), transmittedAlpha(s.perceptualRoughness, ior, thickness > 0.0));
 }
 
-#ifdef HAS_PUNCTUAL_LIGHTS
-// Radiance from lights beyond where the passage ends, before any loss at the interface.
-vec3 punctualThrough(Surface s, vec3 position, Passage passage) {
-  vec3 radiance = vec3(0.0);
-  vec3 dfg = lookUpDfg(s.NoV, sqrt(passage.alpha));
-  float albedo = max(dfg.x + dfg.y, 1e-4);
-  for (int i = 0; i < lights.length(); ++i) {
-    vec3 L;
-    vec3 arriving = arrivingLight(lights[i], position + passage.ray, -s.N, L);
-    radiance += arriving * (transmittedLobe(s.N, s.V, L, passage.alpha) / albedo);
-  }
-  return radiance;
-}
-#endif
+#include "transmitted_punctual.glsl" if HAS_PUNCTUAL_LIGHTS
+#include "layers/dispersion.glsl" if HAS_DISPERSION
 
-// Adds what shines through to the radiance and returns how much of the view is covered. share: of the light that enters
-// the dielectric, rgb; ior of the body; thickness in metres, 0: thin walls.
+// KHR_materials_transmission: of the light that enters the dielectric, what passes through.
+float transmittedShare(Varyings v) { return clamp(material.transmissionFactor * transmissionTexel(v).r, 0.0, 1.0); }
+
+// Adds what shines through to the radiance and returns how much of the view is covered. share: transmittedShare.
 // Where nothing is behind, the picture stays see-through. A tint has no place in coverage: before a known colour it is
 // added to the radiance, before an unknown one coverage takes its mean.
-float addTransmittedLight(Surface s, vec3 position, vec3 share, float ior, float thickness, inout vec3 radiance) {
+float addTransmittedLight(Surface s, Varyings v, float transmitted, inout vec3 radiance) {
+  vec3 share = transmitted * s.baseColor * enteringShare(s);
+  float ior = material.ior, thickness = materialThickness(v);
   Passage passage = passageThrough(s, ior, thickness);
-  vec4 behind = seenThrough(s, position, passage);
+  vec4 behind = seenThrough(s, v.position, passage);
   vec3 open = vec3(1.0 - behind.a);
-#ifdef HAS_DISPERSION
-  vec3 iors = dispersedIors(ior, material.anisotropy.w);
-  vec4 red = seenThrough(s, position, passageThrough(s, iors.r, thickness));
-  vec4 blue = seenThrough(s, position, passageThrough(s, iors.b, thickness));
-  behind.rb = vec2(red.r, blue.b);
-  open.rb = vec2(1.0 - red.a, 1.0 - blue.a);
-#endif
-#ifdef HAS_VOLUME
-  share *= volumeTransmittance(material.attenuation.rgb, material.attenuation.w, length(passage.ray));
-#endif
+  disperse(s, v.position, ior, thickness, behind, open);
+  share *= leftAfter(length(passage.ray));
   radiance += share * behind.rgb;
-#ifdef HAS_PUNCTUAL_LIGHTS
-  radiance += share * punctualThrough(s, position, passage);
-#endif
+  radiance += share * punctualThrough(s, v.position, passage);
   open = clamp(share * open, 0.0, 1.0);
   if (frame.backdrop.w < 0.5) return 1.0 - dot(open, vec3(1.0 / 3.0));
   float white = min(open.r, min(open.g, open.b));

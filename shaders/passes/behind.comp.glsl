@@ -1,7 +1,7 @@
 // The frame so far, its samples averaged: what is seen through transmitting surfaces.
 #include "layout.h"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = groupSize, local_size_y = groupSize) in;
 #ifdef SAMPLES
 layout(binding = sourceUnit) uniform sampler2DMS sourceColor;
 layout(binding = opaqueDepthUnit) uniform sampler2DMS sourceDepth;

@@ -2,8 +2,8 @@
 // left over at the edge: with the sizes that OpenGL gives to levels, all levels so stay where they are.
 #include "layout.h"
 
-layout(local_size_x = 8, local_size_y = 8) in;
-layout(location = 0) uniform int fineLevel;
+layout(local_size_x = groupSize, local_size_y = groupSize) in;
+layout(location = behindFineLevelLocation) uniform int fineLevel;
 layout(binding = opaqueFrameUnit) uniform sampler2D fineColor;
 layout(binding = opaqueDepthUnit) uniform sampler2D fineDepth;
 layout(binding = 0, rgba16f) writeonly uniform image2D color;

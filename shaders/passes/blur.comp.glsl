@@ -2,11 +2,11 @@
 #include "layout.h"
 #include "mapping.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = groupSize, local_size_y = groupSize) in;
 layout(binding = sourceUnit) uniform samplerCube source;
 layout(binding = 0, rgba32f) writeonly uniform imageCube blurred;
 layout(std430, binding = computeInputBinding) readonly buffer TapBlock { vec4 taps[]; };
-layout(location = 0) uniform int firstFace;
+layout(location = blurFirstFaceLocation) uniform int firstFace;
 
 void main() {
   int size = imageSize(blurred).x;

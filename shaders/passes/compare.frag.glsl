@@ -5,9 +5,9 @@
 layout(location = 0) out vec4 outColor;
 layout(binding = sourceUnit) uniform sampler2D source;
 layout(binding = comparedUnit) uniform sampler2D compared;
-layout(location = 0) uniform vec4 parameters;  // of displayed()
-layout(location = 1) uniform vec4 backdrop;
-layout(location = 2) uniform vec4 comparison;  // x pixels from the left that show the first; y factor on the absolute
+layout(location = displayParametersLocation) uniform vec4 parameters;  // of displayed()
+layout(location = displayBackdropLocation) uniform vec4 backdrop;
+layout(location = comparisonLocation) uniform vec4 comparison;  // x pixels from the left that show the first; y factor on the absolute
                                                // difference of display values; z 1: shows that difference
 
 void main() {

@@ -1,8 +1,9 @@
 // One level of a cube map from the finer one. Alpha holds the texel's solid angle, by which it counts: what is summed
 // over any level is the same.
+#include "layout.h"
 #include "mapping.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = groupSize, local_size_y = groupSize) in;
 layout(binding = 0, rgba32f) readonly uniform imageCube fine;
 layout(binding = 1, rgba32f) writeonly uniform imageCube coarse;
 

@@ -1,15 +1,15 @@
-// A cube map level as cells of cellTexels^2 texels, for passes that sum over the whole sphere. cells[3 i] = centroid of
-// the cell and variance about it (per axis, of unit vectors), cells[3 i + 1] = the same of its luminance,
-// cells[3 i + 2] = mean radiance, solid angle. Centroids lie within the sphere: kernels that are linear over a cell
+// A cube map level as cells of cellTexels^2 texels, for passes that sum over the whole sphere. cells[cellVectors i] = centroid of
+// the cell and variance about it (per axis, of unit vectors), cells[cellVectors i + 1] = the same of its luminance,
+// cells[cellVectors i + 2] = mean radiance, solid angle. Centroids lie within the sphere: kernels that are linear over a cell
 // are summed exactly.
 #include "layout.h"
 #include "luminance.glsl"
 #include "mapping.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = groupSize, local_size_y = groupSize) in;
 layout(binding = 0, rgba32f) readonly uniform imageCube cube;
 layout(std430, binding = computeOutputBinding) writeonly buffer CellBlock { vec4 cells[]; };
-layout(location = 0) uniform int cellTexels;
+layout(location = cellTexelsLocation) uniform int cellTexels;
 
 // |d| = 1: the variances along all three axes sum to 1 - |mean|^2, those along the sphere are two of them.
 float varianceAbout(vec3 mean) { return max(0.0, 0.5 - 0.5 * dot(mean, mean)); }
@@ -34,7 +34,7 @@ void main() {
     }
   middle /= solidAngle;
   bright = brightness > 0.0 ? bright / brightness : middle;
-  int index = 3 * ((cell.z * size + cell.y) * size + cell.x);
+  int index = cellVectors * ((cell.z * size + cell.y) * size + cell.x);
   cells[index] = vec4(middle, varianceAbout(middle));
   cells[index + 1] = vec4(bright, varianceAbout(bright));
   cells[index + 2] = vec4(radiance / solidAngle, solidAngle);

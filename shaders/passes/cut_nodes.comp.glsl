@@ -4,12 +4,12 @@
 #include "luminance.glsl"
 #include "mapping.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = groupSize, local_size_y = groupSize) in;
 layout(binding = 0, rgba32f) readonly uniform imageCube cube;  // the finest level
 layout(std430, binding = computeOutputBinding) buffer NodeBlock { vec4 nodes[]; };
-layout(location = 0) uniform int size;
-layout(location = 1) uniform int offset;
-layout(location = 2) uniform int fineOffset;  // below 0: from the cube
+layout(location = nodesSizeLocation) uniform int size;
+layout(location = nodesOffsetLocation) uniform int offset;
+layout(location = nodesFineOffsetLocation) uniform int fineOffset;  // below 0: from the cube
 
 void main() {
   ivec3 texel = ivec3(gl_GlobalInvocationID);

@@ -10,10 +10,10 @@
 #include "layout.h"
 #include "microfacet.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = groupSize, local_size_y = groupSize) in;
 layout(binding = 0, rgba16f) writeonly uniform image2D table;
 layout(std430, binding = computeInputBinding) readonly buffer NodeBlock { vec2 nodes[]; };
-layout(location = 0) uniform int radii;
+layout(location = dfgRadiiLocation) uniform int radii;
 
 // Half vector for the polar disc point (r, phi), Heitz 2018, section 3; V in the plane x = 0.
 vec3 visibleNormal(vec3 V, float alpha, float r, float phi) {

@@ -3,9 +3,9 @@
 #include "layout.h"
 #include "microfacet.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = groupSize, local_size_y = groupSize) in;
 layout(binding = 0, rgba32f) writeonly uniform image2D table;
-layout(location = 0) uniform int samples;
+layout(location = dfgSamplesLocation) uniform int samples;
 
 void main() {
   ivec2 size = imageSize(table);

@@ -4,7 +4,7 @@
 
 layout(location = 0) out vec4 outColor;
 layout(binding = sourceUnit) uniform sampler2D source;
-layout(location = 0) uniform vec4 parameters;  // of displayed()
-layout(location = 1) uniform vec4 backdrop;
+layout(location = displayParametersLocation) uniform vec4 parameters;  // of displayed()
+layout(location = displayBackdropLocation) uniform vec4 backdrop;
 
 void main() { outColor = displayed(texelFetch(source, ivec2(gl_FragCoord.xy), 0), parameters, backdrop); }

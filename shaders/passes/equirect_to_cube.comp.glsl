@@ -4,13 +4,13 @@
 #include "layout.h"
 #include "mapping.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = groupSize, local_size_y = groupSize) in;
 layout(binding = equirectUnit) uniform sampler2D equirect;
 layout(binding = 0, rgba32f) writeonly uniform imageCube cube;
-layout(location = 0) uniform int taps;
-layout(location = 1) uniform int steepTaps;
-layout(location = 2) uniform float steep;
-layout(location = 3) uniform int firstFace;
+layout(location = cubeTapsLocation) uniform int taps;
+layout(location = cubeSteepTapsLocation) uniform int steepTaps;
+layout(location = cubeSteepLocation) uniform float steep;
+layout(location = cubeFirstFaceLocation) uniform int firstFace;
 
 vec3 radianceAt(int face, vec2 st) {
   return textureLod(equirect, equirectFromDirection(normalize(directionFromCube(face, st))), 0.0).rgb;

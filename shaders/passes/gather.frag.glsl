@@ -3,6 +3,6 @@
 
 layout(location = 0) out vec4 outColor;
 layout(binding = sourceUnit) uniform sampler2D source;
-layout(location = 0) uniform float share;
+layout(location = gatherShareLocation) uniform float share;
 
 void main() { outColor = texelFetch(source, ivec2(gl_FragCoord.xy), 0) * share; }

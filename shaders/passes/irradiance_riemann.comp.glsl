@@ -3,10 +3,10 @@
 #include "layout.h"
 #include "mapping.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = groupSize, local_size_y = groupSize) in;
 layout(binding = sourceUnit) uniform samplerCube environment;
 layout(binding = 0, rgba32f) writeonly uniform imageCube result;
-layout(location = 0) uniform float stepAngle;
+layout(location = riemannStepLocation) uniform float stepAngle;
 
 void main() {
   int size = imageSize(result).x;

@@ -3,13 +3,13 @@
 #include "layout.h"
 #include "mapping.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
-layout(binding = 0) uniform samplerCube copies[16];
+layout(local_size_x = groupSize, local_size_y = groupSize) in;
+layout(binding = 0) uniform samplerCube copies[mixCopyCount];
 layout(binding = 0, rgba16f) writeonly uniform imageCubeArray layer;
-layout(location = 0) uniform int cube;
-layout(location = 1) uniform int firstFace;
-layout(location = 2) uniform int count;
-layout(location = 3) uniform float weights[16];
+layout(location = layerCubeLocation) uniform int cube;
+layout(location = layerFirstFaceLocation) uniform int firstFace;
+layout(location = mixCountLocation) uniform int count;
+layout(location = mixWeightsLocation) uniform float weights[mixCopyCount];
 
 void main() {
   int size = imageSize(layer).x;

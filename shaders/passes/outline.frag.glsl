@@ -3,7 +3,7 @@
 
 layout(location = 0) out vec4 outColor;
 layout(binding = sourceUnit) uniform sampler2D source;  // a: 1 in the mask
-layout(location = 0) uniform vec4 line;                 // rgb, width in pixels
+layout(location = outlineLineLocation) uniform vec4 line;                 // rgb, width in pixels
 
 float mask(vec2 pixel) {
   ivec2 size = textureSize(source, 0);

@@ -1,18 +1,18 @@
-// How far a picture is from the end, summed over tiles of 64^2 pixels: x squared differences of the pictures of the draws
+// How far a picture is from the end, summed over tiles of sumTileSize^2 pixels: x squared differences of the pictures of the draws
 // before and after a mark, y of all of them and the picture that is shown; of display values.
 #include "layout.h"
 #include "display.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = groupSize, local_size_y = groupSize) in;
 layout(binding = 0, rgba32f) readonly uniform image2D all;
 layout(binding = 1, rgba32f) readonly uniform image2D before;
 layout(binding = 2, rgba8) readonly uniform image2D shown;
 layout(std430, binding = computeOutputBinding) writeonly buffer Sums { vec2 sums[]; };
-layout(location = 0) uniform vec4 parameters;  // of displayed(), for the sum of all draws
-layout(location = 1) uniform vec4 backdrop;
-layout(location = 2) uniform vec4 parts;  // x all draws / those before, y / those after; z rows that count
+layout(location = displayParametersLocation) uniform vec4 parameters;  // of displayed(), for the sum of all draws
+layout(location = displayBackdropLocation) uniform vec4 backdrop;
+layout(location = errorPartsLocation) uniform vec4 parts;  // x all draws / those before, y / those after; z rows that count
 
-shared vec2 partial[64];
+shared vec2 partial[groupInvocations];
 
 vec3 displayedPart(vec4 sum, float factor) {
   return displayed(sum, vec4(parameters.xyz, factor * parameters.w), backdrop).rgb;
@@ -26,14 +26,14 @@ vec2 pixelErrors(ivec2 at) {
 }
 
 void main() {
-  ivec2 size = ivec2(imageSize(all).x, int(parts.z)), first = ivec2(gl_WorkGroupID.xy) * 64 + ivec2(gl_LocalInvocationID.xy);
+  ivec2 size = ivec2(imageSize(all).x, int(parts.z)), first = ivec2(gl_WorkGroupID.xy) * sumTileSize + ivec2(gl_LocalInvocationID.xy);
   vec2 sum = vec2(0.0);
-  for (int y = first.y; y < min(first.y + 64 - int(gl_LocalInvocationID.y), size.y); y += 8)
-    for (int x = first.x; x < min(first.x + 64 - int(gl_LocalInvocationID.x), size.x); x += 8)
+  for (int y = first.y; y < min(first.y + sumTileSize - int(gl_LocalInvocationID.y), size.y); y += groupSize)
+    for (int x = first.x; x < min(first.x + sumTileSize - int(gl_LocalInvocationID.x), size.x); x += groupSize)
       sum += pixelErrors(ivec2(x, y));
   partial[gl_LocalInvocationIndex] = sum;
   barrier();
   if (gl_LocalInvocationIndex != 0u) return;
-  for (int i = 1; i < 64; ++i) sum += partial[i];
+  for (int i = 1; i < groupInvocations; ++i) sum += partial[i];
   sums[gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x] = sum;
 }

@@ -3,12 +3,12 @@
 #include "layout.h"
 #include "mapping.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = groupSize, local_size_y = groupSize) in;
 layout(binding = sourceUnit) uniform samplerCube environment;
 layout(binding = 0, rgba16f) writeonly uniform imageCubeArray layer;
 layout(std430, binding = computeInputBinding) readonly buffer SampleBlock { vec4 samples[]; };
-layout(location = 0) uniform int cube;
-layout(location = 1) uniform int firstFace;
+layout(location = layerCubeLocation) uniform int cube;
+layout(location = layerFirstFaceLocation) uniform int firstFace;
 
 void main() {
   int size = imageSize(layer).x;

@@ -8,16 +8,16 @@
 #include "mapping.glsl"
 #include "microfacet.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = groupSize, local_size_y = groupSize) in;
 layout(binding = sourceUnit) uniform samplerCube environment;
 layout(binding = 0, rgba16f) writeonly uniform imageCubeArray layer;
 layout(std430, binding = computeInputBinding) readonly buffer NodeBlock { vec4 nodes[]; };
 layout(std430, binding = computeOutputBinding) buffer CountBlock { uint visits; };
-layout(location = 0) uniform int cube;
-layout(location = 1) uniform int face;
-layout(location = 2) uniform int firstRow;
-layout(location = 3) uniform int treeSize;     // faces of the finest level
-layout(location = 4) uniform vec4 parameters;  // x alpha, y tolerance, z nodes across the kernel's scale, w 1: by G2
+layout(location = layerCubeLocation) uniform int cube;
+layout(location = layerFirstFaceLocation) uniform int face;
+layout(location = cutFirstRowLocation) uniform int firstRow;
+layout(location = cutTreeSizeLocation) uniform int treeSize;     // faces of the finest level
+layout(location = cutParametersLocation) uniform vec4 parameters;  // x alpha, y tolerance, z nodes across the kernel's scale, w 1: by G2
 
 const int rootSize = 4;
 const int steps = 4;  // parts of a finest texel along each axis

@@ -4,10 +4,10 @@
 #include "layout.h"
 #include "sheen.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = groupSize, local_size_y = groupSize) in;
 layout(binding = 0, r32f) writeonly uniform image2D table;
 layout(std430, binding = computeInputBinding) readonly buffer NodeBlock { vec2 nodes[]; };
-layout(location = 0) uniform int heights;
+layout(location = sheenHeightsLocation) uniform int heights;
 
 void main() {
   ivec2 size = imageSize(table);

@@ -4,13 +4,13 @@
 #include "mapping.glsl"
 #include "zonal.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = groupSize, local_size_y = groupSize) in;
 layout(std430, binding = computeInputBinding) readonly buffer CellBlock { vec4 cells[]; };
 layout(binding = 0, rgba32f) writeonly uniform imageCube result;
-layout(location = 0) uniform float alpha2;
+layout(location = sumAlpha2Location) uniform float alpha2;
 
-const int tileCells = 64;  // read once by a group
-shared vec4 tile[3 * tileCells];
+const int tileCells = groupInvocations;  // read once by a group
+shared vec4 tile[cellVectors * tileCells];
 
 void main() {
   int size = imageSize(result).x;
@@ -18,15 +18,15 @@ void main() {
   vec3 N = normalize(directionFromCube(texel.z, (vec2(texel.xy) + 0.5) * (2.0 / float(size)) - 1.0));
   vec3 sum = vec3(0.0);
   float weights = 0.0;
-  int count = cells.length() / 3, mine = int(gl_LocalInvocationIndex);
+  int count = cells.length() / cellVectors, mine = int(gl_LocalInvocationIndex);
   for (int first = 0; first < count; first += tileCells) {
     int present = min(tileCells, count - first);
     barrier();
     if (mine < present)
-      for (int k = 0; k < 3; ++k) tile[3 * mine + k] = cells[3 * (first + mine) + k];
+      for (int k = 0; k < cellVectors; ++k) tile[cellVectors * mine + k] = cells[cellVectors * (first + mine) + k];
     barrier();
     for (int i = 0; i < present; ++i) {
-      vec4 whole = tile[3 * i], bright = tile[3 * i + 1], radiance = tile[3 * i + 2];
+      vec4 whole = tile[cellVectors * i], bright = tile[cellVectors * i + 1], radiance = tile[cellVectors * i + 2];
       weights += radiance.a * spreadZonalKernel(dot(N, whole.xyz), whole.w, alpha2);
       sum += radiance.a * spreadZonalKernel(dot(N, bright.xyz), bright.w, alpha2) * radiance.rgb;
     }

@@ -97,23 +97,16 @@ Json valuesOf(scene::Material& material, const scene::MaterialProperty& property
   return list;
 }
 
-// As the extensions are named behind "KHR_materials_".
-constexpr struct {
-  const char* name;
-  bool (*seen)(const scene::Material&);
-} effects[] = {
-    {"emissive_strength", [](const scene::Material& m) { return m.emissiveFactor != glm::vec3(0); }},
-    {"ior", scene::hasDielectricSpecular},
-    {"specular", scene::hasDielectricSpecular},
-    {"clearcoat", scene::hasClearcoat},
-    {"sheen", scene::hasSheen},
-    {"anisotropy", scene::hasAnisotropy},
-    {"iridescence", scene::hasIridescence},
-    {"transmission", scene::hasTransmission},
-    {"volume", scene::hasVolume},
-    {"dispersion", scene::hasDispersion},
-    {"diffuse_transmission", scene::hasDiffuseTransmission},
-};
+// Can be seen of an extension, "KHR_materials_" left out.
+bool isSeen(const scene::Material& material, std::string_view extension) {
+  if (extension == "emissive_strength") return material.emissiveFactor != glm::vec3(0);
+  if (extension == "ior" || extension == "specular") return has(material, scene::Effect::dielectricSpecular);
+  return std::ranges::any_of(scene::effects, [&](scene::Effect effect) {
+    std::string name = scene::name(effect);
+    std::ranges::replace(name, ' ', '_');
+    return name == extension && has(material, effect);
+  });
+}
 
 // "eyes, mouth"
 std::string joined(const Json& texts) {
@@ -139,20 +132,23 @@ Json describeEffects(const scene::Material& material) {
   Json out;
   if (material.unlit) return out;
   scene::Material given = material, usual;
-  for (const auto& effect : effects) {
-    if (!effect.seen(material)) continue;
-    const std::string head = "extensions/KHR_materials_" + std::string(effect.name) + "/";
+  constexpr std::string_view common = "extensions/KHR_materials_";
+  std::string head;  // of the extension at hand; its properties lie together
+  for (const scene::MaterialProperty& first : scene::materialProperties()) {
+    const std::string_view path = first.path;
+    if (!path.starts_with(common) || (!head.empty() && path.starts_with(head))) continue;
+    const std::string_view extension = path.substr(common.size(), path.find('/', common.size()) - common.size());
+    head = std::string(common) + std::string(extension) + "/";
+    if (!isSeen(material, extension)) continue;
     Json found;
-    for (const scene::MaterialProperty& property : scene::materialProperties()) {
-      const std::string_view path = property.path;
-      if (!path.starts_with(head) || std::ranges::equal(components(given, property), components(usual, property)))
-        continue;
-      found[std::string(path.substr(head.size()))] = valuesOf(given, property);
-    }
+    for (const scene::MaterialProperty& property : scene::materialProperties())
+      if (std::string_view(property.path).starts_with(head) &&
+          !std::ranges::equal(components(given, property), components(usual, property)))
+        found[property.path + head.size()] = valuesOf(given, property);
     for (const scene::TextureSlot slot : scene::textureSlots)
       if (scene::path(slot).starts_with(head) && textureRef(material, slot))
         found[scene::name(slot)] = textureRef(material, slot).texture;
-    if (!found.is_null()) out[effect.name] = found;
+    if (!found.is_null()) out[std::string(extension)] = found;
   }
   return out;
 }

@@ -18,7 +18,7 @@ Result<const gl::Program*> levelProgram(shading::ProgramStore& programs) {
 void writeLevel(const Behind& behind, int level, const gl::Program& program) {
   glBindImageTexture(0, behind.color.id(), level, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16F);
   glBindImageTexture(1, behind.depth.id(), level, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32F);
-  const auto groups = [&](int size) { return static_cast<GLuint>((std::max(1, size >> level) + 7) / 8); };
+  const auto groups = [&](int size) { return static_cast<GLuint>(layout::groupsFor(std::max(1, size >> level))); };
   glUseProgram(program.id());
   glDispatchCompute(groups(behind.color.description().width), groups(behind.color.description().height), 1);
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
@@ -55,7 +55,7 @@ Result<void> copyBehind(const Targets& targets, shading::ProgramStore& programs)
   behind.color.bind(layout::opaqueFrameUnit);
   behind.depth.bind(layout::opaqueDepthUnit);
   for (int level = 1; level < behind.color.description().levels; ++level) {
-    (*next)->set(0, level - 1);
+    (*next)->set(layout::behindFineLevelLocation, level - 1);
     writeLevel(behind, level, **next);
   }
   return {};

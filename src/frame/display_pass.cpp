@@ -44,12 +44,13 @@ Result<void> showPicture(const FrameInput& in, const Targets& targets, float sca
   const auto program = displayProgram(in, programs);
   if (!program) return tl::unexpected(program.error());
   const DisplayParameters display = displayParameters(in, scale);
-  (*program)->set(0, display.parameters);
-  (*program)->set(1, display.backdrop);
+  (*program)->set(layout::displayParametersLocation, display.parameters);
+  (*program)->set(layout::displayBackdropLocation, display.backdrop);
   if (comparing(in)) {
     const float difference = in.settings.comparison.brdfCompare == BrdfCompare::difference ? 1 : 0;
-    (*program)->set(2, glm::vec4(in.settings.comparison.brdfSplit * static_cast<float>(in.settings.frame.width),
-                                 in.settings.comparison.brdfDifferenceScale, difference, 0));
+    (*program)->set(layout::comparisonLocation,
+                    glm::vec4(in.settings.comparison.brdfSplit * static_cast<float>(in.settings.frame.width),
+                              in.settings.comparison.brdfDifferenceScale, difference, 0));
     targets.fitted.bind(layout::comparedUnit);
   }
   drawFullscreen(shown.shown, targets, targets.sum ? targets.sum : targets.color, **program);
@@ -59,15 +60,15 @@ Result<void> showPicture(const FrameInput& in, const Targets& targets, float sca
 Result<ComparisonSums> sumComparison(const FrameInput& in, const Targets& targets, float scale,
                                      ProgramStore& programs) {
   assert(comparing(in) && targets.fitted);
-  constexpr int tile = 64;  // of picture_difference.comp.glsl
   const auto program = programs.compute("passes/picture_difference.comp.glsl");
   if (!program) return tl::unexpected(program.error());
   const DisplayParameters display = displayParameters(in, scale);
-  (*program)->set(0, display.parameters);
-  (*program)->set(1, display.backdrop);
+  (*program)->set(layout::displayParametersLocation, display.parameters);
+  (*program)->set(layout::displayBackdropLocation, display.backdrop);
   const int rows = std::min(targets.height, in.settings.frame.height - in.firstRow);
-  (*program)->set(2, rows);
-  const int across = (targets.width + tile - 1) / tile, up = (rows + tile - 1) / tile;
+  (*program)->set(layout::comparedRowsLocation, rows);
+  const int across = layout::groupsFor(targets.width, layout::sumTileSize),
+            up = layout::groupsFor(rows, layout::sumTileSize);
   ComparisonSums out;
   out.tiles = static_cast<size_t>(across) * static_cast<size_t>(up);
   out.pixels = static_cast<size_t>(targets.width) * static_cast<size_t>(rows);

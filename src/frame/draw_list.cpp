@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "frame/material_choice.hpp"
+#include "ibl/layers.hpp"
 #include "ibl/taps.hpp"
 #include "optics/microfacet.hpp"
 #include "optics/normal_spread.hpp"
@@ -132,7 +133,7 @@ void addInstances(DrawList& list, const scene::Mesh& mesh, const std::vector<Pla
     draw.firstBounds = static_cast<uint32_t>(list.instanceBounds.size());
     draw.instanceCount = static_cast<uint32_t>(placed.size());
     for (const Placed& p : placed) list.instanceBounds.push_back(p.bounds[i]);
-    if (shading::usesFeature(draw.key, "HAS_TRANSMISSION")) {
+    if (shading::usesFeature(draw.key, shading::Feature::transmission)) {
       list.transmitting.push_back(draw);
       continue;
     }
@@ -173,8 +174,7 @@ void sortByProgram(DrawList& list) {
     std::ranges::stable_sort(*draws, {}, [](const Draw& d) { return std::tuple(d.key, d.material); });
 }
 
-// Of the layer that every sheen lobe reads (shaders/image_light_sheen.glsl).
-constexpr float sheenLayerRoughness = 0.4f;
+constexpr auto sheenLayerRoughness = static_cast<float>(ibl::layers[layout::sheenLayer].perceptualRoughness);
 
 struct RoughnessRange {
   float lowest = 1, highest = 0;
@@ -183,7 +183,7 @@ struct RoughnessRange {
 
 // Of a material's lobes that look LD up. A texture's texels lie within [0, 1] and scale their factor.
 void addLobes(RoughnessRange& range, const scene::Material& material, const shading::VariantKey& key) {
-  const bool textured = shading::usesFeature(key, "HAS_METALLIC_ROUGHNESS_TEXTURE");
+  const bool textured = shading::usesFeature(key, shading::Feature::metallicRoughnessTexture);
   RoughnessRange lobes;
   if (material.specularGlossiness) {
     lobes.add(1 - material.glossinessFactor, textured ? 1 : 1 - material.glossinessFactor);
@@ -191,15 +191,15 @@ void addLobes(RoughnessRange& range, const scene::Material& material, const shad
     lobes.add(textured ? 0 : material.perceptualRoughnessFactor, material.perceptualRoughnessFactor);
   }
   // A long lobe is a sum of round ones that are at least as wide as it is across its grain.
-  if (shading::usesFeature(key, "HAS_ANISOTROPY")) lobes.highest = 1;
-  if (shading::usesFeature(key, "HAS_CLEARCOAT")) {
+  if (shading::usesFeature(key, shading::Feature::anisotropy)) lobes.highest = 1;
+  if (shading::usesFeature(key, shading::Feature::clearcoat)) {
     const float coat = material.clearcoatRoughnessFactor;
-    lobes.add(shading::usesFeature(key, "HAS_CLEARCOAT_ROUGHNESS_TEXTURE") ? 0 : coat, coat);
+    lobes.add(shading::usesFeature(key, shading::Feature::clearcoatRoughnessTexture) ? 0 : coat, coat);
   }
-  if (shading::usesFeature(key, "SPREAD_NORMALS"))
+  if (shading::usesFeature(key, shading::Feature::spreadNormals))
     lobes.highest = static_cast<float>(optics::largestRoughnessOverPixel(static_cast<double>(lobes.highest)));
   range.add(lobes.lowest, lobes.highest);
-  if (shading::usesFeature(key, "HAS_SHEEN")) range.add(sheenLayerRoughness, sheenLayerRoughness);
+  if (shading::usesFeature(key, shading::Feature::sheen)) range.add(sheenLayerRoughness, sheenLayerRoughness);
 }
 
 }  // namespace
@@ -225,7 +225,7 @@ ibl::Needs DrawList::needs(bool environmentVisible) const {
   needs.background = environmentVisible;
   for (const std::vector<Draw>* draws : classes())
     for (const Draw& draw : *draws) {
-      const bool imageLight = shading::usesFeature(draw.key, "HAS_ENVIRONMENT");
+      const bool imageLight = shading::usesFeature(draw.key, shading::Feature::environment);
       if (shading::isMeasured(draw.key)) {
         needs.cube |= imageLight;
         continue;
@@ -234,11 +234,9 @@ ibl::Needs DrawList::needs(bool environmentVisible) const {
       (draw.key.imageLightSamples == 0 ? needs.layers : needs.cube) |= imageLight;
       if (imageLight && draw.key.imageLightSamples == 0)
         addLobes(range, materials[static_cast<size_t>(draw.material)], draw.key);
-      const bool lit = imageLight || shading::usesFeature(draw.key, "HAS_PUNCTUAL_LIGHTS") ||
-                       shading::usesFeature(draw.key, "HAS_TRANSMISSION");
       taps = std::max(taps, shading::imageLightTaps(draw.key));
-      needs.dfg |= lit;
-      needs.sheen |= lit && shading::usesFeature(draw.key, "HAS_SHEEN");
+      needs.dfg |= shading::readsDfgTable(draw.key);
+      needs.sheen |= shading::usesFeature(draw.key, shading::Feature::sheen);
     }
   needs.taps = taps > 0;
   if (needs.taps) {
@@ -295,8 +293,8 @@ DrawList partOf(const DrawList& list, const std::function<bool(int node, const s
   for (const std::vector<Draw>* draws : list.classes())
     for (const Draw& draw : *draws) {
       const scene::Material& material = list.materials[static_cast<size_t>(draw.material)];
-      const shading::Deformation deformation{shading::usesFeature(draw.key, "HAS_SKIN"),
-                                             shading::usesFeature(draw.key, "HAS_MORPH")};
+      const shading::Deformation deformation{shading::usesFeature(draw.key, shading::Feature::skin),
+                                             shading::usesFeature(draw.key, shading::Feature::morphTargets)};
       for (uint32_t i = 0; i < draw.instanceCount; ++i) {
         if (!wanted(list.instanceNodes[draw.firstInstance + i], *draw.primitive)) continue;
         Draw one = draw;
@@ -332,8 +330,8 @@ void setFeatures(DrawList& list, shading::FrameFeatures features) {
   for (std::vector<Draw>* draws : {&list.opaque, &list.transmitting, &list.blended})
     for (Draw& draw : *draws) {
       const scene::Material& material = list.materials[static_cast<size_t>(draw.material)];
-      const shading::Deformation deformation{shading::usesFeature(draw.key, "HAS_SKIN"),
-                                             shading::usesFeature(draw.key, "HAS_MORPH")};
+      const shading::Deformation deformation{shading::usesFeature(draw.key, shading::Feature::skin),
+                                             shading::usesFeature(draw.key, shading::Feature::morphTargets)};
       draw.key = shading::variantKey({material, *draw.primitive, list.features, deformation});
     }
   sortByProgram(list);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "constants.h"
 #include "frame/gather.hpp"
 #include "frame/max_error.hpp"
 #include "frame/picture.hpp"
@@ -78,7 +79,7 @@ void countExtremes(const io::RadianceImage& image, PictureStatistics& statistics
   for (const glm::vec4& p : image.pixels) {
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z) || !std::isfinite(p.w))
       ++statistics.nonFinitePixels;
-    else if (std::max({p.x, p.y, p.z}) >= 65504.0f)
+    else if (std::max({p.x, p.y, p.z}) >= layout::maxHalf)
       ++statistics.clampedPixels;
   }
 }

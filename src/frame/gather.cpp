@@ -46,7 +46,7 @@ Result<void> addToSum(const Targets& targets, const gl::Framebuffer& sum, const 
                       ProgramStore& programs) {
   const auto program = gatherProgram(programs);
   if (!program) return tl::unexpected(program.error());
-  (*program)->set(0, 1.0f / static_cast<float>(gathering.draws()));
+  (*program)->set(layout::gatherShareLocation, 1.0f / static_cast<float>(gathering.draws()));
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
   drawFullscreen(sum, targets, targets.color, **program);
@@ -147,16 +147,16 @@ void markBefore(const Targets& targets, Gathering& gathering) {
 Result<ErrorSums> sumErrors(const FrameInput& in, const Targets& targets, const Gathering& gathering,
                             const Targets& shown, ProgramStore& programs) {
   assert(targets.before && gathering.done > gathering.before && gathering.before > 0 && gathering.rows == 0);
-  constexpr int tile = 64;  // of picture_error.comp.glsl
   const auto program = errorProgram(programs);
   if (!program) return tl::unexpected(program.error());
   const DisplayParameters display = displayParameters(in, meanScale(gathering));
-  (*program)->set(0, display.parameters);
-  (*program)->set(1, display.backdrop);
+  (*program)->set(layout::displayParametersLocation, display.parameters);
+  (*program)->set(layout::displayBackdropLocation, display.backdrop);
   const double before = gathering.before, after = gathering.done - gathering.before, all = gathering.done;
   const int height = std::min(targets.height, in.settings.frame.height - in.firstRow);  // of the picture
-  (*program)->set(2, glm::vec4(all / before, all / after, height, 0));
-  const int columns = (targets.width + tile - 1) / tile, rows = (height + tile - 1) / tile;
+  (*program)->set(layout::errorPartsLocation, glm::vec4(all / before, all / after, height, 0));
+  const int columns = layout::groupsFor(targets.width, layout::sumTileSize),
+            rows = layout::groupsFor(height, layout::sumTileSize);
   ErrorSums out;
   out.tiles = static_cast<size_t>(columns) * static_cast<size_t>(rows);
   out.values = static_cast<size_t>(targets.width) * static_cast<size_t>(height) * 3;

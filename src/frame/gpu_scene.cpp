@@ -96,8 +96,9 @@ gl::Buffer uploadInfluences(const Primitive& primitive) {
 
 // As shaders/deformation.glsl reads it; what a target leaves out is zero.
 gl::Buffer uploadMorphTargets(const Primitive& primitive, const shading::VariantKey& key) {
-  const bool normals = shading::usesFeature(key, "MORPH_NORMALS"),
-             tangents = shading::usesFeature(key, "MORPH_TANGENTS"), colors = shading::usesFeature(key, "MORPH_COLORS");
+  const bool normals = shading::usesFeature(key, shading::Feature::morphedNormals),
+             tangents = shading::usesFeature(key, shading::Feature::morphedTangents),
+             colors = shading::usesFeature(key, shading::Feature::morphedColors);
   const auto vertices = static_cast<uint32_t>(primitive.positions.size());
   const uint32_t normalAt = 3, tangentAt = normalAt + (normals ? 3 : 0), colorAt = tangentAt + (tangents ? 3 : 0);
   const uint32_t stride = colorAt + (colors ? 4 : 0);
@@ -124,18 +125,18 @@ GpuPrimitive beginPrimitive(const Primitive& primitive, const shading::VariantKe
   gpu.attributes = shading::attributeBits(key);
   gpu.mode = drawMode(primitive.topology);
   addAttribute(gpu, layout::positionLocation, 3, primitive.positions, "positions");
-  if (shading::usesFeature(key, "HAS_NORMAL"))
+  if (shading::usesFeature(key, shading::Feature::normals))
     addAttribute(gpu, layout::normalLocation, 3, primitive.normals, "normals");
-  if (shading::usesFeature(key, "HAS_TANGENT"))
+  if (shading::usesFeature(key, shading::Feature::tangents))
     addAttribute(gpu, layout::tangentLocation, 4, primitive.tangents, "tangents");
   for (int set = 0; set < scene::maxTexCoordSets; ++set)
-    if (shading::usesFeature(key, shading::texCoordDefine(set).c_str()))
+    if (shading::usesFeature(key, shading::texCoordFeature(set)))
       addAttribute(gpu, static_cast<GLuint>(layout::texCoordLocation + set), 2,
                    primitive.texCoords[static_cast<size_t>(set)], "texture coordinates");
-  if (shading::usesFeature(key, "HAS_VERTEX_COLOR"))
+  if (shading::usesFeature(key, shading::Feature::vertexColors))
     addAttribute(gpu, layout::colorLocation, 4, primitive.colors, "vertex colours");
-  if (shading::usesFeature(key, "HAS_SKIN")) gpu.influences = uploadInfluences(primitive);
-  if (shading::usesFeature(key, "HAS_MORPH")) gpu.morphTargets = uploadMorphTargets(primitive, key);
+  if (shading::usesFeature(key, shading::Feature::skin)) gpu.influences = uploadInfluences(primitive);
+  if (shading::usesFeature(key, shading::Feature::morphTargets)) gpu.morphTargets = uploadMorphTargets(primitive, key);
   addIndices(gpu, primitive);
   return gpu;
 }
@@ -238,34 +239,26 @@ bool needsMips(const scene::Model& model, int image) {
   });
 }
 
-layout::MaterialUniforms materialUniforms(const scene::Material& material) {
+layout::SlotUniforms slotUniforms(const scene::TextureRef& ref) {
+  const glm::dmat2x3 rows = glm::transpose(scene::uvFromTexCoord(ref.transform));
+  return {glm::vec3(rows[0]), static_cast<float>(ref.texCoord), glm::vec3(rows[1]), 0};
+}
+
+layout::MaterialUniforms materialUniforms(const scene::Material& m) {
   layout::MaterialUniforms out{};
-  out.baseColorFactor = material.baseColorFactor;
-  out.emissiveFactor = glm::vec4(material.emissiveFactor * material.emissiveStrength, 0);
-  out.factors = glm::vec4(material.metallicFactor, material.perceptualRoughnessFactor, material.occlusionStrength,
-                          material.alphaCutoff);
-  out.scales.x = material.normalScale;
-  out.specularGlossiness = glm::vec4(material.specularFactor, material.glossinessFactor);
-  const scene::Material& m = material;
-  out.specular = glm::vec4(m.specularColorFactor, m.specularWeight);
-  out.clearcoat = glm::vec4(m.clearcoatFactor, m.clearcoatRoughnessFactor, m.clearcoatNormalScale, m.ior);
-  out.sheen = glm::vec4(m.sheenColorFactor, m.sheenRoughnessFactor);
-  out.anisotropy =
-      glm::vec4(m.anisotropyStrength, std::cos(m.anisotropyRotation), std::sin(m.anisotropyRotation), m.dispersion);
-  out.iridescence =
-      glm::vec4(m.iridescenceFactor, m.iridescenceIor, m.iridescenceThicknessMinimum, m.iridescenceThicknessMaximum);
-  out.attenuation =
-      glm::vec4(m.attenuationColor, std::isfinite(m.attenuationDistance) ? 1 / m.attenuationDistance : 0.0f);
-  out.transmission = glm::vec4(m.transmissionFactor, m.thicknessFactor, m.diffuseTransmissionFactor, 0);
-  out.diffuseTransmission = glm::vec4(m.diffuseTransmissionColorFactor, 0);
-  for (const TextureSlot slot : scene::textureSlots) {
-    const auto index = static_cast<int>(slot);
-    const scene::TextureRef& ref = textureRef(material, slot);
-    out.texCoordSets[index / 4][index % 4] = static_cast<float>(ref.texCoord);
-    const glm::dmat2x3 rows = glm::transpose(scene::uvFromTexCoord(ref.transform));
-    out.texCoordRows[2 * index] = glm::vec4(rows[0], 0);
-    out.texCoordRows[2 * index + 1] = glm::vec4(rows[1], 0);
-  }
+#define COPIED(type, name) out.name = m.name;
+#define MADE(type, name)
+#define UNUSED(name)
+#include "material_members.inc"
+#undef COPIED
+#undef MADE
+#undef UNUSED
+  out.emission = m.emissiveFactor * m.emissiveStrength;
+  out.inverseAttenuationDistance = std::isfinite(m.attenuationDistance) ? 1 / m.attenuationDistance : 0.0f;
+  out.anisotropyDirection = {std::cos(m.anisotropyRotation), std::sin(m.anisotropyRotation)};
+#define TEXTURE_SLOT(name, ...) out.name##Slot = slotUniforms(m.name);
+#include "texture_slots.inc"
+#undef TEXTURE_SLOT
   return out;
 }
 

@@ -11,7 +11,7 @@ void noteUnlit(const DrawList& list, const ibl::Needs& needs, Notes& notes) {
     notes.push_back({Note::Severity::warning, "", "the scene draws nothing"});
     return;
   }
-  const auto lit = [](const Draw& draw) { return !shading::usesFeature(draw.key, "UNLIT"); };
+  const auto lit = [](const Draw& draw) { return !shading::usesFeature(draw.key, shading::Feature::unlit); };
   const bool anyLit =
       std::ranges::any_of(list.classes(), [&](const auto* draws) { return std::ranges::any_of(*draws, lit); });
   if (anyLit && !needs.irradiance && !needs.cube && list.lights.empty() && list.features.channel == 0)
@@ -57,7 +57,7 @@ void noteMeasured(const DrawList& list, Notes& notes) {
   for (const std::vector<Draw>* draws : list.classes())
     for (const Draw& draw : *draws) {
       if (!shading::isMeasured(draw.key)) ++unlit;
-      if (shading::usesFeature(draw.key, "UTIA_BRDF") && draw.primitive->tangents.empty()) ++levelled;
+      if (shading::usesFeature(draw.key, shading::Feature::utiaBrdf) && draw.primitive->tangents.empty()) ++levelled;
     }
   const auto warn = [&](const std::string& text) { notes.push_back({Note::Severity::warning, "", text}); };
   if (list.features.channel == 0 && unlit > 0)

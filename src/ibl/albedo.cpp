@@ -22,6 +22,7 @@ struct AlbedoTable {
   const char* pass;
   GLenum format;
   int size, firstNodes, secondNodes;
+  int firstNodesLocation;
 };
 
 Result<void> computeAlbedo(gl::Texture& table, ProgramStore& programs, const AlbedoTable& made) {
@@ -35,7 +36,7 @@ Result<void> computeAlbedo(gl::Texture& table, ProgramStore& programs, const Alb
   const gl::Buffer input = gl::Buffer::of(nodes, "quadrature");
   table = tableTexture(made.name, made.format, made.size);
   glUseProgram((*program)->id());
-  (*program)->set(0, made.firstNodes);
+  (*program)->set(made.firstNodesLocation, made.firstNodes);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeInputBinding, input.id());
   glBindImageTexture(0, table.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, made.format);
   dispatchFaces(made.size, 1);
@@ -54,7 +55,7 @@ Result<void> computeDfgByImportance(gl::Texture& table, ProgramStore& programs, 
   if (!program) return tl::unexpected(program.error());
   table = tableTexture("DFG", GL_RGBA32F, size);
   glUseProgram((*program)->id());
-  (*program)->set(0, samples);
+  (*program)->set(layout::dfgSamplesLocation, samples);
   glBindImageTexture(0, table.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
   dispatchFaces(size, 1);
   return {};
@@ -65,7 +66,8 @@ Result<void> computeDfgByImportance(gl::Texture& table, ProgramStore& programs, 
 void addDfgSteps(std::vector<Step>& steps, gl::Texture& table, ProgramStore& programs, const Method& method) {
   if (method.dfg == DfgMethod::legendre)
     return addAlbedo(steps, table, programs,
-                     {"DFG", "passes/dfg.comp.glsl", GL_RGBA16F, method.dfgSize, method.dfgRadii, method.dfgAngles});
+                     {"DFG", "passes/dfg.comp.glsl", GL_RGBA16F, method.dfgSize, method.dfgRadii, method.dfgAngles,
+                      layout::dfgRadiiLocation});
   const auto texels = static_cast<uint64_t>(method.dfgSize) * static_cast<uint64_t>(method.dfgSize);
   steps.push_back({"DFG", texels * static_cast<uint64_t>(method.dfgSamples),
                    [=, &table, &programs, size = method.dfgSize, samples = method.dfgSamples] {
@@ -74,9 +76,9 @@ void addDfgSteps(std::vector<Step>& steps, gl::Texture& table, ProgramStore& pro
 }
 
 void addSheenSteps(std::vector<Step>& steps, gl::Texture& table, ProgramStore& programs, const Method& method) {
-  addAlbedo(
-      steps, table, programs,
-      {"sheen", "passes/sheen_albedo.comp.glsl", GL_R32F, method.sheenSize, method.sheenHeights, method.sheenAngles});
+  addAlbedo(steps, table, programs,
+            {"sheen", "passes/sheen_albedo.comp.glsl", GL_R32F, method.sheenSize, method.sheenHeights,
+             method.sheenAngles, layout::sheenHeightsLocation});
 }
 
 }  // namespace facet::ibl

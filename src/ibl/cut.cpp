@@ -12,7 +12,7 @@ namespace {
 constexpr GLbitfield written =
     GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT;
 
-int groups(int texels) { return (texels + 7) / 8; }
+int groups(int texels) { return layout::groupsFor(texels); }
 
 // Finest level first.
 int levelOffset(int treeSize, int size) { return 8 * (treeSize * treeSize - size * size); }
@@ -32,9 +32,9 @@ Result<CutTree> buildCutTree(const gl::Texture& cube, shading::ProgramStore& pro
   glBindImageTexture(0, cube.id(), 0, GL_TRUE, 0, GL_READ_ONLY, GL_RGBA32F);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeOutputBinding, tree.nodes.id());
   for (int size = tree.size; size >= 1; size /= 2) {
-    (*program)->set(0, size);
-    (*program)->set(1, levelOffset(tree.size, size));
-    (*program)->set(2, size == tree.size ? -1 : levelOffset(tree.size, 2 * size));
+    (*program)->set(layout::nodesSizeLocation, size);
+    (*program)->set(layout::nodesOffsetLocation, levelOffset(tree.size, size));
+    (*program)->set(layout::nodesFineOffsetLocation, size == tree.size ? -1 : levelOffset(tree.size, 2 * size));
     glDispatchCompute(static_cast<GLuint>(groups(size)), static_cast<GLuint>(groups(size)), 6);
     glMemoryBarrier(written);
   }
@@ -47,11 +47,12 @@ Result<void> drawCut(const CutTarget& target, double alpha, const CutTree& tree,
   const auto program = programs.compute("passes/prefilter_cut.comp.glsl");
   if (!program) return tl::unexpected(program.error());
   glUseProgram((*program)->id());
-  (*program)->set(0, target.cube);
-  (*program)->set(1, target.face);
-  (*program)->set(2, target.firstRow);
-  (*program)->set(3, tree.size);
-  (*program)->set(4, glm::vec4(alpha, parameters.tolerance, parameters.across, parameters.weightedByG2 ? 1 : 0));
+  (*program)->set(layout::layerCubeLocation, target.cube);
+  (*program)->set(layout::layerFirstFaceLocation, target.face);
+  (*program)->set(layout::cutFirstRowLocation, target.firstRow);
+  (*program)->set(layout::cutTreeSizeLocation, tree.size);
+  (*program)->set(layout::cutParametersLocation,
+                  glm::vec4(alpha, parameters.tolerance, parameters.across, parameters.weightedByG2 ? 1 : 0));
   cube.bind(layout::sourceUnit);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeInputBinding, tree.nodes.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeOutputBinding, tree.visits.id());

@@ -34,16 +34,13 @@ void addByFaces(std::vector<Step>& steps, const char* table, int size, uint64_t 
 
 // ---- Sums over the sphere -------------------------------------------------------------------------------------------
 
-constexpr int cellVectors = 3;  // passes/cube_to_cells.comp.glsl
-constexpr int groupSize = 8;    // of passes/zonal_sum.comp.glsl, which reads the cells once a group
-
 // Texels along a cell's edge: enough for its centroid and spread.
 int cellTexels(int sumSize) { return std::min(8, mirrorSize / sumSize); }
 
 gl::Buffer cellsOf(const gl::Texture& cube, int sumSize, const gl::Program& program) {
-  gl::Buffer cells(texels(sumSize) * cellVectors * sizeof(glm::vec4), "environment cells");
+  gl::Buffer cells(texels(sumSize) * layout::cellVectors * sizeof(glm::vec4), "environment cells");
   glUseProgram(program.id());
-  program.set(0, cellTexels(sumSize));
+  program.set(layout::cellTexelsLocation, cellTexels(sumSize));
   glBindImageTexture(0, cube.id(), levelOfSize(cube, sumSize * cellTexels(sumSize)), GL_TRUE, 0, GL_READ_ONLY,
                      GL_RGBA32F);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeOutputBinding, cells.id());
@@ -64,14 +61,16 @@ void addSum(std::vector<Step>& steps, const char* table, size_t which, const Scr
     result = cubeTexture(GL_RGBA32F, size, 1, "summed kernel");
     const gl::Buffer cells = cellsOf(scratch->environmentCube(), sumSize, **toCells);
     glUseProgram((*sum)->id());
-    (*sum)->set(0, static_cast<float>(optics::summedAlphas[which] * optics::summedAlphas[which]));
+    (*sum)->set(layout::sumAlpha2Location,
+                static_cast<float>(optics::summedAlphas[which] * optics::summedAlphas[which]));
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeInputBinding, cells.id());
     glBindImageTexture(0, result.id(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA32F);
     dispatchFaces(size);
     return {};
   };
-  const int groups = (size + groupSize - 1) / groupSize;
-  steps.push_back({table, texels(sumSize * cellTexels(sumSize)) + texels(groups) * cellVectors * texels(sumSize), run});
+  const int groups = layout::groupsFor(size);  // each reads the cells once
+  steps.push_back(
+      {table, texels(sumSize * cellTexels(sumSize)) + texels(groups) * layout::cellVectors * texels(sumSize), run});
 }
 
 // ---- Mixtures of blurred copies -------------------------------------------------------------------------------------
@@ -91,7 +90,7 @@ void addBlur(std::vector<Step>& steps, size_t index, const optics::BlurredCopy& 
     if (!blurred) blurred = cubeTexture(GL_RGBA32F, size, 1, "blurred environment");
     const gl::Buffer input = gl::Buffer::of(taps, "taps");
     glUseProgram((*program)->id());
-    (*program)->set(0, face);
+    (*program)->set(layout::blurFirstFaceLocation, face);
     (index == 1 ? scratch->environmentCube() : scratch->blurred[index - 1]).bind(layout::sourceUnit);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeInputBinding, input.id());
     glBindImageTexture(0, blurred.id(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA32F);
@@ -120,16 +119,16 @@ void addMixture(std::vector<Step>& steps, const LayerTarget& layer, const Scratc
     const auto program = programs.compute("passes/mix.comp.glsl");
     if (!program) return tl::unexpected(program.error());
     glUseProgram((*program)->id());
-    (*program)->set(0, layer.cube);
-    (*program)->set(1, face);
-    (*program)->set(2, static_cast<int>(parts.size()));
+    (*program)->set(layout::layerCubeLocation, layer.cube);
+    (*program)->set(layout::layerFirstFaceLocation, face);
+    (*program)->set(layout::mixCountLocation, static_cast<int>(parts.size()));
     for (size_t i = 0; i < parts.size(); ++i) {
       const size_t part = parts[i].first;
       const gl::Texture& texture = part == 0                 ? scratch->environmentCube()
                                    : part < blurredCopyCount ? scratch->blurred[part]
                                                              : scratch->summed[part - blurredCopyCount];
       texture.bind(static_cast<GLuint>(i));
-      (*program)->set(3 + static_cast<GLint>(i), parts[i].second);
+      (*program)->set(layout::mixWeightsLocation + static_cast<GLint>(i), parts[i].second);
     }
     glBindImageTexture(0, layer.array, layer.level, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA16F);
     dispatchFaces(layer.size, faces);
@@ -188,8 +187,8 @@ void addSampled(std::vector<Step>& steps, const LayerTarget& layer, const Scratc
     if (!program) return tl::unexpected(program.error());
     const gl::Buffer input = gl::Buffer::of(layerSamples(alpha, scratch->environmentCube(), method), "LD samples");
     glUseProgram((*program)->id());
-    (*program)->set(0, layer.cube);
-    (*program)->set(1, face);
+    (*program)->set(layout::layerCubeLocation, layer.cube);
+    (*program)->set(layout::layerFirstFaceLocation, face);
     scratch->environmentCube().bind(layout::sourceUnit);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeInputBinding, input.id());
     glBindImageTexture(0, layer.array, layer.level, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA16F);
@@ -251,7 +250,7 @@ void addRiemann(std::vector<Step>& steps, const ScratchPointer& scratch, Program
     gl::Texture& result = scratch->summed[1];
     result = cubeTexture(GL_RGBA32F, size, 1, "irradiance / pi");
     glUseProgram((*program)->id());
-    (*program)->set(0, static_cast<float>(riemannStep));
+    (*program)->set(layout::riemannStepLocation, static_cast<float>(riemannStep));
     scratch->environmentCube().bind(layout::sourceUnit);
     glBindImageTexture(0, result.id(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA32F);
     dispatchFaces(size);

@@ -64,7 +64,7 @@ int levelOfSize(const gl::Texture& cube, int size) {
 }
 
 void dispatchFaces(int size, int faces) {
-  const GLuint groups = static_cast<GLuint>((size + 7) / 8);
+  const GLuint groups = static_cast<GLuint>(layout::groupsFor(size));
   glDispatchCompute(groups, groups, static_cast<GLuint>(faces));
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
 }
@@ -91,11 +91,11 @@ Result<void> drawCubeFaces(const gl::Texture& cube, const CubeSource& source, in
   if (!program) return tl::unexpected(program.error());
   glUseProgram((*program)->id());
   if (!oneTap) {
-    (*program)->set(0, method.cubeTaps);
-    (*program)->set(1, method.steepTaps);
-    (*program)->set(2, source.steep);
+    (*program)->set(layout::cubeTapsLocation, method.cubeTaps);
+    (*program)->set(layout::cubeSteepTapsLocation, method.steepTaps);
+    (*program)->set(layout::cubeSteepLocation, source.steep);
   }
-  (*program)->set(3, firstFace);
+  (*program)->set(layout::cubeFirstFaceLocation, firstFace);
   source.equirect.bind(layout::equirectUnit);
   glBindImageTexture(0, cube.id(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA32F);
   dispatchFaces(cube.description().width, faces);

@@ -2,39 +2,30 @@
 
 #include "io/gltf_document.hpp"
 #include "io/uri.hpp"
+#include "scene/material_properties.hpp"
+#include "scene/usage.hpp"
 
 namespace facet::io {
 
 namespace {
 
-// Everything that is read; each name is listed here once.
+// Everything that is read, but the extensions that a material's properties and textures name.
 constexpr std::string_view supportedExtensions[] = {
-    "KHR_lights_punctual",    // gltf_lights.cpp
-    "KHR_texture_transform",  // gltf_textures.cpp
-    "KHR_materials_unlit",    // gltf_materials.cpp, as all to _volume
-    "KHR_materials_anisotropy",
-    "KHR_materials_clearcoat",
-    "KHR_materials_diffuse_transmission",
-    "KHR_materials_dispersion",
-    "KHR_materials_emissive_strength",
-    "KHR_materials_ior",
-    "KHR_materials_iridescence",
-    "KHR_materials_pbrSpecularGlossiness",
-    "KHR_materials_sheen",
-    "KHR_materials_specular",
-    "KHR_materials_transmission",
-    "KHR_materials_volume",
-    "FACET_materials_models",      // gltf_materials.cpp
-    "KHR_materials_variants",      // gltf_variants.cpp
-    "KHR_mesh_quantization",       // accessors.cpp: all component types are read anyway
-    "KHR_draco_mesh_compression",  // gltf_draco.cpp
-    "EXT_mesh_gpu_instancing",     // gltf_instancing.cpp
-    "KHR_node_visibility",         // gltf_nodes.cpp
-    "KHR_animation_pointer",       // gltf_animation_targets.cpp
-    "EXT_meshopt_compression",     // gltf_meshopt.cpp
-    "KHR_meshopt_compression",     // gltf_meshopt.cpp
-    "KHR_xmp_json_ld",             // gltf_xmp.cpp
-    "EXT_texture_webp",            // gltf_textures.cpp, image.cpp
+    "KHR_lights_punctual",                  // gltf_lights.cpp
+    "KHR_texture_transform",                // gltf_textures.cpp
+    "KHR_materials_unlit",                  // gltf_materials.cpp
+    "KHR_materials_pbrSpecularGlossiness",  // gltf_materials.cpp
+    "FACET_materials_models",               // gltf_materials.cpp
+    "KHR_materials_variants",               // gltf_variants.cpp
+    "KHR_mesh_quantization",                // accessors.cpp: all component types are read anyway
+    "KHR_draco_mesh_compression",           // gltf_draco.cpp
+    "EXT_mesh_gpu_instancing",              // gltf_instancing.cpp
+    "KHR_node_visibility",                  // gltf_nodes.cpp
+    "KHR_animation_pointer",                // gltf_animation_targets.cpp
+    "EXT_meshopt_compression",              // gltf_meshopt.cpp
+    "KHR_meshopt_compression",              // gltf_meshopt.cpp
+    "KHR_xmp_json_ld",                      // gltf_xmp.cpp
+    "EXT_texture_webp",                     // gltf_textures.cpp, image.cpp
 };
 
 // Where a required extension can be had without.
@@ -58,8 +49,11 @@ bool concernsOnlyLooks(std::string_view name) {
 }
 
 bool supported(std::string_view name) {
-  return std::find(std::begin(supportedExtensions), std::end(supportedExtensions), name) !=
-         std::end(supportedExtensions);
+  const std::string head = "extensions/" + std::string(name) + "/";
+  const auto names = [&](std::string_view path) { return path.starts_with(head); };
+  return std::ranges::find(supportedExtensions, name) != std::end(supportedExtensions) ||
+         std::ranges::any_of(scene::materialProperties(), names, &scene::MaterialProperty::path) ||
+         std::ranges::any_of(scene::textureSlots, [&](scene::TextureSlot slot) { return names(scene::path(slot)); });
 }
 
 std::string remedyFor(std::string_view name) {

@@ -6,6 +6,7 @@
 
 #include "base/parallel.hpp"
 #include "compare/compare.hpp"
+#include "constants.h"
 #include "frame/session.hpp"
 #include "optics/presets.hpp"
 #include "optics/random_walk.hpp"
@@ -26,8 +27,6 @@ std::vector<shading::Define> definesOf(EnergyModel model) {
 }
 
 // ---- White furnace --------------------------------------------------------------------------------------------------
-
-constexpr double minAnalyticAlpha = 1e-3;  // shaders/constants.glsl
 
 // x distant, y lights. The light's lobe returns its true A and B (in0.zw), times the gain that the table gives; further
 // bounces the integral of their shape, in1.x nodes over u = sqrt(NoL), which resolves the table's first texels.
@@ -61,7 +60,7 @@ const std::vector<glm::dvec4>& furnacePoints() {
         list.emplace_back(u * u, i / 48.0, 0, 0);
       }
     parallelFor(list.size(), [&](size_t i) {
-      const double alpha = std::max(list[i].y * list[i].y, minAnalyticAlpha);
+      const double alpha = std::max(list[i].y * list[i].y, double(layout::minAnalyticAlpha));
       const optics::Dfg dfg = optics::integrateDfg(list[i].x, alpha, 1e-6);
       list[i].z = dfg.A, list[i].w = dfg.B;
     });

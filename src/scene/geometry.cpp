@@ -104,7 +104,7 @@ std::vector<TangentSpace> tangentSpaces(const Primitive& p, const std::vector<co
     const auto of = [](const TextureRef& ref) { return TangentSpace{ref.texCoord, ref.transform}; };
     for (const TextureSlot slot : {TextureSlot::normal, TextureSlot::clearcoatNormal})
       if (usesTexture(*m, slot)) add(of(textureRef(*m, slot)));
-    const bool anisotropic = !m->unlit && !m->specularGlossiness && hasAnisotropy(*m);
+    const bool anisotropic = !m->unlit && !m->specularGlossiness && has(*m, Effect::anisotropy);
     if (anisotropic && !add(m->anisotropy ? of(m->anisotropy) : TangentSpace())) missing = true;
   }
   if (missing && spaces.empty())

@@ -1,6 +1,6 @@
 #pragma once
 
-// The numbers of a material, one row each: what reads, animates and lists them has one table.
+// The numbers of a material (material_properties.inc): what reads, animates and lists them has one table.
 
 #include <span>
 #include <variant>
@@ -14,6 +14,7 @@ struct MaterialProperty {
   const char* path;  // in glTF, below the material: "extensions/KHR_materials_ior/ior"
   std::variant<float Material::*, glm::vec3 Material::*, glm::vec4 Material::*> member;
   double low, high;  // each component's range
+  float overTime;    // of each component of one that is animated, for what can be seen at any time
 };
 
 // Those of metallic-roughness materials and of the extensions that it combines with; rows of an extension lie together.

@@ -70,27 +70,15 @@ struct TextureRef {
 
 // The textures that a material can name.
 enum class TextureSlot : uint8_t {
-  baseColor,
-  metallicRoughness,
-  normal,
-  occlusion,
-  emissive,
-  clearcoat,
-  clearcoatRoughness,
-  clearcoatNormal,
-  sheenColor,
-  sheenRoughness,
-  anisotropy,
-  specular,
-  specularColor,
-  iridescence,
-  iridescenceThickness,
-  transmission,
-  thickness,
-  diffuseTransmission,
-  diffuseTransmissionColor,
+#define TEXTURE_SLOT(name, ...) name,
+#include "texture_slots.inc"
+#undef TEXTURE_SLOT
 };
-inline constexpr int textureSlotCount = 19;
+#define TEXTURE_SLOT(...) +1
+inline constexpr int textureSlotCount = 0
+#include "texture_slots.inc"
+    ;
+#undef TEXTURE_SLOT
 
 // ---- Materials ------------------------------------------------------------------------------------------------------
 
@@ -293,36 +281,10 @@ enum class AnimatedProperty : uint8_t {
   scale,
   weights,
   visible,
-  // of a material
-  baseColorFactor,
-  metallicFactor,
-  roughnessFactor,
-  emissiveFactor,
-  emissiveStrength,
-  normalScale,
-  occlusionStrength,
-  alphaCutoff,
-  ior,
-  specularWeight,
-  specularColorFactor,
-  clearcoatFactor,
-  clearcoatRoughnessFactor,
-  clearcoatNormalScale,
-  sheenColorFactor,
-  sheenRoughnessFactor,
-  anisotropyStrength,
-  anisotropyRotation,
-  iridescenceFactor,
-  iridescenceIor,
-  iridescenceThicknessMinimum,
-  iridescenceThicknessMaximum,
-  transmissionFactor,
-  thicknessFactor,
-  attenuationDistance,
-  attenuationColor,
-  dispersion,
-  diffuseTransmissionFactor,
-  diffuseTransmissionColorFactor,
+// of a material
+#define PROPERTY(name, ...) name,
+#include "scene/material_properties.inc"
+#undef PROPERTY
   textureOffset,    // of `slot`
   textureRotation,  // likewise
   textureScale,     // likewise

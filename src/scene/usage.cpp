@@ -13,6 +13,11 @@ namespace {
 
 bool nonZero(const glm::vec3& v) { return v != glm::vec3(0); }
 
+template <Effect effect>
+bool shows(const Material& m) {
+  return has(m, effect);
+}
+
 struct SlotRow {
   std::string_view path;
   TextureRef Material::*ref;
@@ -35,21 +40,24 @@ constexpr SlotRow slotRows[] = {
      &Material::emissive,
      {true, rgb},
      [](const Material& m) { return nonZero(m.emissiveFactor) && m.emissiveStrength != 0; }},
-    {"extensions/KHR_materials_clearcoat/clearcoatTexture", &Material::clearcoat, {false, r}, hasClearcoat},
+    {"extensions/KHR_materials_clearcoat/clearcoatTexture", &Material::clearcoat, {false, r}, shows<Effect::clearcoat>},
     {"extensions/KHR_materials_clearcoat/clearcoatRoughnessTexture",
      &Material::clearcoatRoughness,
      {false, g},
-     [](const Material& m) { return hasClearcoat(m) && m.clearcoatRoughnessFactor != 0; }},
+     [](const Material& m) { return has(m, Effect::clearcoat) && m.clearcoatRoughnessFactor != 0; }},
     {"extensions/KHR_materials_clearcoat/clearcoatNormalTexture",
      &Material::clearcoatNormal,
      {false, rgb},
-     [](const Material& m) { return hasClearcoat(m) && m.clearcoatNormalScale != 0; }},
-    {"extensions/KHR_materials_sheen/sheenColorTexture", &Material::sheenColor, {true, rgb}, hasSheen},
+     [](const Material& m) { return has(m, Effect::clearcoat) && m.clearcoatNormalScale != 0; }},
+    {"extensions/KHR_materials_sheen/sheenColorTexture", &Material::sheenColor, {true, rgb}, shows<Effect::sheen>},
     {"extensions/KHR_materials_sheen/sheenRoughnessTexture",
      &Material::sheenRoughness,
      {false, a},
-     [](const Material& m) { return hasSheen(m) && m.sheenRoughnessFactor != 0; }},
-    {"extensions/KHR_materials_anisotropy/anisotropyTexture", &Material::anisotropy, {false, rgb}, hasAnisotropy},
+     [](const Material& m) { return has(m, Effect::sheen) && m.sheenRoughnessFactor != 0; }},
+    {"extensions/KHR_materials_anisotropy/anisotropyTexture",
+     &Material::anisotropy,
+     {false, rgb},
+     shows<Effect::anisotropy>},
     {"extensions/KHR_materials_specular/specularTexture",
      &Material::specular,
      {false, a},
@@ -58,23 +66,31 @@ constexpr SlotRow slotRows[] = {
      &Material::specularColor,
      {true, rgb},
      [](const Material& m) { return m.specularWeight != 0 && nonZero(m.specularColorFactor); }},
-    {"extensions/KHR_materials_iridescence/iridescenceTexture", &Material::iridescence, {false, r}, hasIridescence},
+    {"extensions/KHR_materials_iridescence/iridescenceTexture",
+     &Material::iridescence,
+     {false, r},
+     shows<Effect::iridescence>},
     {"extensions/KHR_materials_iridescence/iridescenceThicknessTexture",
      &Material::iridescenceThickness,
      {false, g},
      [](const Material& m) {
-       return hasIridescence(m) && m.iridescenceThicknessMinimum != m.iridescenceThicknessMaximum;
+       return has(m, Effect::iridescence) && m.iridescenceThicknessMinimum != m.iridescenceThicknessMaximum;
      }},
-    {"extensions/KHR_materials_transmission/transmissionTexture", &Material::transmission, {false, r}, hasTransmission},
-    {"extensions/KHR_materials_volume/thicknessTexture", &Material::thickness, {false, g}, hasVolume},
+    {"extensions/KHR_materials_transmission/transmissionTexture",
+     &Material::transmission,
+     {false, r},
+     shows<Effect::transmission>},
+    {"extensions/KHR_materials_volume/thicknessTexture", &Material::thickness, {false, g}, shows<Effect::volume>},
     {"extensions/KHR_materials_diffuse_transmission/diffuseTransmissionTexture",
      &Material::diffuseTransmission,
      {false, a},
-     hasDiffuseTransmission},
+     shows<Effect::diffuseTransmission>},
     {"extensions/KHR_materials_diffuse_transmission/diffuseTransmissionColorTexture",
      &Material::diffuseTransmissionColor,
      {true, rgb},
-     [](const Material& m) { return hasDiffuseTransmission(m) && nonZero(m.diffuseTransmissionColorFactor); }},
+     [](const Material& m) {
+       return has(m, Effect::diffuseTransmission) && nonZero(m.diffuseTransmissionColorFactor);
+     }},
 };
 static_assert(std::size(slotRows) == textureSlotCount);
 
@@ -82,19 +98,24 @@ const SlotRow& row(TextureSlot slot) { return slotRows[size_t(slot)]; }
 
 }  // namespace
 
-bool hasClearcoat(const Material& m) { return m.clearcoatFactor != 0; }
-bool hasSheen(const Material& m) { return nonZero(m.sheenColorFactor); }
-bool hasAnisotropy(const Material& m) { return m.anisotropyStrength != 0; }
-bool hasIridescence(const Material& m) { return m.iridescenceFactor != 0; }
-bool hasTransmission(const Material& m) { return m.transmissionFactor != 0; }
-bool hasVolume(const Material& m) {
-  return (hasTransmission(m) || hasDiffuseTransmission(m)) && m.thicknessFactor != 0;
+const char* name(Effect effect) {
+  constexpr const char* names[] = {
+#define EFFECT(name, define, words, ...) #words,
+#include "scene/material_effects.inc"
+#undef EFFECT
+  };
+  return names[size_t(effect)];
 }
-bool hasDispersion(const Material& m) { return hasTransmission(m) && hasVolume(m) && m.dispersion != 0; }
-bool hasDiffuseTransmission(const Material& m) { return m.diffuseTransmissionFactor != 0; }
-bool hasDielectricSpecular(const Material& m) {
-  return m.ior != 1.5f || m.specularWeight != 1 || m.specularColorFactor != glm::vec3(1) || m.specular ||
-         m.specularColor;
+
+bool has(const Material& m, Effect effect) {
+  switch (effect) {
+#define EFFECT(name, define, words, kind, ...) \
+  case Effect::name:                           \
+    return __VA_ARGS__;
+#include "scene/material_effects.inc"
+#undef EFFECT
+  }
+  return false;
 }
 
 std::string_view path(TextureSlot slot) { return row(slot).path; }
@@ -157,11 +178,7 @@ std::vector<Material> materialsOverTime(const Model& model) {
       const MaterialProperty* property = materialProperty(channel.property);
       if (property == nullptr) continue;
       Material& m = materials[size_t(channel.object)];
-      std::ranges::fill(components(m, *property), 1.0f);
-      // It is their difference that the texture's effect takes.
-      if (channel.property == AnimatedProperty::iridescenceThicknessMinimum ||
-          channel.property == AnimatedProperty::iridescenceThicknessMaximum)
-        m.iridescenceThicknessMinimum = 0, m.iridescenceThicknessMaximum = 1;
+      std::ranges::fill(components(m, *property), property->overTime);
     }
   return materials;
 }

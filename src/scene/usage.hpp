@@ -20,16 +20,19 @@ inline constexpr std::array<TextureSlot, textureSlotCount> textureSlots = [] {
 const char* name(TextureSlot slot);       // as in glTF: "baseColorTexture"
 std::string_view path(TextureSlot slot);  // in glTF, below the material: "pbrMetallicRoughness/baseColorTexture"
 
-// Which effects of extensions a lit metallic-roughness material has; those of factor 0 cost nothing.
-bool hasDielectricSpecular(const Material& material);  // an interface other than ior 1.5 without tint
-bool hasClearcoat(const Material& material);
-bool hasSheen(const Material& material);
-bool hasAnisotropy(const Material& material);
-bool hasIridescence(const Material& material);
-bool hasTransmission(const Material& material);
-bool hasVolume(const Material& material);
-bool hasDispersion(const Material& material);
-bool hasDiffuseTransmission(const Material& material);
+// What extensions add to a lit metallic-roughness material (material_effects.inc).
+enum class Effect : uint8_t {
+#define EFFECT(name, ...) name,
+#include "scene/material_effects.inc"
+#undef EFFECT
+};
+inline constexpr Effect effects[] = {
+#define EFFECT(name, ...) Effect::name,
+#include "scene/material_effects.inc"
+#undef EFFECT
+};
+const char* name(Effect effect);  // for people: "diffuse transmission"
+bool has(const Material& material, Effect effect);
 
 // What the shaders read of a slot's texture.
 struct TexelUse {
@@ -59,8 +62,8 @@ const Material& materialOf(const Model& model, const Primitive& primitive);
 // The materials that the primitive can have: its own, then those of the variants. `all` are the model's.
 std::vector<const Material*> materialsOf(const std::vector<Material>& all, const Primitive& primitive);
 
-// The model's materials with every factor that an animation sets set to 1: where usesTexture denies a texture of these,
-// it stays invisible at all times.
+// The model's materials with every factor that an animation sets set to one that shows (overTime): where usesTexture
+// denies a texture of these, it stays invisible at all times.
 std::vector<Material> materialsOverTime(const Model& model);
 
 // Can light show on anything that the scene may draw, in any variant, at any time?

@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "constants.h"
 #include "selftest/numerics_checks.hpp"
 
 namespace facet::selftest {
 
-// shaders/constants.glsl, as the GPU has them.
-inline constexpr double minAnalyticAlphaFloat = 1e-3f, minNoVFloat = 1e-4f;
+// As the GPU has them.
+inline constexpr double minAnalyticAlphaFloat = layout::minAnalyticAlpha, minNoVFloat = layout::minNoV;
 
 // One function of one chunk; absolute error.
 inline Check absoluteCheck(const std::string& name, const std::string& chunk, const std::string& body,

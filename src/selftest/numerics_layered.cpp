@@ -17,6 +17,7 @@ const char* const layeredBody = R"(
   vec3 N = vec3(0.0, 0.0, 1.0);
   Surface s = makeSurface(N, in0.xyz, vec3(1.0, 0.5, 0.1), in0.w, in1.w, 1.0);
   s.dielectricF90 = 0.8;
+  s.coloredInterface = true;
   s.dielectricF0 = vec3(0.05, 0.1, 0.2) * 0.8;
   s.dfg = vec3(in3.xy, 0.0);
   s.grain.T = vec3(1.0, 0.0, 0.0);

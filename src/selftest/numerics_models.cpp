@@ -52,14 +52,6 @@ Check checkDielectric() {
   return check;
 }
 
-Check checkDielectricAverage() {
-  Check check = absoluteCheck("F_DielectricAverage", "fresnel.glsl", "out0.x = F_DielectricAverage(in0.x);", {"eta"});
-  check.inputs = grid({-1, 0, 0.1, 0.25, 0.5, 0.9, 1, 1.1, 1.5, 2.4, 100, 400, 1e6, 1e30});
-  check.twin = [](CheckVectors in) { return CheckValues{optics::F_DielectricAverageFit(in[0].x)}; };
-  allow(check, 6, "6 roundings of numbers up to 1; the fit's own error is tested in tests/optics/fresnel_test.cpp");
-  return check;
-}
-
 Check checkConductor() {
   Check check = absoluteCheck("F_Conductor", "fresnel.glsl",
                               "out0.rgb = F_Conductor(in0.x, vec3(in0.y, 1.5, 0.2), vec3(in0.z, 0.0, 3.0));",
@@ -150,16 +142,6 @@ Check checkDistribution(const std::string& function, double (*twin)(double sin2N
   return check;
 }
 
-using TwoArguments = double (*)(double NoX, double alpha);
-
-Check checkMasking(const std::string& function, TwoArguments twin, double epsilons, const std::string& reason) {
-  Check check = absoluteCheck(function, "ndf.glsl", "out0.x = " + function + "(in0.x, in0.y);", {"NoX", "alpha"});
-  check.inputs = grid({-0.1, 0, 1e-6, 1e-4, 1e-3, 0.02, 0.1, 0.3, 0.5, 0.9, 1 - 1e-6, 1}, lobeAlphas);
-  check.twin = [twin](CheckVectors in) { return CheckValues{twin(in[0].x, in[0].y)}; };
-  allow(check, epsilons, reason);
-  return check;
-}
-
 Check checkVisibility(const std::string& function, double (*twin)(double NoV, double NoL, double alpha),
                       double epsilons, const std::string& reason) {
   Check check =
@@ -197,7 +179,6 @@ std::vector<Check> modelChecks() {
       checkF0FromIor(),
       checkIorFromF0(),
       checkDielectric(),
-      checkDielectricAverage(),
       checkConductor(),
       check82Tint(),
       checkDiffuse("Fd_Burley", ")", 16, "16 roundings of numbers up to 2", optics::Fd_Burley),
@@ -210,12 +191,8 @@ std::vector<Check> modelChecks() {
                    optics::Fd_CallOfDuty),
       checkDistribution("D_Beckmann", optics::D_BeckmannFromSin2),
       checkDistribution("D_Blinn", optics::D_BlinnFromSin2),
-      checkMasking("G1_Beckmann", optics::G1_Beckmann, 16, "erfc is a fit with an error of 1.5e-7"),
       checkVisibility("V_BeckmannCorrelated", optics::V_BeckmannCorrelated, 32,
                       "erfc is a fit with an error of 1.5e-7"),
-      checkMasking("G1_BeckmannRational", optics::G1_BeckmannRational, 32,
-                   "16 roundings; its two branches meet within 1e-6"),
-      checkMasking("G1_SchlickGGX", optics::G1_SchlickGGX, 8, "8 roundings, nothing cancels"),
       checkVisibility("V_SchlickGGX", optics::V_SchlickGGX, 12, "12 roundings, nothing cancels"),
       checkCavity(),
   };

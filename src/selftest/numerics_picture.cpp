@@ -147,17 +147,6 @@ Check checkToEquirect() {
   return check;
 }
 
-Check checkFromEquirect() {
-  Check check{"directionFromEquirect", {{"mapping.glsl"}, "out0.xyz = directionFromEquirect(in0.xy);"}, {"u", "v"}, {}};
-  for (double u : {0.0, 1e-7, 0.1, 0.25, 0.5, 0.6, 0.75, 1 - 1e-7, 1.0})
-    for (double v : {0.0, 1e-7, 1e-3, 0.2, 0.5, 0.9, 1 - 1e-7, 1.0}) check.inputs.emplace_back(u, v, 0, 0);
-  check.twin = [](CheckVectors in) { return valuesOf(optics::directionFromEquirect({in[0].x, 1 - in[0].y})); };
-  check.relative = false;
-  check.tolerance = 32 * floatEpsilon;
-  check.reason = "angles up to pi are rounded, the precision of sin and cos is the driver's";
-  return check;
-}
-
 std::vector<glm::vec4> cubeInputs() {
   std::vector<glm::vec4> inputs;
   for (int face = 0; face < 6; ++face)
@@ -346,8 +335,8 @@ std::vector<Check> displayChecks() {
 }
 
 std::vector<Check> mappingChecks() {
-  return {checkToEquirect(), checkFromEquirect(), checkFromCube(),     checkCubeDensity(), checkCubeTexel(),
-          checkFrame(),      checkLayer(),        checkSpreadCosine(), checkSpreadKernel()};
+  return {checkToEquirect(), checkFromCube(), checkCubeDensity(),  checkCubeTexel(),
+          checkFrame(),      checkLayer(),    checkSpreadCosine(), checkSpreadKernel()};
 }
 
 }  // namespace facet::selftest

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <map>
 
+#include "constants.h"
 #include "optics/bsdf.hpp"
 #include "optics/diffuse.hpp"
 #include "optics/fresnel.hpp"
@@ -15,8 +16,7 @@ namespace {
 
 using optics::pi;
 
-// shaders/constants.glsl.
-constexpr double minAnalyticAlpha = 1e-3, minNoV = 1e-4;
+constexpr double minAnalyticAlpha = layout::minAnalyticAlpha, minNoV = layout::minNoV;
 
 const double alphas[] = {0, 1e-3, 2e-3, 1e-2, 0.1, 0.5, 1};
 const double perceptualRoughnesses[] = {0, 0.03, 0.1, 0.5, 1};
@@ -72,8 +72,8 @@ Check checkV() {
     for (double NoV : {-0.3, 0.0, 1e-4, 1e-3, 0.02, 0.5, 1.0})
       for (double NoL : {0.0, 1e-30, 1e-7, 1e-4, 0.02, 0.5, 1.0}) check.inputs.emplace_back(NoV, NoL, alpha, 0);
   check.twin = [](CheckVectors in) {
-    return CheckValues{optics::V_SmithGGXCorrelated(std::clamp(in[0].x, double(float(minNoV)), 1.0), in[0].y,
-                                                    std::max(in[0].z, double(float(minAnalyticAlpha))))};
+    return CheckValues{
+        optics::V_SmithGGXCorrelated(std::clamp(in[0].x, minNoV, 1.0), in[0].y, std::max(in[0].z, minAnalyticAlpha))};
   };
   check.tolerance = 16 * floatEpsilon;
   check.reason = "16 roundings, nothing cancels";

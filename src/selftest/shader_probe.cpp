@@ -16,10 +16,10 @@ std::string entryPoint(const Probe& probe) {
   std::string text = "#include \"layout.h\"\n";
   for (const std::string& chunk : probe.chunks) text += "#include \"" + chunk + "\"\n";
   text +=
-      "layout(local_size_x = 64) in;\n"
+      "layout(local_size_x = groupInvocations) in;\n"
       "layout(std430, binding = computeInputBinding) readonly buffer ProbeInput { vec4 probeInput[]; };\n"
       "layout(std430, binding = computeOutputBinding) writeonly buffer ProbeOutput { vec4 probeOutput[]; };\n"
-      "layout(location = 0) uniform int probeCount;\n"
+      "layout(location = probeCountLocation) uniform int probeCount;\n"
       "void main() {\n"
       "  int i = int(gl_GlobalInvocationID.x);\n"
       "  if (i >= probeCount) return;\n";
@@ -61,14 +61,14 @@ Result<TimedProbe> timeProbe(const Probe& probe, std::span<const glm::vec4> inpu
   const size_t outputs = count * static_cast<size_t>(probe.outputs);
   const gl::Buffer in(std::as_bytes(inputs), "probe input");
   const gl::Buffer out(outputs * sizeof(glm::vec4), "probe output");
-  program->set(0, static_cast<int>(count));
+  program->set(layout::probeCountLocation, static_cast<int>(count));
   glUseProgram(program->id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeInputBinding, in.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeOutputBinding, out.id());
   std::vector<double> times;
   for (int i = 0; i < repeat; ++i) {
     const auto start = std::chrono::steady_clock::now();
-    glDispatchCompute(static_cast<GLuint>((count + 63) / 64), 1, 1);
+    glDispatchCompute(static_cast<GLuint>(layout::groupsFor(static_cast<int>(count), layout::groupInvocations)), 1, 1);
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     if (repeat > 1) glFinish();
     times.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());

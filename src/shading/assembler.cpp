@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 #include <regex>
+#include <set>
 #include <sstream>
 
 #include "shading/embedded_shaders.hpp"
@@ -13,9 +14,16 @@ namespace {
 
 struct Assembly {
   const ShaderReader& reader;
-  AssembledShader out;
-  std::vector<std::string> open;  // files being expanded, outermost first
+  const std::vector<Define>& defines;
+  AssembledShader out = {};
+  std::vector<std::string> open = {};  // files being expanded, outermost first
+  // By open branch of an #if, outermost first: what was included there. Whoever follows within it has it already.
+  std::vector<std::set<std::string>> branches = {};
 };
+
+bool isOpen(const Assembly& assembly, const std::string& path) {
+  return std::ranges::find(assembly.open, path) != assembly.open.end();
+}
 
 std::string guardName(const std::string& path) {
   std::string name = "FACET_INCLUDED_";
@@ -31,11 +39,31 @@ int fileNumber(Assembly& assembly, const std::string& path) {
   return static_cast<int>(files.size()) - 1;
 }
 
-std::optional<std::string> includedPath(const std::string& line) {
-  static const std::regex pattern(R"re(^\s*#\s*include\s+"([^"]+)"\s*(//.*)?$)re");
+std::optional<std::string> includedPath(const std::string& line, const std::vector<Define>& defines) {
+  static const std::regex pattern(R"re(^\s*#\s*include\s+"([^"]+)"(?:\s+if\s+(\w+))?\s*(//.*)?$)re");
   std::smatch match;
   if (!std::regex_match(line, match, pattern)) return std::nullopt;
-  return match[1].str();
+  std::string path = match[1].str();
+  if (match[2].matched && std::ranges::find(defines, match[2].str(), &Define::name) == defines.end())
+    path.insert(path.rfind('.'), "_none");
+  return path;
+}
+
+// "ifdef" of "  # ifdef X"; empty of other lines.
+std::string_view directive(std::string_view line) {
+  const auto skip = [&](std::string_view characters) {
+    line.remove_prefix(std::min(line.find_first_not_of(characters), line.size()));
+  };
+  skip(" \t");
+  if (!line.starts_with('#')) return {};
+  skip("# \t");
+  return line.substr(0, line.find_first_not_of("abcdefghijklmnopqrstuvwxyz"));
+}
+
+void followBranches(Assembly& assembly, std::string_view word) {
+  if (word == "if" || word == "ifdef" || word == "ifndef") assembly.branches.emplace_back();
+  if (word == "elif" || word == "else") assembly.branches.back().clear();
+  if (word == "endif" && assembly.branches.size() > 1) assembly.branches.pop_back();
 }
 
 std::string lineDirective(int line, int file) {
@@ -43,8 +71,7 @@ std::string lineDirective(int line, int file) {
 }
 
 Result<void> expand(Assembly& assembly, const std::string& path, const std::string& includedFrom) {
-  if (std::find(assembly.open.begin(), assembly.open.end(), path) != assembly.open.end())
-    return fail("shaders/" + path, includedFrom, "is included from itself");
+  if (isOpen(assembly, path)) return fail("shaders/" + path, includedFrom, "is included from itself");
   const std::optional<std::string> text = assembly.reader(path);
   if (!text) return fail("shaders/" + path, includedFrom, "there is no such shader file");
 
@@ -55,16 +82,21 @@ Result<void> expand(Assembly& assembly, const std::string& path, const std::stri
   std::istringstream lines(*text);
   std::string line;
   for (int number = 1; std::getline(lines, line); ++number) {
-    const std::optional<std::string> include = includedPath(line);
-    if (!include) {
-      out += line;
+    const std::optional<std::string> include = includedPath(line, assembly.defines);
+    const bool list = include && include->ends_with(".inc");
+    const auto has = [&](const std::set<std::string>& branch) { return branch.count(*include) != 0; };
+    const bool there = include && !list && !isOpen(assembly, *include) && std::ranges::any_of(assembly.branches, has);
+    if (!include || there) {
+      followBranches(assembly, directive(line));
+      out += there ? "" : line;
       out += '\n';
       continue;
     }
-    const std::string guard = guardName(*include);
-    out += "#ifndef " + guard + "\n#define " + guard + "\n";
+    assembly.branches.back().insert(*include);
+    if (const std::string guard = guardName(*include); !list) out += "#ifndef " + guard + "\n#define " + guard + "\n";
     if (Result<void> result = expand(assembly, *include, path + ":" + std::to_string(number)); !result) return result;
-    out += "#endif\n" + lineDirective(number + 1, file);
+    if (!list) out += "#endif\n";
+    out += lineDirective(number + 1, file);
   }
   assembly.open.pop_back();
   return {};
@@ -89,7 +121,8 @@ ShaderReader shaderReader(const std::filesystem::path& overrideFolder) {
 
 Result<AssembledShader> assemble(const std::string& entry, const std::vector<Define>& defines,
                                  const ShaderReader& reader) {
-  Assembly assembly{reader, {}, {}};
+  Assembly assembly{.reader = reader, .defines = defines};
+  assembly.branches.emplace_back();
   assembly.out.text = "#version 450 core\n";
   for (const Define& define : defines) assembly.out.text += "#define " + define.name + " " + define.value + "\n";
   if (Result<void> result = expand(assembly, entry, ""); !result) return tl::unexpected(result.error());

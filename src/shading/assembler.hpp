@@ -1,7 +1,11 @@
 #pragma once
 
-// Shader text from chunks: #include "path" (relative to shaders/), guarded so that each file counts once, cycles
-// refused, #line directives so that the compiler's messages can be traced to chunk and line.
+// Shader text from chunks: #include "path" (relative to shaders/), so that each file counts once (but lists, *.inc,
+// which count as often as they are named): guarded, or left out where it is there for sure; cycles refused, #line
+// directives so that the compiler's messages can be traced to chunk and line.
+//   #include "layers/coat.glsl" if HAS_CLEARCOAT
+// is that chunk where the define is among those given, else layers/coat_none.glsl, which has the same functions:
+// callers need no #ifdef, and what a draw lacks is not even parsed.
 
 #include <filesystem>
 #include <functional>

@@ -1,12 +1,7 @@
 #include "shading/features.hpp"
 
 #include <algorithm>
-#include <cassert>
-#include <cstdio>
-#include <cstring>
 
-#include "optics/fresnel.hpp"
-#include "optics/presets.hpp"
 #include "scene/usage.hpp"
 #include "shading/model_features.hpp"
 
@@ -51,7 +46,7 @@ bool metallicRoughnessTexture(const FeatureInput& in) {
   if (measured(in)) return false;
   return sampled(in, TextureSlot::metallicRoughness) && (wanted(in, "metallic") || channelIs(in, "roughness"));
 }
-bool specularGlossiness(const FeatureInput& in) {
+bool isSpecularGlossiness(const FeatureInput& in) {
   return in.material.specularGlossiness && !measured(in) && (wanted(in, "metallic") || channelIs(in, "roughness"));
 }
 bool normalTexture(const FeatureInput& in) {
@@ -67,22 +62,31 @@ bool emissiveTexture(const FeatureInput& in) { return sampled(in, TextureSlot::e
 bool extended(const FeatureInput& in) {
   return in.frame.channel == 0 && !unlit(in) && !in.material.specularGlossiness && !measured(in);
 }
-template <bool (*has)(const scene::Material&)>
-bool effect(const FeatureInput& in) {
-  return extended(in) && has(in.material);
+// Is there light for the effects of extensions? What is behind shines through all of them.
+bool reached(const FeatureInput& in) {
+  return in.frame.punctualLights || in.frame.environment || has(in.material, scene::Effect::transmission);
+}
+// What is below a coat and shines by itself shines through it.
+bool glowsThroughCoat(const FeatureInput& in) {
+  return in.material.emissiveFactor != glm::vec3(0) && in.material.emissiveStrength != 0;
 }
 bool samplesEffectSlot(const FeatureInput& in, TextureSlot slot) {
   if (slot == TextureSlot::clearcoatNormal && in.primitive.tangents.empty()) return false;
-  return extended(in) && sampled(in, slot);
+  if (!extended(in) || !sampled(in, slot)) return false;
+  const bool ofCoat =
+      slot == TextureSlot::clearcoat || slot == TextureSlot::clearcoatRoughness || slot == TextureSlot::clearcoatNormal;
+  return reached(in) || (ofCoat && glowsThroughCoat(in));
 }
-template <TextureSlot slot>
-bool effectTexture(const FeatureInput& in) {
-  return samplesEffectSlot(in, slot);
+template <scene::Effect effect>
+bool hasEffect(const FeatureInput& in) {
+  if (effect == scene::Effect::anisotropy && in.primitive.tangents.empty()) return false;
+  if (!extended(in) || !has(in.material, effect)) return false;
+  return reached(in) || (effect == scene::Effect::clearcoat && glowsThroughCoat(in));
 }
 
-bool anisotropic(const FeatureInput& in) { return effect<scene::hasAnisotropy>(in) && !in.primitive.tangents.empty(); }
 bool readsTangent(const FeatureInput& in) {
-  return normalTexture(in) || effectTexture<TextureSlot::clearcoatNormal>(in) || anisotropic(in) ||
+  return normalTexture(in) || samplesEffectSlot(in, TextureSlot::clearcoatNormal) ||
+         hasEffect<scene::Effect::anisotropy>(in) ||
          ((channelIs(in, "tangent") || measuredUtia(in)) && !in.primitive.tangents.empty());
 }
 
@@ -103,6 +107,11 @@ bool samplesSlotOf(const FeatureInput& in, TextureSlot slot) {
   }
 }
 
+template <TextureSlot slot>
+bool samples(const FeatureInput& in) {
+  return samplesSlotOf(in, slot);
+}
+
 bool skinned(const FeatureInput& in) { return in.deformation.skinned && !in.primitive.influences.empty(); }
 bool morphed(const FeatureInput& in) { return in.deformation.morphed && !in.primitive.targets.empty(); }
 bool flatPerPixel(const FeatureInput& in) {
@@ -110,9 +119,10 @@ bool flatPerPixel(const FeatureInput& in) {
 }
 
 // A pixel that is shaded once shows a mean over its normals. Flat faces too: a program less costs more than it saves.
-bool spreadNormals(const FeatureInput& in) {
-  return in.frame.shadedOnce && in.frame.channel == 0 && !unlit(in) && !measured(in) &&
-         (in.frame.punctualLights || in.frame.environment);
+bool spreadsNormals(const FeatureInput& in) {
+  if (!in.frame.shadedOnce || in.frame.channel != 0 || unlit(in) || measured(in)) return false;
+  return in.frame.punctualLights || in.frame.environment || hasEffect<scene::Effect::transmission>(in) ||
+         hasEffect<scene::Effect::clearcoat>(in);
 }
 
 // Does any target change this attribute?
@@ -128,99 +138,52 @@ bool anySlot(const FeatureInput& in, bool (*test)(const TextureRef&)) {
   return false;
 }
 
-// Where a texture is read through TEXCOORD_set.
+// Where a texture is read through TEXCOORD_set, or the set is shown.
 template <int set>
 bool texCoords(const FeatureInput& in) {
-  return !in.primitive.texCoords[set].empty() && anySlot(in, [](const TextureRef& ref) { return ref.texCoord == set; });
+  if (in.primitive.texCoords[set].empty()) return false;
+  return (set == 0 && channelIs(in, "uv")) || anySlot(in, [](const TextureRef& ref) { return ref.texCoord == set; });
+}
+bool transformsTexture(const FeatureInput& in) {
+  return anySlot(in, [](const TextureRef& ref) { return ref.transform != scene::TextureTransform{}; });
 }
 
+bool readsVertexColor(const FeatureInput& in) { return !in.primitive.colors.empty() && readsBaseColor(in); }
+bool morphsNormals(const FeatureInput& in) {
+  return readsNormal(in) && !flatPerPixel(in) && targetsChange(in, &scene::MorphTarget::normals);
+}
+bool morphsTangents(const FeatureInput& in) {
+  return readsTangent(in) && targetsChange(in, &scene::MorphTarget::tangents);
+}
+bool morphsColors(const FeatureInput& in) {
+  return readsVertexColor(in) && targetsChange(in, &scene::MorphTarget::colors);
+}
+
+bool masksAlpha(const FeatureInput& in) { return in.material.alphaMode == AlphaMode::mask; }
+bool blendsAlpha(const FeatureInput& in) { return in.material.alphaMode == AlphaMode::blend && in.frame.channel == 0; }
+bool isDoubleSided(const FeatureInput& in) { return in.material.doubleSided && readsNormal(in); }
+bool showsNoLight(const FeatureInput& in) { return unlit(in) || in.frame.channel != 0; }
+bool readsPunctualLights(const FeatureInput& in) { return in.frame.punctualLights && !showsNoLight(in); }
+bool readsEnvironment(const FeatureInput& in) { return in.frame.environment && !showsNoLight(in); }
+bool measuredMerl(const FeatureInput& in) { return measured(in) && in.frame.measured == Measured::merl; }
+bool measuredNearest(const FeatureInput& in) {
+  return measured(in) && in.frame.measuredNearest && !in.frame.measuredFitted;
+}
+bool fitted(const FeatureInput& in) { return measured(in) && in.frame.measuredFitted; }
+
 constexpr FeatureRow rows[] = {
-    {"normals", "HAS_NORMAL", readsNormal},
-    {"tangents", "HAS_TANGENT", readsTangent},
-    {"uv0", "HAS_TEXCOORD_0",
-     [](const FeatureInput& in) {
-       return texCoords<0>(in) || (channelIs(in, "uv") && !in.primitive.texCoords[0].empty());
-     }},
-    {"uv1", "HAS_TEXCOORD_1", texCoords<1>},
-    {"uv2", "HAS_TEXCOORD_2", texCoords<2>},
-    {"uv3", "HAS_TEXCOORD_3", texCoords<3>},
-    {"uv4", "HAS_TEXCOORD_4", texCoords<4>},
-    {"uv5", "HAS_TEXCOORD_5", texCoords<5>},
-    {"uv6", "HAS_TEXCOORD_6", texCoords<6>},
-    {"uv7", "HAS_TEXCOORD_7", texCoords<7>},
-    {"vertex colours", "HAS_VERTEX_COLOR",
-     [](const FeatureInput& in) { return !in.primitive.colors.empty() && readsBaseColor(in); }},
-    {"skin", "HAS_SKIN", skinned},
-    {"morph targets", "HAS_MORPH", morphed},
-    {"morphed normals", "MORPH_NORMALS",
-     [](const FeatureInput& in) {
-       return readsNormal(in) && !flatPerPixel(in) && targetsChange(in, &scene::MorphTarget::normals);
-     }},
-    {"morphed tangents", "MORPH_TANGENTS",
-     [](const FeatureInput& in) { return readsTangent(in) && targetsChange(in, &scene::MorphTarget::tangents); }},
-    {"morphed colours", "MORPH_COLORS",
-     [](const FeatureInput& in) {
-       return !in.primitive.colors.empty() && readsBaseColor(in) && targetsChange(in, &scene::MorphTarget::colors);
-     }},
-    {"flat normals per pixel", "FLAT_NORMALS", flatPerPixel},
-    {"base colour texture", "HAS_BASE_COLOR_TEXTURE", baseColorTexture},
-    {"normals spread over the pixel", "SPREAD_NORMALS", spreadNormals},
-    {"specular-glossiness", "SPECULAR_GLOSSINESS", specularGlossiness},
-    {"metallic-roughness texture", "HAS_METALLIC_ROUGHNESS_TEXTURE", metallicRoughnessTexture},
-    {"normal texture", "HAS_NORMAL_TEXTURE", normalTexture},
-    {"occlusion texture", "HAS_OCCLUSION_TEXTURE", occlusionTexture},
-    {"emissive texture", "HAS_EMISSIVE_TEXTURE", emissiveTexture},
-    {"dielectric specular", "HAS_DIELECTRIC_SPECULAR", effect<scene::hasDielectricSpecular>},
-    {"clearcoat", "HAS_CLEARCOAT", effect<scene::hasClearcoat>},
-    {"sheen", "HAS_SHEEN", effect<scene::hasSheen>},
-    {"anisotropy", "HAS_ANISOTROPY", anisotropic},
-    {"iridescence", "HAS_IRIDESCENCE", effect<scene::hasIridescence>},
-    {"transmission", "HAS_TRANSMISSION", effect<scene::hasTransmission>},
-    {"volume", "HAS_VOLUME", effect<scene::hasVolume>},
-    {"dispersion", "HAS_DISPERSION", effect<scene::hasDispersion>},
-    {"diffuse transmission", "HAS_DIFFUSE_TRANSMISSION", effect<scene::hasDiffuseTransmission>},
-    {"clearcoat texture", "HAS_CLEARCOAT_TEXTURE", effectTexture<TextureSlot::clearcoat>},
-    {"clearcoat roughness texture", "HAS_CLEARCOAT_ROUGHNESS_TEXTURE", effectTexture<TextureSlot::clearcoatRoughness>},
-    {"clearcoat normal texture", "HAS_CLEARCOAT_NORMAL_TEXTURE", effectTexture<TextureSlot::clearcoatNormal>},
-    {"sheen colour texture", "HAS_SHEEN_COLOR_TEXTURE", effectTexture<TextureSlot::sheenColor>},
-    {"sheen roughness texture", "HAS_SHEEN_ROUGHNESS_TEXTURE", effectTexture<TextureSlot::sheenRoughness>},
-    {"anisotropy texture", "HAS_ANISOTROPY_TEXTURE", effectTexture<TextureSlot::anisotropy>},
-    {"specular texture", "HAS_SPECULAR_TEXTURE", effectTexture<TextureSlot::specular>},
-    {"specular colour texture", "HAS_SPECULAR_COLOR_TEXTURE", effectTexture<TextureSlot::specularColor>},
-    {"iridescence texture", "HAS_IRIDESCENCE_TEXTURE", effectTexture<TextureSlot::iridescence>},
-    {"iridescence thickness texture", "HAS_IRIDESCENCE_THICKNESS_TEXTURE",
-     effectTexture<TextureSlot::iridescenceThickness>},
-    {"transmission texture", "HAS_TRANSMISSION_TEXTURE", effectTexture<TextureSlot::transmission>},
-    {"thickness texture", "HAS_THICKNESS_TEXTURE", effectTexture<TextureSlot::thickness>},
-    {"diffuse transmission texture", "HAS_DIFFUSE_TRANSMISSION_TEXTURE",
-     effectTexture<TextureSlot::diffuseTransmission>},
-    {"diffuse transmission colour texture", "HAS_DIFFUSE_TRANSMISSION_COLOR_TEXTURE",
-     effectTexture<TextureSlot::diffuseTransmissionColor>},
-    {"texture transform", "HAS_TEXTURE_TRANSFORM",
-     [](const FeatureInput& in) {
-       return anySlot(in, [](const TextureRef& ref) { return ref.transform != scene::TextureTransform{}; });
-     }},
-    {"alpha mask", "ALPHA_MASK", [](const FeatureInput& in) { return in.material.alphaMode == AlphaMode::mask; }},
-    {"alpha blend", "ALPHA_BLEND",
-     [](const FeatureInput& in) { return in.material.alphaMode == AlphaMode::blend && in.frame.channel == 0; }},
-    {"double-sided", "DOUBLE_SIDED", [](const FeatureInput& in) { return in.material.doubleSided && readsNormal(in); }},
-    {"unlit", "UNLIT", [](const FeatureInput& in) { return unlit(in) || in.frame.channel != 0; }},
-    {"punctual lights", "HAS_PUNCTUAL_LIGHTS",
-     [](const FeatureInput& in) { return in.frame.punctualLights && !unlit(in) && in.frame.channel == 0; }},
-    {"MERL BRDF", "MERL_BRDF",
-     [](const FeatureInput& in) { return measured(in) && in.frame.measured == Measured::merl; }},
-    {"UTIA BRDF", "UTIA_BRDF", measuredUtia},
-    {"nearest measured value", "MEASURED_NEAREST",
-     [](const FeatureInput& in) { return measured(in) && in.frame.measuredNearest && !in.frame.measuredFitted; }},
-    {"model fitted to it", "FITTED_BRDF",
-     [](const FeatureInput& in) { return measured(in) && in.frame.measuredFitted; }},
-    {"environment", "HAS_ENVIRONMENT",
-     [](const FeatureInput& in) { return in.frame.environment && !unlit(in) && in.frame.channel == 0; }},
+#define FEATURE(name, define, words, role, test) {Feature::name, #words, #define, FeatureRole::role, test},
+#include "shading/features.inc"
+#undef FEATURE
 };
-
-constexpr uint64_t bit(size_t row) { return uint64_t{1} << row; }
-
 static_assert(std::size(rows) <= 64);
+
+uint64_t bitsOf(FeatureRole role) {
+  uint64_t bits = 0;
+  for (const FeatureRow& row : rows)
+    if (row.role == role) bits |= bitOf(row.feature);
+  return bits;
+}
 
 }  // namespace
 
@@ -247,11 +210,12 @@ std::span<const FeatureRow> featureTable() { return rows; }
 VariantKey variantKey(const FeatureInput& input) {
   VariantKey key;
   key.channel = static_cast<uint8_t>(input.frame.channel);
-  for (size_t i = 0; i < std::size(rows); ++i)
-    if (rows[i].usedBy(input)) key.features |= bit(i);
-  if (usesFeature(key, "HAS_ENVIRONMENT")) key.imageLightSamples = static_cast<uint16_t>(input.frame.imageLightSamples);
+  for (const FeatureRow& row : rows)
+    if (row.usedBy(input)) key.features |= bitOf(row.feature);
+  const bool environment = usesFeature(key, Feature::environment);
+  if (environment) key.imageLightSamples = static_cast<uint16_t>(input.frame.imageLightSamples);
   if (measured(input)) {
-    if (usesFeature(key, "HAS_ENVIRONMENT") && key.imageLightSamples == 0)
+    if (environment && key.imageLightSamples == 0)
       key.imageLightSamples = static_cast<uint16_t>(input.frame.measuredLightSamples);
     if (input.frame.measuredFitted) key.diffuse = static_cast<uint8_t>(input.frame.models.diffuse);
     return key;
@@ -262,11 +226,23 @@ VariantKey variantKey(const FeatureInput& input) {
 
 std::vector<Define> variantDefines(const VariantKey& key) {
   std::vector<Define> defines;
-  for (size_t i = 0; i < std::size(rows); ++i)
-    if (key.features & bit(i)) defines.push_back({rows[i].define});
+  for (const FeatureRow& row : rows)
+    if (usesFeature(key, row.feature)) defines.push_back({row.define});
+  if (readsDfgTable(key)) defines.push_back({"HAS_DFG"});
+  if (key.features & bitsOf(FeatureRole::layer)) defines.push_back({"HAS_LAYERS"});
+  std::string present, absent;  // of material_draw.glsl
+#define TEXTURE_SLOT(name, define, words, texel)                                 \
+  if (usesFeature(key, Feature::name##Texture))                                  \
+    present += "DO(" #name ", " + std::to_string(int(TextureSlot::name)) + ") "; \
+  else                                                                           \
+    absent += "DO(" #name ", " #texel ") ";
+#include "texture_slots.inc"
+#undef TEXTURE_SLOT
+  defines.push_back({"EACH_TEXTURE(DO)", present});
+  defines.push_back({"EACH_ABSENT_TEXTURE(DO)", absent});
   std::string sets;  // of tex_coords.glsl
   for (int set = 0; set < scene::maxTexCoordSets; ++set)
-    if (usesFeature(key, texCoordDefine(set).c_str())) sets += "DO(" + std::to_string(set) + ") ";
+    if (usesFeature(key, texCoordFeature(set))) sets += "DO(" + std::to_string(set) + ") ";
   if (!sets.empty()) defines.push_back({"EACH_TEXCOORD(DO)", sets});
   if (key.channel != 0) defines.push_back({"CHANNEL", std::to_string(key.channel)});
   if (key.imageLightSamples != 0) defines.push_back({"IMAGE_LIGHT_SAMPLES", std::to_string(key.imageLightSamples)});
@@ -276,46 +252,33 @@ std::vector<Define> variantDefines(const VariantKey& key) {
 
 std::string variantName(const VariantKey& key) {
   std::string name;
-  for (size_t i = 0; i < std::size(rows); ++i)
-    if (key.features & bit(i)) name += (name.empty() ? "" : ", ") + std::string(rows[i].name);
+  for (const FeatureRow& row : rows)
+    if (usesFeature(key, row.feature)) name += (name.empty() ? "" : ", ") + std::string(row.name);
   if (key.channel != 0) name += std::string(name.empty() ? "" : ", ") + "view of " + channelSetting(key.channel);
   if (key.imageLightSamples != 0) name += ", environment sampled";
   addModelNames(key, name);
   return name.empty() ? "plain" : name;
 }
 
-uint64_t attributeBits(const VariantKey& key) {
-  constexpr std::string_view attributes[] = {"HAS_NORMAL", "HAS_TANGENT", "HAS_TEXCOORD_", "HAS_VERTEX_COLOR",
-                                             "HAS_SKIN",   "HAS_MORPH",   "MORPH_"};
-  uint64_t bits = 0;
-  for (size_t i = 0; i < std::size(rows); ++i) {
-    const std::string_view define = rows[i].define;
-    for (const std::string_view attribute : attributes)
-      if (define.starts_with(attribute) && !define.ends_with("_TEXTURE")) bits |= key.features & bit(i);
-  }
-  return bits;
+bool readsDfgTable(const VariantKey& key) {
+  if (isMeasured(key)) return false;
+  return usesFeature(key, Feature::environment) || usesFeature(key, Feature::punctualLights) ||
+         usesFeature(key, Feature::transmission) || usesFeature(key, Feature::clearcoat);
 }
 
-std::string texCoordDefine(int set) { return "HAS_TEXCOORD_" + std::to_string(set); }
-
-bool usesFeature(const VariantKey& key, const char* define) {
-  for (size_t i = 0; i < std::size(rows); ++i)
-    if (std::strcmp(rows[i].define, define) == 0) return (key.features & bit(i)) != 0;
-  assert(false && "no such feature");
-  return false;
-}
+uint64_t attributeBits(const VariantKey& key) { return key.features & bitsOf(FeatureRole::attribute); }
 
 VariantKey fittedKey(const VariantKey& key, optics::DiffuseModel diffuse) {
   if (!isMeasured(key)) return key;
   VariantKey fitted = key;
-  for (size_t i = 0; i < std::size(rows); ++i) {
-    if (std::strcmp(rows[i].define, "FITTED_BRDF") == 0) fitted.features |= bit(i);
-    if (std::strcmp(rows[i].define, "MEASURED_NEAREST") == 0) fitted.features &= ~bit(i);
-  }
+  fitted.features |= bitOf(Feature::fittedBrdf);
+  fitted.features &= ~bitOf(Feature::measuredNearest);
   fitted.diffuse = static_cast<uint8_t>(diffuse);
   return fitted;
 }
 
-bool isMeasured(const VariantKey& key) { return usesFeature(key, "MERL_BRDF") || usesFeature(key, "UTIA_BRDF"); }
+bool isMeasured(const VariantKey& key) {
+  return usesFeature(key, Feature::merlBrdf) || usesFeature(key, Feature::utiaBrdf);
+}
 
 }  // namespace facet::shading

@@ -1,7 +1,8 @@
 #pragma once
 
 // The one table of what a drawn primitive may need from its shader. Variant keys, defines, statistics and inspect's
-// output are derived from it. To add a feature: a row here, its chunk in shaders/, its twin in optics/, its tests.
+// output are derived from it. To add a feature: a row in features.inc, its chunk in shaders/, its twin in optics/, its
+// tests.
 
 #include <cstdint>
 #include <span>
@@ -72,21 +73,41 @@ struct FeatureInput {
   Deformation deformation = {};
 };
 
+enum class Feature : uint8_t {
+#define FEATURE(name, ...) name,
+#include "shading/features.inc"
+#undef FEATURE
+};
+
+enum class FeatureRole : uint8_t {
+  attribute,  // of the vertices, or another buffer of the primitive
+  surface,
+  layer,    // scene::Effect: changes how the surface reflects
+  passage,  // scene::Effect: what passes through it
+  texture,  // scene::TextureSlot
+  light,
+  measured,  // takes the place of all lit materials
+};
+
 struct FeatureRow {
+  Feature feature;
   const char* name;    // for people
   const char* define;  // for the shader
+  FeatureRole role;
   bool (*usedBy)(const FeatureInput&);
 };
 
-// Bit i of a key is row i.
+// Row i is that of Feature(i).
 std::span<const FeatureRow> featureTable();
+
+constexpr uint64_t bitOf(Feature feature) { return uint64_t{1} << static_cast<int>(feature); }
 
 // True where the draw's shader reads the slot's texture.
 bool samplesSlot(const FeatureInput& input, scene::TextureSlot slot);
 
 // Everything that decides which program a draw gets; compared by value.
 struct VariantKey {
-  uint64_t features = 0;
+  uint64_t features = 0;  // bitOf
   uint8_t channel = 0;
   uint16_t imageLightSamples = 0;
   // Models other than the default that the draw can show: indices of optics::Models' enumerations.
@@ -104,10 +125,14 @@ std::string variantName(const VariantKey& key);  // "normal, uv0, base colour te
 // The bits of the key that ask for a vertex attribute or another buffer of the primitive.
 uint64_t attributeBits(const VariantKey& key);
 
-std::string texCoordDefine(int set);  // "HAS_TEXCOORD_3"
+constexpr bool usesFeature(const VariantKey& key, Feature feature) { return (key.features & bitOf(feature)) != 0; }
 
-// True where the key's draws read punctual lights, the environment, the DFG table.
-bool usesFeature(const VariantKey& key, const char* define);
+// TEXCOORD_n, n < scene::maxTexCoordSets.
+constexpr Feature texCoordFeature(int set) { return static_cast<Feature>(static_cast<int>(Feature::uv0) + set); }
+static_assert(texCoordFeature(scene::maxTexCoordSets - 1) == Feature::uv7);
+
+// True where the key's draws look the DFG table up.
+bool readsDfgTable(const VariantKey& key);
 
 // How many fitted look-ups of the environment each of its lobes takes; 0: none, or others.
 int imageLightTaps(const VariantKey& key);

@@ -21,13 +21,13 @@ uint8_t energyIndex(const FeatureInput& in, const VariantKey& key) {
   optics::EnergyModel chosen = in.frame.models.energy;
   // Where light is sampled: against path-traced rough metals under a sun, Kulla and Conty's lobe is nearer than a
   // scaled one, 3.3 / 255 in the place of 4.6, for 1.2 times the time. It has no table for a grain.
-  if (chosen == usual && in.frame.imageLightSamples != 0 && !usesFeature(key, "HAS_ANISOTROPY"))
+  if (chosen == usual && in.frame.imageLightSamples != 0 && !usesFeature(key, Feature::anisotropy))
     chosen = optics::EnergyModel::kullaConty;
   // Lobes other than GGX with Smith's term have no compensation; what they leave for the base has.
-  const bool lights = usesFeature(key, "HAS_PUNCTUAL_LIGHTS") &&
+  const bool lights = usesFeature(key, Feature::punctualLights) &&
                       ((key.distribution == 0 && key.masking == 0) || hasDielectric(in.material));
-  const bool distant = usesFeature(key, "HAS_ENVIRONMENT") || usesFeature(key, "HAS_TRANSMISSION") ||
-                       usesFeature(key, "HAS_DIFFUSE_TRANSMISSION");
+  const bool distant = usesFeature(key, Feature::environment) || usesFeature(key, Feature::transmission) ||
+                       usesFeature(key, Feature::diffuseTransmission);
   const bool differs = (lights && optics::lightEnergy(chosen) != optics::lightEnergy(usual)) ||
                        (distant && optics::distantEnergy(chosen) != optics::distantEnergy(usual));
   return differs ? static_cast<uint8_t>(chosen) : 0;
@@ -42,12 +42,12 @@ std::string vec3Text(const glm::dvec3& v) {
 }  // namespace
 
 void setModels(const FeatureInput& in, VariantKey& key) {
-  const bool lights = usesFeature(key, "HAS_PUNCTUAL_LIGHTS"), environment = usesFeature(key, "HAS_ENVIRONMENT");
+  const bool lights = usesFeature(key, Feature::punctualLights), environment = usesFeature(key, Feature::environment);
   const bool sampled = key.imageLightSamples != 0;
   const scene::Material& m = in.material;
   const optics::Models& models = in.frame.models;
   if ((lights || environment) && hasDielectric(m)) key.diffuse = static_cast<uint8_t>(models.diffuse);
-  if (lights && !usesFeature(key, "HAS_ANISOTROPY")) {  // a grain is GGX's
+  if (lights && !usesFeature(key, Feature::anisotropy)) {  // a grain is GGX's
     const auto own = static_cast<int>(m.microfacets) - static_cast<int>(scene::Microfacets::ggx);
     key.distribution = static_cast<uint8_t>(own >= 0 ? own : static_cast<int>(models.distribution));
     key.masking = static_cast<uint8_t>(models.masking);
@@ -95,9 +95,9 @@ void addModelNames(const VariantKey& key, std::string& name) {
 }
 
 int imageLightTaps(const VariantKey& key) {
-  if (!usesFeature(key, "HAS_ENVIRONMENT") || key.imageLightSamples != 0) return 0;
+  if (!usesFeature(key, Feature::environment) || key.imageLightSamples != 0) return 0;
   // A grain has look-ups of its own.
-  if (usesFeature(key, "HAS_ANISOTROPY") && !usesFeature(key, "HAS_CLEARCOAT")) return 0;
+  if (usesFeature(key, Feature::anisotropy) && !usesFeature(key, Feature::clearcoat)) return 0;
   const auto lookUp = static_cast<optics::ImageLight>(key.imageLight);
   return optics::tapsOf(lookUp == optics::ImageLight::automatic ? optics::usualLookUp : lookUp);
 }

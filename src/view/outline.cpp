@@ -66,7 +66,7 @@ Result<void> drawLine(Viewport& viewport, const Rectangle& where, float scale) {
   glEnable(GL_SCISSOR_TEST);
   glScissor(where.x, where.y, where.width, where.height);
   outline.mask.color.bind(layout::sourceUnit);
-  (*program)->set(0, glm::vec4(1.0f, 0.66f, 0.20f, 2 * scale));
+  (*program)->set(layout::outlineLineLocation, glm::vec4(1.0f, 0.66f, 0.20f, 2 * scale));
   glUseProgram((*program)->id());
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glDisable(GL_SCISSOR_TEST);

@@ -52,10 +52,9 @@ for filter in clearcoat textured lights-only; do
 done
 
 mistake "the coat's NoV is the base's" clearcoat material_layers.glsl \
-  's.coat.NoV = clamp(dot(s.coat.N, s.V), minNoV, 1.0);' 's.coat.NoV = s.NoV;'
+  'float NoV = clamp(dot(N, s.V), minNoV, 1.0);' 'float NoV = s.NoV;'
 mistake "sRGB is not decoded" textured material.glsl \
-  'color *= texture(baseColorTexture, slotTexCoord(v, baseColorUnit));' \
-  'color *= pow(texture(baseColorTexture, slotTexCoord(v, baseColorUnit)), vec4(vec3(1.0 / 2.2), 1.0));'
+  'baseColorTexel(v)' 'pow(baseColorTexel(v), vec4(vec3(1.0 / 2.2), 1.0))'
 mistake "the normal texture's green is flipped" textured material.glsl \
   'vec3 n = texel * 2.0 - 1.0;' 'vec3 n = (texel * 2.0 - 1.0) * vec3(1.0, -1.0, 1.0);'
 mistake "roughness in place of alpha" lights-only bsdf.glsl \

@@ -145,7 +145,7 @@ optics::Surface surfaceOf(const scene::Material& m, const glm::dvec3& N, const g
                           const glm::dvec3& dNdy) {
   const auto overPixel = [&](float r) { return optics::roughnessOverPixel(double(r), dNdx, dNdy); };
   optics::Surface s{glm::dvec3(1), double(m.metallicFactor), overPixel(m.perceptualRoughnessFactor)};
-  if (scene::hasDielectricSpecular(m))
+  if (has(m, scene::Effect::dielectricSpecular))
     optics::setDielectricSpecular(s, double(m.ior), double(m.specularWeight), glm::dvec3(m.specularColorFactor));
   s.coat = {double(m.clearcoatFactor), overPixel(m.clearcoatRoughnessFactor), N};
   s.sheen = {glm::dvec3(m.sheenColorFactor), double(m.sheenRoughnessFactor)};
@@ -194,6 +194,42 @@ TEST_CASE("Layers: one light on spheres is what the twin says") {
     worst = std::max(worst, largest);
   }
   CHECK(worst > 0);
+}
+
+TEST_CASE("Layers: what shines by itself looks alike where nothing lights it and where a light of no intensity does") {
+  std::vector<Extension> all(std::begin(extensions), std::end(extensions));
+  const auto glass = [](scene::Material& m, float) { m.transmissionFactor = 0.7f; };
+  all.push_back({"transmission", glass});
+  all.push_back({"transmission, all", [&](scene::Material& m, float r) { all[20].apply(m, r), glass(m, r); }});
+  all.push_back({"volume", [&](scene::Material& m, float r) { glass(m, r), m.thicknessFactor = 0.1f; }});
+  all.push_back({"diffuse transmission", [](scene::Material& m, float) { m.diffuseTransmissionFactor = 0.5f; }});
+  test::Studio studio;
+  double darkest = 1;
+  for (const Extension& extension : all) {
+    io::LoadedModel model = sphereRow(extension);
+    for (scene::Material& m : model.model.materials) m.emissiveFactor = {1, 0.5f, 0.25f};
+    PictureSettings settings = rowSettings("none");
+    settings.frame.background = frame::Background::color;
+    settings.frame.backgroundColor = {0.2f, 0.4f, 0.1f};
+    const frame::Picture alone = studio.render(model, settings);
+    scene::Light light;
+    light.intensity = 0;
+    model.model.lights.push_back(light);
+    scene::Node node;
+    node.light = int(model.model.lights.size()) - 1;
+    model.model.scenes[0].nodes.push_back(int(model.model.nodes.size()));
+    model.model.nodes.push_back(node);
+    const frame::Picture lit = studio.render(model, settings);
+    REQUIRE(alone.radiance.pixels.size() == lit.radiance.pixels.size());
+    float most = 0;
+    for (size_t i = 0; i < alone.radiance.pixels.size(); ++i)
+      for (int c = 0; c < 4; ++c)
+        most = std::max(most, std::abs(alone.radiance.pixels[i][c] - lit.radiance.pixels[i][c]));
+    INFO(extension.name);
+    CHECK(most < 1e-3f);  // a half's rounding
+    darkest = std::min(darkest, double(test::pixel(alone.radiance, 2 * cell + cell / 2, cell / 2).r));
+  }
+  CHECK(darkest < 0.97);  // a coat takes its share
 }
 
 TEST_CASE("Layers: a plain material costs the same beside one that has them all") {

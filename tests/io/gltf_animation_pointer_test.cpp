@@ -57,7 +57,7 @@ TEST_CASE("Every pointer that is known", "[io][animations]") {
       {"/nodes/1/extensions/KHR_node_visibility/visible", AnimatedProperty::visible, 1, 1},
       {"/materials/1/pbrMetallicRoughness/baseColorFactor", AnimatedProperty::baseColorFactor, 1, 4},
       {"/materials/0/pbrMetallicRoughness/metallicFactor", AnimatedProperty::metallicFactor, 0, 1},
-      {"/materials/1/pbrMetallicRoughness/roughnessFactor", AnimatedProperty::roughnessFactor, 1, 1},
+      {"/materials/1/pbrMetallicRoughness/roughnessFactor", AnimatedProperty::perceptualRoughnessFactor, 1, 1},
       {"/materials/1/emissiveFactor", AnimatedProperty::emissiveFactor, 1, 3},
       {"/materials/1/alphaCutoff", AnimatedProperty::alphaCutoff, 1, 1},
       {"/materials/1/normalTexture/scale", AnimatedProperty::normalScale, 1, 1},

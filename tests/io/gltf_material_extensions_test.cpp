@@ -53,7 +53,7 @@ TEST_CASE("Interface: ior and specular", "[io][gltf]") {
   CHECK(m[1].specularWeight == 1);
   CHECK(m[1].specularColorFactor == glm::vec3(1));
   CHECK_FALSE(m[1].specular);
-  CHECK_FALSE(hasDielectricSpecular(m[1]));
+  CHECK_FALSE(has(m[1], scene::Effect::dielectricSpecular));
   CHECK(m[2].ior == 0);
   CHECK(m[3].ior == 1);
   CHECK(m[4].ior == 1);

@@ -279,7 +279,7 @@ TEST_CASE("Pointers set materials, and values stay in range") {
   CHECK(material(P::baseColorFactor, {0.1f, -1, 7, 0.5f}).baseColorFactor == glm::vec4(0.1f, 0, 1, 0.5f));
   CHECK(material(P::metallicFactor, {-0.5f}).metallicFactor == 0);
   CHECK(material(P::metallicFactor, {0.25f}).metallicFactor == 0.25f);
-  CHECK(material(P::roughnessFactor, {1.5f}).perceptualRoughnessFactor == 1);
+  CHECK(material(P::perceptualRoughnessFactor, {1.5f}).perceptualRoughnessFactor == 1);
   CHECK(material(P::emissiveFactor, {0.5f, -3, 2}).emissiveFactor == glm::vec3(0.5f, 0, 1));
   CHECK(material(P::emissiveStrength, {-2}).emissiveStrength == 0);
   CHECK(material(P::emissiveStrength, {200}).emissiveStrength == 200);

@@ -124,7 +124,7 @@ TEST_CASE("Textures that an animation brings out are used over time") {
   };
   const Row rows[] = {{TextureSlot::baseColor, {P::baseColorFactor}},
                       {TextureSlot::metallicRoughness, {P::metallicFactor}},
-                      {TextureSlot::metallicRoughness, {P::roughnessFactor}},
+                      {TextureSlot::metallicRoughness, {P::perceptualRoughnessFactor}},
                       {TextureSlot::normal, {P::normalScale}},
                       {TextureSlot::occlusion, {P::occlusionStrength}},
                       {TextureSlot::emissive, {P::emissiveFactor, P::emissiveStrength}}};
@@ -223,7 +223,7 @@ TEST_CASE("An animated factor brings out the textures of its effect") {
     for (float& value : components(m, property)) value = 0;
     if (property.property == AnimatedProperty::iridescenceThicknessMinimum) m.iridescenceThicknessMaximum = 0;
     if (property.property == AnimatedProperty::metallicFactor) m.perceptualRoughnessFactor = 0;
-    if (property.property == AnimatedProperty::roughnessFactor) m.metallicFactor = 0;
+    if (property.property == AnimatedProperty::perceptualRoughnessFactor) m.metallicFactor = 0;
     const bool matters = !unused(m).empty();
     const auto p = property.property;
     using P = AnimatedProperty;

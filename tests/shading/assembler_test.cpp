@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 #include <map>
+#include <regex>
+#include <set>
 
 #include "shading/embedded_shaders.hpp"
 #include "support/temporary_folder.hpp"
@@ -37,19 +39,87 @@ TEST_CASE("Assembler: version, defines, #line of every file and of what follows 
   CHECK(assembled->files == std::vector<std::string>{"main.glsl", "passes/b.glsl"});
 }
 
-TEST_CASE("Assembler: a file that two others include keeps one number and one guard") {
-  const auto assembled = shading::assemble("main.glsl", {},
-                                           files({{"main.glsl", "#include \"left.glsl\"\n#include \"right.glsl\"\n"},
-                                                  {"left.glsl", "#include \"shared.glsl\"\nint left;\n"},
-                                                  {"right.glsl", "#include \"shared.glsl\"\nint right;\n"},
-                                                  {"shared.glsl", "int both;\n"}}));
+TEST_CASE("Assembler: a file that two others include keeps one number and stands once") {
+  const std::map<std::string, std::string> texts = {{"left.glsl", "#include \"shared.glsl\"\nint left;\n"},
+                                                    {"right.glsl", "#include \"shared.glsl\"\nint right;\n"},
+                                                    {"shared.glsl", "int both;\n"}};
+  const auto assembled = [&](const std::string& main) {
+    std::map<std::string, std::string> all = texts;
+    all["main.glsl"] = main;
+    const auto result = shading::assemble("main.glsl", {}, files(all));
+    REQUIRE(result);
+    CHECK(result->files == std::vector<std::string>{"main.glsl", "left.glsl", "shared.glsl", "right.glsl"});
+    return result->text;
+  };
+  const auto count = [](const std::string& text, const std::string& what) {
+    int found = 0;
+    for (size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++found;
+    return found;
+  };
+  const std::string plain = assembled("#include \"left.glsl\"\n#include \"right.glsl\"\n");
+  CHECK(count(plain, "int both;") == 1);
+  CHECK(plain.find("#line 1 3\n\nint right;") != std::string::npos);
+  // In the same branch or one within it, but not behind it, nor in the other one: there the guard decides.
+  CHECK(count(assembled("#ifdef A\n#include \"left.glsl\"\n# if B\n#include \"right.glsl\"\n# endif\n#endif\n"),
+              "int both;") == 1);
+  CHECK(count(assembled("#ifdef A\n#include \"left.glsl\"\n#endif\n#include \"right.glsl\"\n"), "int both;") == 2);
+  const std::string guarded = assembled("#ifdef A\n#include \"left.glsl\"\n#else\n#include \"right.glsl\"\n#endif\n");
+  CHECK(count(guarded, "#ifndef FACET_INCLUDED_shared_glsl\n#define FACET_INCLUDED_shared_glsl\n") == 2);
+}
+
+TEST_CASE("Assembler: a chunk or the one that stands for its absence") {
+  const auto reader = files({{"main.glsl", "#include \"layers/film.glsl\" if HAS_FILM  // thin\n"},
+                             {"layers/film.glsl", "int film;\n"},
+                             {"layers/film_none.glsl", "int none;\n"}});
+  const auto with = shading::assemble("main.glsl", {{"HAS_FILM"}}, reader);
+  REQUIRE(with);
+  CHECK(with->files == std::vector<std::string>{"main.glsl", "layers/film.glsl"});
+  const auto without = shading::assemble("main.glsl", {{"HAS_FILMS"}}, reader);
+  REQUIRE(without);
+  CHECK(without->files == std::vector<std::string>{"main.glsl", "layers/film_none.glsl"});
+  CHECK(without->text.find("int none;") != std::string::npos);
+  CHECK(problem({{"main.glsl", "#include \"a.glsl\" if X\n"}, {"a.glsl", ""}}) ==
+        "shaders/a_none.glsl: main.glsl:1: there is no such shader file.");
+}
+
+TEST_CASE("Assembler: a list counts as often as it is named") {
+  const auto assembled = shading::assemble(
+      "main.glsl", {}, files({{"main.glsl", "#include \"a.inc\"\n#include \"a.inc\"\n"}, {"a.inc", "ROW\n"}}));
   REQUIRE(assembled);
-  CHECK(assembled->files == std::vector<std::string>{"main.glsl", "left.glsl", "shared.glsl", "right.glsl"});
-  size_t guards = 0;
-  const std::string guard = "#ifndef FACET_INCLUDED_shared_glsl\n#define FACET_INCLUDED_shared_glsl\n#line 1 2\n";
-  for (size_t at = assembled->text.find(guard); at != std::string::npos; at = assembled->text.find(guard, at + 1))
-    ++guards;
-  CHECK(guards == 2);
+  CHECK(assembled->text == "#version 450 core\n#line 1 0\n#line 1 1\nROW\n#line 2 0\n#line 1 1\nROW\n#line 3 0\n");
+}
+
+TEST_CASE("Shaders: what is included on a condition has its pair, of equal functions") {
+  const std::regex include(R"re(#include "([^"]+)\.glsl" if )re");
+  // Signatures, without the names of arguments' files: "vec3 filmedMetal(Film film, float VoH, vec3 F, vec3 f0)".
+  const auto functions = [](const std::string& text) {
+    static const std::regex head(R"re((?:^|\n)(\w+ \w+\([^{};]*\)) \{)re");
+    std::set<std::string> found;
+    for (auto it = std::sregex_iterator(text.begin(), text.end(), head); it != std::sregex_iterator(); ++it) {
+      const std::string signature = std::regex_replace((*it)[1].str(), std::regex(R"re(\s+)re"), " ");
+      found.insert(signature);
+    }
+    return found;
+  };
+  const shading::ShaderReader reader = shading::shaderReader();
+  int pairs = 0;
+  for (const shading::EmbeddedShader& file : shading::embeddedShaders()) {
+    const std::string text(file.text);
+    for (auto it = std::sregex_iterator(text.begin(), text.end(), include); it != std::sregex_iterator(); ++it) {
+      const std::string name = (*it)[1].str();
+      const auto whole = reader(name + ".glsl"), none = reader(name + "_none.glsl");
+      INFO(name);
+      REQUIRE((whole && none));
+      const std::set<std::string> offered = functions(*whole);
+      // What the pair has must be there in the whole one; what only the latter has is its own affair.
+      for (const std::string& signature : functions(*none)) {
+        INFO(signature);
+        CHECK(offered.count(signature) == 1);
+      }
+      ++pairs;
+    }
+  }
+  CHECK(pairs > 15);
 }
 
 TEST_CASE("Assembler: what is wrong names the file and the including line") {
@@ -85,4 +155,53 @@ TEST_CASE("Shader reader: embedded files, and a folder in their place") {
   const auto reader = shading::shaderReader(folder.path());
   CHECK(reader("own.glsl") == "int own;\n");
   CHECK_FALSE(reader("microfacet.glsl"));
+}
+
+namespace {
+
+// By name of function, all overloads of it: what it calls. Macros count as callers of what they hold, under "#define".
+std::map<std::string, std::set<std::string>> callsOfShaders(std::set<std::string>& entries) {
+  static const std::regex head(R"re((?:^|\n)\w+ (\w+)\([^;{}]*\) \{)re"), call(R"re((\w+)\()re"),
+      comment(R"re(//[^\n]*)re"), macro(R"re(#define (?:[^\n]*\\\n)*[^\n]*)re");
+  std::map<std::string, std::set<std::string>> calls;
+  const auto add = [&](const std::string& caller, const std::string& body) {
+    for (auto it = std::sregex_iterator(body.begin(), body.end(), call); it != std::sregex_iterator(); ++it)
+      calls[caller].insert((*it)[1].str());
+  };
+  for (const shading::EmbeddedShader& file : shading::embeddedShaders()) {
+    const std::string text = std::regex_replace(std::string(file.text), comment, "");
+    for (auto it = std::sregex_iterator(text.begin(), text.end(), macro); it != std::sregex_iterator(); ++it)
+      add("#define", it->str());
+    for (auto it = std::sregex_iterator(text.begin(), text.end(), head); it != std::sregex_iterator(); ++it) {
+      size_t at = static_cast<size_t>(it->position() + it->length());
+      const size_t first = at;
+      for (int depth = 1; depth > 0 && at < text.size(); ++at) depth += text[at] == '{' ? 1 : text[at] == '}' ? -1 : 0;
+      const std::string name = (*it)[1].str();
+      calls[name];
+      add(name, text.substr(first, at - first));
+      // ggxValue: what stands beside its sample and density for the tests of these.
+      if (name == "main" || name == "ggxValue" || file.path == "bsdf_sampling.glsl") entries.insert(name);
+    }
+  }
+  return calls;
+}
+
+}  // namespace
+
+TEST_CASE("Shaders: every function is in a picture, or in the surface's samples that passes to come will draw") {
+  std::set<std::string> reached = {"#define"};
+  const std::map<std::string, std::set<std::string>> calls = callsOfShaders(reached);
+  CHECK(calls.size() > 200);
+  std::vector<std::string> open(reached.begin(), reached.end());
+  while (!open.empty()) {
+    const auto caller = calls.find(open.back());
+    open.pop_back();
+    if (caller == calls.end()) continue;
+    for (const std::string& name : caller->second)
+      if (reached.insert(name).second) open.push_back(name);
+  }
+  for (const auto& [name, called] : calls) {
+    INFO(name << " is in no picture: use it or drop it");
+    CHECK(reached.count(name) == 1);
+  }
 }

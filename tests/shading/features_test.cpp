@@ -72,13 +72,13 @@ TEST_CASE("Variants hold what material, vertices and frame use, and nothing else
   CHECK(std::popcount(shading::attributeBits(key)) == 3);
   // A normal texture is no attribute, though its define begins like the normals'.
   const auto bumped = shading::variantKey({fullMaterial(), full, lit});
-  REQUIRE(shading::usesFeature(bumped, "HAS_NORMAL_TEXTURE"));
+  REQUIRE(shading::usesFeature(bumped, shading::Feature::normalTexture));
   CHECK(std::popcount(shading::attributeBits(bumped)) == 3);  // normals, tangents, uv0
 
   Material shiny = fullMaterial();
   shiny.specularGlossiness = true;
   CHECK(variant(shiny, full, lit) ==
-        "normals, tangents, uv0, base colour texture, specular-glossiness, metallic-roughness texture, normal texture, "
+        "normals, tangents, uv0, specular-glossiness, base colour texture, metallic-roughness texture, normal texture, "
         "occlusion texture, emissive texture, punctual lights, environment");
   CHECK(variant(shiny, full, view("roughness")) ==
         "uv0, specular-glossiness, metallic-roughness texture, unlit, view of roughness");
@@ -137,6 +137,29 @@ TEST_CASE("Variants: combinations without sense fold") {
   CHECK(variant(moved, full, {}) == "normals");
 }
 
+TEST_CASE("Variants: nothing of an extension where no light reaches it") {
+  const Primitive full = fullPrimitive();
+  Material m;
+  m.clearcoatFactor = m.sheenColorFactor.r = m.iridescenceFactor = m.diffuseTransmissionFactor = 1;
+  m.clearcoatRoughnessFactor = 1;
+  m.clearcoatRoughness.texture = m.sheenColor.texture = 0;
+  CHECK(variant(m, full, {}) == "normals");
+  CHECK_FALSE(shading::samplesSlot({m, full, {}}, scene::TextureSlot::clearcoatRoughness));
+  // What shines by itself shines through the coat.
+  m.emissiveFactor = glm::vec3(1);
+  CHECK(variant(m, full, {}) == "normals, uv0, clearcoat, clearcoat roughness texture");
+  CHECK(shading::readsDfgTable(shading::variantKey({m, full, {}})));
+  m.emissiveStrength = 0;
+  CHECK(variant(m, full, {}) == "normals");
+  CHECK_FALSE(shading::readsDfgTable(shading::variantKey({m, full, {}})));
+  // What is behind shines through all of them.
+  m.transmissionFactor = 1;
+  CHECK(variant(m, full, {}) ==
+        "normals, uv0, clearcoat, sheen, iridescence, transmission, diffuse transmission, clearcoat roughness texture, "
+        "sheen colour texture");
+  CHECK(shading::readsDfgTable(shading::variantKey({m, full, {}})));
+}
+
 TEST_CASE("Debug views read what they show and nothing else") {
   const Primitive full = fullPrimitive();
   const Material all = fullMaterial();
@@ -160,20 +183,33 @@ TEST_CASE("The feature table: one define and one bit each, keys compare by value
   std::set<std::string> names, defines;
   for (const shading::FeatureRow& row : table) names.insert(row.name), defines.insert(row.define);
   CHECK(names.size() == table.size());
+  for (size_t i = 0; i < table.size(); ++i) CHECK(table[i].feature == shading::Feature(i));
+  for (const scene::TextureSlot slot : scene::textureSlots)
+    CHECK(table[size_t(shading::Feature::baseColorTexture) + size_t(slot)].role == shading::FeatureRole::texture);
   CHECK(defines.size() == table.size());
 
   const Primitive full = fullPrimitive();
   const auto key = shading::variantKey({fullMaterial(), full, lit});
   CHECK(key == shading::variantKey({fullMaterial(), full, lit}));
   CHECK(key != shading::variantKey({fullMaterial(), full, {}}));
-  CHECK(shading::usesFeature(key, "HAS_ENVIRONMENT"));
-  CHECK_FALSE(shading::usesFeature(key, "UNLIT"));
+  CHECK(shading::usesFeature(key, shading::Feature::environment));
+  CHECK_FALSE(shading::usesFeature(key, shading::Feature::unlit));
   const auto shown = shading::variantKey({Material{}, full, view("metallic")});
   const auto list = shading::variantDefines(shown);
-  REQUIRE(list.size() == 2);
+  REQUIRE(list.size() == 4);
   CHECK(list[0].name == "UNLIT");
-  CHECK(list[1].name == "CHANNEL");
-  CHECK(list[1].value == std::to_string(shading::channelIndex("metallic")));
+  CHECK(list[1].name == "EACH_TEXTURE(DO)");
+  CHECK(list[1].value == "");
+  CHECK(list[2].name == "EACH_ABSENT_TEXTURE(DO)");
+  CHECK(
+      list[2].value.starts_with("DO(baseColor, vec4(1.0)) DO(metallicRoughness, vec4(1.0)) DO(normal, vec4(0.5, 0.5,"));
+  CHECK(list[3].name == "CHANNEL");
+  CHECK(list[3].value == std::to_string(shading::channelIndex("metallic")));
+  Material worn;  // each texture on its own unit
+  worn.normal.texture = worn.emissive.texture = 0;
+  worn.emissiveFactor = glm::vec3(1);
+  for (const shading::Define& define : shading::variantDefines(shading::variantKey({worn, full, lit})))
+    if (define.name == "EACH_TEXTURE(DO)") CHECK(define.value == "DO(normal, 2) DO(emissive, 4) ");
   CHECK(shading::channelIndex("colour") == -1);
   CHECK(shading::channelKind(shading::channelIndex("emissive")) == shading::ChannelKind::color);
   CHECK(shading::channelKind(shading::channelIndex("normal")) == shading::ChannelKind::direction);

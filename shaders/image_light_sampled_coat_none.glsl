@@ -1,0 +1,1 @@
+vec3 underLitCoat(Surface s, vec3 below) { return below; }

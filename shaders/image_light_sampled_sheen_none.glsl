@@ -1,0 +1,1 @@
+vec3 underLitSheen(Surface s, vec3 below) { return below; }

@@ -1,0 +1,17 @@
+// The measured BRDF in the material's place; what it emits stays.
+#include "material.glsl"
+#include "measured_light.glsl"
+
+vec4 litRadiance(Varyings v, vec3 V, vec3 baseColor) {
+  MeasuredSurface s = makeMeasuredSurface(materialNormal(v, V), v.tangent, V, materialOcclusion(v));
+  vec3 radiance = materialEmission(v);
+#ifdef HAS_PUNCTUAL_LIGHTS
+  radiance += measuredPunctualLight(s, v.position);
+#endif
+#ifdef HAS_ENVIRONMENT
+  radiance += measuredImageLight(s);
+#endif
+  return vec4(radiance, 1.0);
+}
+
+vec4 unblended(vec2 pixel, float coverage) { return vec4(0.0); }
