@@ -106,7 +106,7 @@ Result<void> checkLayout(const Document& doc, const CompressedView& v) {
 }
 
 // The densest mode, ATTRIBUTES, spends two bits on sixteen bytes.
-constexpr uint64_t largestRatio = 64;
+constexpr uint64_t largestMeshoptRatio = 64;
 
 Result<void> checkSizes(const Document& doc, const CompressedView& v) {
   const auto& view = doc.gltf.bufferViews[v.view];
@@ -124,7 +124,7 @@ Result<void> checkSizes(const Document& doc, const CompressedView& v) {
                          std::to_string(view.byteLength) + " bytes of the buffer view",
                      meshoptRemedy);
   }
-  if (v.bytes() / largestRatio > v.encoded.size()) {
+  if (v.bytes() / largestMeshoptRatio > v.encoded.size()) {
     return doc.error(v.place + "/byteLength",
                      std::to_string(v.encoded.size()) + " bytes are too few to decode to " + std::to_string(v.bytes()),
                      meshoptRemedy);

@@ -8,6 +8,7 @@
 #include "layout.h"
 #include "optics/quadrature.hpp"
 #include "optics/reference.hpp"
+#include "scene/environment.hpp"
 
 using namespace facet;
 
