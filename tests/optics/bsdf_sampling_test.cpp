@@ -11,13 +11,13 @@ using namespace facet::optics;
 
 namespace {
 
-const glm::dvec3 N = glm::normalize(glm::dvec3(0.3, -0.5, 0.7));
+const glm::dvec3 sampledN = glm::normalize(glm::dvec3(0.3, -0.5, 0.7));
 
 glm::dvec3 viewAt(double NoV) {
   const double sine = std::sqrt((1 - NoV) * (1 + NoV));
-  return frameAround(N) * glm::dvec3(sine * std::cos(0.4), sine * std::sin(0.4), NoV);
+  return frameAround(sampledN) * glm::dvec3(sine * std::cos(0.4), sine * std::sin(0.4), NoV);
 }
-glm::dvec3 tangent() { return frameAround(N)[0]; }
+glm::dvec3 tangent() { return frameAround(sampledN)[0]; }
 
 struct Made {
   const char* name;
@@ -33,13 +33,13 @@ std::vector<Made> surfaces() {
       {"coloured", {.baseColor = {0.8, 0.4, 0.1}, .metallic = 0.3, .perceptualRoughness = 0.5}},
   };
   Made coated{"white below a coat", {.baseColor = glm::dvec3(1), .metallic = 0.5, .perceptualRoughness = 0.6}};
-  coated.surface.coat = {1, 0.5, N};
+  coated.surface.coat = {1, 0.5, sampledN};
   all.push_back(coated);
   Made layered{"all layers", {.baseColor = {0.9, 0.5, 0.2}, .metallic = 0.4, .perceptualRoughness = 0.6}};
   layered.surface.grain = {0.6, tangent()};
   layered.surface.film = {0.7, 1.4, 350};
   layered.surface.sheen = {{0.9, 0.3, 0.5}, 0.5};
-  layered.surface.coat = {0.6, 0.4, glm::normalize(N + 0.2 * tangent())};
+  layered.surface.coat = {0.6, 0.4, glm::normalize(sampledN + 0.2 * tangent())};
   all.push_back(layered);
   Made thin{"thin glass", {.baseColor = glm::dvec3(1), .metallic = 0, .perceptualRoughness = 0.5, .diffuseShare = 0}};
   thin.through = {.share = glm::dvec3(0.7), .diffuse = glm::dvec3(0.3), .alpha = 0.25};
@@ -59,7 +59,7 @@ struct At {
 };
 At prepare(const Made& made, double NoV) {
   At at{viewAt(NoV), {}, made.through, {}};
-  at.albedos = albedosOf(made.surface, N, at.V, at.V);  // sheen's E at L: as at V
+  at.albedos = albedosOf(made.surface, sampledN, at.V, at.V);  // sheen's E at L: as at V
   const Dfg dfg = integrateDfg(NoV, at.through.alpha);
   at.through.albedo = dfg.A + dfg.B;
   at.chances = lobeChances(made.surface, at.albedos, at.through, NoV);
@@ -74,14 +74,14 @@ TEST_CASE("BSDF samples follow their density, chi squared, significance 0.1 %") 
       const At at = prepare(made, NoV);
       CHECK(std::accumulate(at.chances.begin(), at.chances.end(), 0.0) == Approx(1).epsilon(1e-12));
       const auto sample = [&](const glm::dvec3& u, glm::dvec3& L) {
-        const BsdfSample drawn = sampleBsdf(made.surface, at.through, at.chances, N, at.V, u);
+        const BsdfSample drawn = sampleBsdf(made.surface, at.through, at.chances, sampledN, at.V, u);
         L = drawn.L;
         return drawn.density > 0;
       };
       const auto density = [&](const glm::dvec3& L) {
-        return bsdfDensity(made.surface, at.through, at.chances, N, at.V, L);
+        return bsdfDensity(made.surface, at.through, at.chances, sampledN, at.V, L);
       };
-      const test::ChiSquared chi = test::chiSquared({N, 1e12}, sample, density, 50'000);
+      const test::ChiSquared chi = test::chiSquared({sampledN, 1e12}, sample, density, 50'000);
       INFO(made.name << " NoV " << NoV << ": chance " << chi.chance << ", density's integral " << chi.total
                      << ", drawn " << chi.drawn);
       CHECK(chi.chance > 1e-3);
@@ -99,14 +99,14 @@ TEST_CASE("BSDF: the white furnace by sampling") {
       for (uint32_t i = 0; i < count; ++i) {
         const glm::dvec2 u = hammersley(i, count);
         const glm::dvec3 point(u, std::fmod((i + 0.5) * 0.6180339887498949, 1.0));
-        const BsdfSample drawn = sampleBsdf(made.surface, at.through, at.chances, N, at.V, point);
+        const BsdfSample drawn = sampleBsdf(made.surface, at.through, at.chances, sampledN, at.V, point);
         if (drawn.density > 0) {
-          const glm::dvec3 value = evaluate(made.surface, at.albedos, at.through, N, at.V, drawn.L);
+          const glm::dvec3 value = evaluate(made.surface, at.albedos, at.through, sampledN, at.V, drawn.L);
           sampled += value / drawn.density / double(count);
           largest = std::max(largest, value.r / drawn.density);
         }
-        even +=
-            evaluate(made.surface, at.albedos, at.through, N, at.V, goldenSpiral(i, count)) * 4.0 * pi / double(count);
+        even += evaluate(made.surface, at.albedos, at.through, sampledN, at.V, goldenSpiral(i, count)) * 4.0 * pi /
+                double(count);
       }
       INFO(made.name << " NoV " << NoV << ": sampled " << sampled.r << " " << sampled.g << " " << sampled.b << ", even "
                      << even.r << " " << even.g << " " << even.b << ", largest weight " << largest);
@@ -120,7 +120,7 @@ TEST_CASE("BSDF: the white furnace by sampling") {
 TEST_CASE("BSDF: a black surface is sampled as a mirror would be") {
   const Surface black{
       .baseColor = glm::dvec3(0), .metallic = 0, .perceptualRoughness = 0.5, .f0 = glm::dvec3(0), .f90 = 0};
-  const LobeChances chances = lobeChances(black, albedosOf(black, N, N, N), {}, 1);
+  const LobeChances chances = lobeChances(black, albedosOf(black, sampledN, sampledN, sampledN), {}, 1);
   CHECK(chances[specularLobe] == 1);
-  CHECK(sampleBsdf(black, {}, chances, N, N, {0.3, 0.3, 0.9}).lobe == specularLobe);
+  CHECK(sampleBsdf(black, {}, chances, sampledN, sampledN, {0.3, 0.3, 0.9}).lobe == specularLobe);
 }

@@ -10,19 +10,17 @@
 #include "optics/transmission.hpp"
 #include "optics/transmitted.hpp"
 #include "support/chi_squared.hpp"
+#include "support/direction.hpp"
 
 using namespace facet;
 using namespace facet::optics;
 
+using facet::test::direction;
+
 namespace {
 
-glm::dvec3 direction(double cosine, double phi) {
-  const double sine = std::sqrt((1 - cosine) * (1 + cosine));
-  return {sine * std::cos(phi), sine * std::sin(phi), cosine};
-}
-
 // One lobe at one V.
-struct Case {
+struct LobeCase {
   std::string name;
   glm::dvec3 axis;  // of the bins
   double width;
@@ -31,8 +29,8 @@ struct Case {
   double albedo;  // the mean weight
 };
 
-std::vector<Case> cases() {
-  std::vector<Case> all;
+std::vector<LobeCase> lobeCases() {
+  std::vector<LobeCase> all;
   const glm::dvec3 up(0, 0, 1);
   for (const double NoV : {0.15, 0.9})
     for (const double alpha : {0.1, 0.6}) {
@@ -82,7 +80,7 @@ std::vector<Case> cases() {
 }  // namespace
 
 TEST_CASE("Lobes: samples follow their densities, chi squared, significance 0.1 %") {
-  for (const Case& c : cases()) {
+  for (const LobeCase& c : lobeCases()) {
     const auto sample = [&](const glm::dvec3& u, glm::dvec3& L) {
       const LobeSample drawn = c.sample(glm::dvec2(u));
       L = drawn.L;
@@ -97,7 +95,7 @@ TEST_CASE("Lobes: samples follow their densities, chi squared, significance 0.1 
 
 TEST_CASE("Lobes: a sample's weight is value over density, and its mean the albedo") {
   constexpr uint32_t count = 16384;
-  for (const Case& c : cases()) {
+  for (const LobeCase& c : lobeCases()) {
     double mean = 0, largest = 0;
     for (uint32_t i = 0; i < count; ++i) {
       const LobeSample drawn = c.sample(hammersley(i, count));
