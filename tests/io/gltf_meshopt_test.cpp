@@ -310,7 +310,7 @@ TEST_CASE("Meshopt: limits and fallbacks", "[io][meshopt]") {
   b.json["buffers"][1].erase("extensions");
   CHECK(loadMeshopt(b) == "loaded");
   b.json.erase("extensionsRequired");
-  CHECK(loadMeshopt(b) == "m: /buffers/1: has no uri; embed the buffer or meshopt its file.");
+  CHECK(loadMeshopt(b) == "m: /buffers/1: has no uri; embed the buffer or name its file.");
 }
 
 TEST_CASE("Meshopt: the KHR extension is read like EXT, and has a filter for colours", "[io][meshopt]") {
