@@ -40,6 +40,7 @@ int drawText() {
 
 TEST_CASE("Window: theme and size of letters change between frames, again and again", "[gl]") {
   test::contextInfo();  // a current context
+  glUseProgram(0);      // ImGui would return to what an earlier test may have deleted
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
   view::applyStyle(view::Theme::dark, 1);
