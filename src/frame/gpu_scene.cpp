@@ -244,6 +244,8 @@ layout::SlotUniforms slotUniforms(const scene::TextureRef& ref) {
   return {glm::vec3(rows[0]), static_cast<float>(ref.texCoord), glm::vec3(rows[1]), 0};
 }
 
+}  // namespace
+
 layout::MaterialUniforms materialUniforms(const scene::Material& m) {
   layout::MaterialUniforms out{};
 #define COPIED(type, name) out.name = m.name;
@@ -261,6 +263,8 @@ layout::MaterialUniforms materialUniforms(const scene::Material& m) {
 #undef TEXTURE_SLOT
   return out;
 }
+
+namespace {
 
 void uploadMaterials(GpuScene& gpu, const DrawList& list) {
   GLint alignment = 256;

@@ -82,6 +82,9 @@ struct GpuScene {
   size_t geometryBytes() const;
 };
 
+// As the shaders read it.
+layout::MaterialUniforms materialUniforms(const scene::Material& material);
+
 // The texture uses of the draw list's variants; where several slots read one image they share one texture. In
 // the order of images.
 std::vector<TextureUse> textureUses(const scene::Model& model, const DrawList& list);

@@ -29,28 +29,6 @@ bool meets(const Ray& ray, const Bounds& box) {
   return near <= far;
 }
 
-size_t triangleCount(const Primitive& p) {
-  const size_t corners = cornerCount(p);
-  if (p.topology == Topology::triangles) return corners / 3;
-  return hasTriangles(p.topology) && corners > 2 ? corners - 2 : 0;
-}
-
-// Counter-clockwise seen from the front, as OpenGL winds strips and fans.
-std::array<uint32_t, 3> triangleVertices(const Primitive& p, size_t triangle) {
-  std::array<size_t, 3> corners{};
-  if (p.topology == Topology::triangleStrip)
-    corners = triangle % 2 == 0 ? std::array{triangle, triangle + 1, triangle + 2}
-                                : std::array{triangle + 1, triangle, triangle + 2};
-  else if (p.topology == Topology::triangleFan)
-    corners = {0, triangle + 1, triangle + 2};
-  else
-    corners = {3 * triangle, 3 * triangle + 1, 3 * triangle + 2};
-  std::array<uint32_t, 3> vertices{};
-  for (size_t i = 0; i < 3; ++i)
-    vertices[i] = p.indices.empty() ? static_cast<uint32_t>(corners[i]) : p.indices[corners[i]];
-  return vertices;
-}
-
 struct Crossing {
   double distance;
   glm::dvec3 weights;
@@ -201,6 +179,27 @@ void forEachShape(const Model& model, const FlatScene& flat, const Pose& pose, c
 }
 
 }  // namespace
+
+size_t triangleCount(const Primitive& p) {
+  const size_t corners = cornerCount(p);
+  if (p.topology == Topology::triangles) return corners / 3;
+  return hasTriangles(p.topology) && corners > 2 ? corners - 2 : 0;
+}
+
+std::array<uint32_t, 3> triangleVertices(const Primitive& p, size_t triangle) {
+  std::array<size_t, 3> corners{};
+  if (p.topology == Topology::triangleStrip)
+    corners = triangle % 2 == 0 ? std::array{triangle, triangle + 1, triangle + 2}
+                                : std::array{triangle + 1, triangle, triangle + 2};
+  else if (p.topology == Topology::triangleFan)
+    corners = {0, triangle + 1, triangle + 2};
+  else
+    corners = {3 * triangle, 3 * triangle + 1, 3 * triangle + 2};
+  std::array<uint32_t, 3> vertices{};
+  for (size_t i = 0; i < 3; ++i)
+    vertices[i] = p.indices.empty() ? static_cast<uint32_t>(corners[i]) : p.indices[corners[i]];
+  return vertices;
+}
 
 std::vector<Hit> pick(const Model& model, const FlatScene& flat, const Pose& pose, const Ray& ray) {
   std::vector<Hit> hits;

@@ -26,6 +26,11 @@ struct Hit {
   bool front = true;                         // the ray meets the front face
 };
 
+// Triangles that a primitive draws; 0 for lines and points.
+size_t triangleCount(const Primitive& primitive);
+// The vertices of one, counter-clockwise seen from the front, as OpenGL winds strips and fans.
+std::array<uint32_t, 3> triangleVertices(const Primitive& primitive, size_t triangle);
+
 // All triangles that the ray meets, nearest first: skinned, morphed, and each instance, as the pose has them. Lines and
 // points have no area and are never met: pickThin finds them. What materials do to it (one-sided, masked, transparent)
 // is the caller's. Hidden nodes are not met. Intersections are watertight along shared edges of a mesh up to rounding
