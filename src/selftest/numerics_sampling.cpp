@@ -4,6 +4,7 @@
 #include "optics/measured_proxy.hpp"
 #include "optics/quadrature.hpp"
 #include "optics/sheen.hpp"
+#include "optics/sobol.hpp"
 #include "selftest/numerics_grid.hpp"
 
 namespace facet::selftest {
@@ -12,6 +13,58 @@ namespace {
 
 using optics::LobeSample;
 using optics::pi;
+
+// ---- points: in0 both halves of the index, of the pair; in1 of the seed
+// ---------------------------------------------------------------------
+
+uint32_t wordOf(double high, double low) { return static_cast<uint32_t>(high) << 16 | static_cast<uint32_t>(low); }
+
+const std::vector<uint32_t> ordinaryAndExtremeWords = {0,     1,          2,          77,         4095,      65535,
+                                                       65536, 0x7fffffff, 0x80000000, 0xdeadbeef, 0xffffffff};
+
+std::vector<glm::vec4> words(const std::vector<uint32_t>& third) {
+  std::vector<glm::vec4> inputs;
+  for (const uint32_t a : ordinaryAndExtremeWords)
+    for (const uint32_t b : ordinaryAndExtremeWords)
+      for (const uint32_t c : third) {
+        inputs.emplace_back(a >> 16, a & 0xffff, b >> 16, b & 0xffff);
+        inputs.emplace_back(c >> 16, c & 0xffff, 0, 0);
+      }
+  return inputs;
+}
+
+const std::string wordsOfInputs =
+    "uint a = uint(in0.x) << 16 | uint(in0.y), b = uint(in0.z) << 16 | uint(in0.w), "
+    "c = uint(in1.x) << 16 | uint(in1.y);\n";
+
+Check checkPoints() {
+  Check check = absoluteCheck(
+      "owenSobol2", "sobol.glsl", wordsOfInputs + "out0.xy = owenSobol2(a, b, c);",
+      {"index / 65536", "index % 65536", "pair / 65536", "pair % 65536", "seed / 65536", "seed % 65536"}, 2);
+  check.inputs = words(ordinaryAndExtremeWords);
+  check.twin = [](CheckVectors in) {
+    const glm::dvec2 p =
+        optics::owenSobol2(wordOf(in[0].x, in[0].y), wordOf(in[0].z, in[0].w), wordOf(in[1].x, in[1].y));
+    return CheckValues{p.x, p.y};
+  };
+  allow(check, 0, "whole numbers, and multiples of 2^-24 that a float holds");
+  return check;
+}
+
+Check checkPixelSeed() {
+  Check check = absoluteCheck(
+      "pixelSeed", "sobol.glsl",
+      wordsOfInputs + "uint seed = pixelSeed(uvec2(a, b), c);\nout0.xy = vec2(seed >> 16, seed & 65535u);",
+      {"x / 65536", "x % 65536", "y / 65536", "y % 65536", "use / 65536", "use % 65536"}, 2);
+  check.inputs = words({0, 1, 0xffffffff});
+  check.twin = [](CheckVectors in) {
+    const uint32_t seed =
+        optics::pixelSeed({wordOf(in[0].x, in[0].y), wordOf(in[0].z, in[0].w)}, wordOf(in[1].x, in[1].y));
+    return CheckValues{static_cast<double>(seed >> 16), static_cast<double>(seed & 0xffff)};
+  };
+  allow(check, 0, "whole numbers");
+  return check;
+}
 
 // ---- samplers: in0 V, alpha; in1 u, eta, the second alpha
 // -------------------------------------------------------------
@@ -316,7 +369,8 @@ Check checkWhole() {
 
 std::vector<Check> samplingChecks() {
   std::vector<Check> checks = samplerChecks();
-  for (const auto& more : {pairChecks(), std::vector<Check>{checkProxy(), checkWhole()}})
+  for (const auto& more :
+       {pairChecks(), std::vector<Check>{checkProxy(), checkWhole(), checkPoints(), checkPixelSeed()}})
     checks.insert(checks.end(), more.begin(), more.end());
   return checks;
 }

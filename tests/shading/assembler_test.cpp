@@ -180,7 +180,8 @@ std::map<std::string, std::set<std::string>> callsOfShaders(std::set<std::string
       calls[name];
       add(name, text.substr(first, at - first));
       // ggxValue: what stands beside its sample and density for the tests of these.
-      const bool ofPassesToCome = file.path == "bsdf_sampling.glsl" || file.path == "scene_by_index.glsl";
+      const bool ofPassesToCome =
+          file.path == "bsdf_sampling.glsl" || file.path == "scene_by_index.glsl" || file.path == "sobol.glsl";
       if (name == "main" || name == "ggxValue" || ofPassesToCome) entries.insert(name);
     }
   }
