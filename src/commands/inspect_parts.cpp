@@ -191,6 +191,8 @@ Json describeMeasured(const optics::MeasuredBrdf& brdf, const std::string& sourc
           {"kind", merl ? "MERL, isotropic" : "UTIA, anisotropic"},
           {"cells", brdf.values.size()},
           {"missingCells", brdf.counts.missing()},
+          {"filledCells", brdf.guess.holes()},
+          {"guessedShare", brdf.guess.energy},
           {"bytesOnGpu", frame::measuredBytes(brdf)}};
 }
 
@@ -198,6 +200,7 @@ void printMeasured(const Json& described, std::ostream& out) {
   const std::string name = described["name"], source = described["source"], kind = described["kind"];
   out << "  measured BRDF in the place of all lit materials: " << name << " (" << kind << ") from " << source << ", "
       << described["cells"] << " cells, " << described["missingCells"] << " of them missing, "
+      << described["filledCells"] << " of those above the horizon and filled, "
       << described["bytesOnGpu"].get<size_t>() / 1024 << " KiB on the GPU\n";
 }
 

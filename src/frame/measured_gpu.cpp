@@ -65,6 +65,8 @@ MeasuredBytes bytesOf(const optics::MeasuredBrdf& brdf) {
   made.facts.kind = brdf.kind;
   made.facts.cells = brdf.values.size();
   made.facts.missing = brdf.counts.missing();
+  made.facts.holes = brdf.guess.holes();
+  made.facts.guessed = brdf.guess.energy;
   made.facts.notes = io::measuredNotes(brdf);
   const optics::MeasuredProxy& proxy = made.facts.proxy = optics::fitProxy(brdf);
   made.facts.times.fitMs = clock.lap();

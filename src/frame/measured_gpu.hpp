@@ -45,7 +45,8 @@ struct MeasuredFacts {
   std::string path;  // where it was found; a built-in one: its name
   std::string name;
   optics::MeasuredKind kind = optics::MeasuredKind::merl;
-  size_t cells = 0, missing = 0;
+  size_t cells = 0, missing = 0, holes = 0;  // holes: missing ones above the horizon, which were filled
+  double guessed = 0;                        // their share of the light that it reflects
   optics::MeasuredProxy proxy;
   Notes notes;
   MeasuredTimes times;

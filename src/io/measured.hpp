@@ -24,12 +24,13 @@ std::span<const std::string_view> utiaDecodeNames();  // in the enumeration's or
 
 // A file, told by its content and size (MERL's dimensions, or UTIA's exact size), or "builtin:NAME"
 // (optics/synthetic_brdf.hpp), made on the spot. name becomes the file's stem. Read in one piece; nothing is
-// allocated before kind and size are known to fit. Errors: as readRegularFile and the decoders have them; a file of
-// neither kind; no such built-in one.
+// allocated before kind and size are known to fit. Holes are filled (optics/measured_holes.hpp). Errors: as
+// readRegularFile and the decoders have them; a file of neither kind; holes that nothing reaches; no such built-in one.
 Result<optics::MeasuredBrdf> readMeasured(const std::string& pathOrName, const MeasuredOptions& options = {});
 
-// Info: kind and size; PQBA's dimensions. Warnings: cells that are missing because of NaN or infinite values; negative
-// ones of UTIA. Negative ones of MERL are that database's own mark and only info.
+// Info: PQBA's dimensions. Warnings: cells that are missing because of NaN, infinite or too large values; negative ones
+// of UTIA (MERL's are that database's own mark and only info); how holes were filled and what share of the light is
+// guessed (info where that is less than a thousandth).
 Notes measuredNotes(const optics::MeasuredBrdf& brdf);
 
 // A file that looks like a measured BRDF: its kind by size and, for MERL, by its first twelve bytes.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "base/error.hpp"
@@ -13,10 +12,11 @@
 
 namespace facet::io {
 
-// brdf.values[i] = value(i), or missing where a channel is no finite, non-negative number; counts those. On all cores.
+// brdf.values[i] = value(i), or missing where a channel is no number from 0 to largestMeasured; counts those. On all
+// cores.
 template <class Value>
 void storeCells(optics::MeasuredBrdf& brdf, const Value& value) {
-  constexpr double largest = std::numeric_limits<float>::max();
+  constexpr double largest = optics::largestMeasured;
   const size_t count = brdf.values.size(), slab = std::max<size_t>(1, count / 32);
   std::vector<optics::MeasuredCounts> slabs((count + slab - 1) / slab);
   parallelFor(slabs.size(), [&](size_t s) {
@@ -29,8 +29,10 @@ void storeCells(optics::MeasuredBrdf& brdf, const Value& value) {
       if (valid) continue;
       if (std::isnan(v.x) || std::isnan(v.y) || std::isnan(v.z)) {
         ++counts.notANumber;
-      } else if (std::abs(v.x) > largest || std::abs(v.y) > largest || std::abs(v.z) > largest) {
+      } else if (std::isinf(v.x) || std::isinf(v.y) || std::isinf(v.z)) {
         ++counts.infinite;
+      } else if (v.x > largest || v.y > largest || v.z > largest) {
+        ++counts.tooLarge;
       } else {
         ++counts.negative;
       }
@@ -40,6 +42,7 @@ void storeCells(optics::MeasuredBrdf& brdf, const Value& value) {
   for (const optics::MeasuredCounts& counts : slabs) {
     brdf.counts.notANumber += counts.notANumber;
     brdf.counts.infinite += counts.infinite;
+    brdf.counts.tooLarge += counts.tooLarge;
     brdf.counts.negative += counts.negative;
   }
 }
@@ -47,7 +50,8 @@ void storeCells(optics::MeasuredBrdf& brdf, const Value& value) {
 inline tl::unexpected<Error> noValidCell(const std::string& file, const optics::MeasuredCounts& counts) {
   return fail(file, "",
               "holds no valid value: of its cells " + std::to_string(counts.notANumber) + " are NaN, " +
-                  std::to_string(counts.infinite) + " infinite, " + std::to_string(counts.negative) + " negative",
+                  std::to_string(counts.infinite) + " infinite, " + std::to_string(counts.tooLarge) + " too large, " +
+                  std::to_string(counts.negative) + " negative",
               "copy or download it again");
 }
 

@@ -31,11 +31,25 @@ inline constexpr double utiaLastTheta = 75;  // [degrees]
 
 // What a table stores where nothing was measured. A cell is valid where its first channel is not negative.
 inline constexpr float missingValue = -1;
+// The largest f_r [1/sr] that is taken for one: what pictures' cells hold (a mirror of alpha 1e-5 has 8e8).
+inline constexpr double largestMeasured = 65504 * 32768.0;
 
 // Cells that were stored as missing, each counted once, by the first of these that one of its channels is.
 struct MeasuredCounts {
-  size_t notANumber = 0, infinite = 0, negative = 0;  // infinite: or above the range of single precision
-  size_t missing() const { return notANumber + infinite + negative; }
+  size_t notANumber = 0, infinite = 0, tooLarge = 0, negative = 0;  // too large: finite, above largestMeasured
+  size_t missing() const { return notANumber + infinite + tooLarge + negative; }
+};
+
+// Values that were never measured: what became of the missing cells (measured_holes.hpp).
+struct MeasuredGuess {
+  size_t belowHorizon = 0;   // stay missing: no pair of directions above the horizon lies in them
+  size_t acrossHorizon = 0;  // reach above it, their centres don't: hold their neighbours' values, no holes
+  size_t reciprocal = 0;     // holes: got the value of the pair with V and L exchanged,
+  size_t between = 0;        // one between their neighbours on both sides,
+  size_t continued = 0;      // or that of the nearest ones
+  double energy = 0;         // share of what the table reflects of light from everywhere, luminance: that of the holes
+  std::vector<uint32_t> cells;  // the holes, ascending
+  size_t holes() const { return cells.size(); }
 };
 
 struct MeasuredBrdf {
@@ -46,6 +60,7 @@ struct MeasuredBrdf {
   // MERL: [theta_h][theta_d][phi_d], the last is the fastest. UTIA: [theta_L][phi_L][theta_V][phi_V].
   std::vector<glm::vec3> values;
   MeasuredCounts counts;
+  MeasuredGuess guess = {};
 };
 
 size_t cellsOf(MeasuredKind kind, int phiSteps = merlPhiSteps);

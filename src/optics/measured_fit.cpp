@@ -213,8 +213,9 @@ void normalise(AnalyticBrdf& model) {
 std::vector<FitSample> fitSamples(const MeasuredBrdf& brdf) {
   const double lowest = std::cos((utiaLastTheta + 1e-6) * pi / 180);
   std::vector<FitSample> samples;
-  const auto add = [&](const glm::dvec3& V, const glm::dvec3& L, const glm::vec3& value) {
-    if (value.x < 0 || V.z < lowest || L.z < lowest) return;
+  const auto add = [&](const glm::dvec3& V, const glm::dvec3& L, size_t cell) {
+    const glm::vec3& value = brdf.values[cell];
+    if (value.x < 0 || V.z < lowest || L.z < lowest || std::ranges::binary_search(brdf.guess.cells, cell)) return;
     samples.push_back({anglesBetween({0, 0, 1}, V, L), V, L, glm::dvec3(value), glm::dot(V, L)});
   };
   if (brdf.kind == MeasuredKind::merl) {
@@ -222,14 +223,14 @@ std::vector<FitSample> fitSamples(const MeasuredBrdf& brdf) {
       for (int y = 1; y < merlThetaSteps; y += 4)
         for (int z = 6; z < brdf.phiSteps; z += 12) {
           const Directions pair = directionsFrom(merlAngles({x + 0.5, y + 0.5, z + 0.5}));
-          add(pair.V, pair.L, brdf.values[static_cast<size_t>((x * merlThetaSteps + y) * brdf.phiSteps + z)]);
+          add(pair.V, pair.L, static_cast<size_t>((x * merlThetaSteps + y) * brdf.phiSteps + z));
         }
     return samples;
   }
   for (int l = 0; l < utiaDirections; l += 8)
     for (int v = 0; v < utiaDirections; v += 2) {
       const auto direction = [](int i) { return utiaDirection({i / utiaPhiSteps, i % utiaPhiSteps}); };
-      add(direction(v), direction(l), brdf.values[static_cast<size_t>(l * utiaDirections + v)]);
+      add(direction(v), direction(l), static_cast<size_t>(l * utiaDirections + v));
     }
   return samples;
 }

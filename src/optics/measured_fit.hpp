@@ -28,7 +28,8 @@ struct FitSample {
 };
 // Every third theta_h, fourth theta_d and twelfth phi_d of MERL's cells, at their centres, so that the highlight gets
 // the share that the database gives it; of UTIA's entries every eighth azimuth of L and second of V. Both directions at
-// most 75 degrees from the normal: beyond that the databases hold extrapolated values. Without missing cells.
+// most 75 degrees from the normal: beyond that the databases hold extrapolated values. Without cells that are missing
+// or guessed.
 std::vector<FitSample> fitSamples(const MeasuredBrdf& brdf);
 
 double fitError(const AnalyticBrdf& model, const std::vector<FitSample>& samples, FitMetric metric);

@@ -5,6 +5,7 @@
 
 #include "base/parallel.hpp"
 #include "optics/fresnel.hpp"
+#include "optics/measured_holes.hpp"
 #include "optics/models.hpp"
 
 namespace facet::optics {
@@ -39,15 +40,8 @@ constexpr SyntheticBrdf table[] = {
      AnalyticBrdf{.f0 = glm::dvec3(0.06), .albedo = blue, .alpha = {0.8, 0.4}}},
 };
 
-// Both directions are above the horizon where tan(theta_d) tan(theta_h) |cos(phi_d)| < 1: of a cell first at its least
-// angles, at the end nearer to phi_d = pi / 2.
-bool reachesAbove(int x, int y, int z) {
-  const HalfDifference least = merlAngles({x, y, z + 0.5 < merlPhiSteps / 2 ? z + 1 : z});
-  return std::tan(least.thetaD) * std::tan(least.thetaH) * std::abs(std::cos(least.phiD)) < 1;
-}
-
 glm::dvec3 merlCell(const AnalyticBrdf& formula, int x, int y, int z) {
-  if (!reachesAbove(x, y, z)) return glm::dvec3(missingValue);
+  if (!merlCellReachesAbove(x, y, z)) return glm::dvec3(missingValue);
   const auto at = [&](double u, double v, double w) { return directionsFrom(merlAngles({x + u, y + v, z + w})); };
   const auto above = [](const Directions& pair) { return pair.V.z > 0 && pair.L.z > 0; };
   const Directions centre = at(0.5, 0.5, 0.5);

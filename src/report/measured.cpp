@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "optics/color.hpp"
+#include "optics/measured_holes.hpp"
 #include "optics/microfacet.hpp"
 
 namespace facet::report {
@@ -73,13 +74,18 @@ Pairs inPlanePairs() {
 }  // namespace
 
 Table measuredContents(const std::vector<MeasuredBrdf>& brdfs) {
-  Table table{.name = "contents",
-              .title = "Measured BRDFs",
-              .note =
-                  "Cells that hold NaN, infinite or negative values count as missing (negative ones are MERL's own "
-                  "mark of what lies below the horizon). Values are f_r in 1/sr.",
-              .columns = {"name", "kind", "grid", "cells", "negative", "NaN", "infinite", "least", "largest"},
-              .rows = {}};
+  Table table{
+      .name = "contents",
+      .title = "Measured BRDFs",
+      .note =
+          "Cells that hold NaN, infinite, too large (above 2.1e9) or negative values count as missing (negative "
+          "ones are MERL's own mark of what lies below the horizon). Those above the horizon are holes and are "
+          "filled: with V and L exchanged, between their neighbours, or like the nearest ones; guessed is their "
+          "share of the light that the table reflects when light comes from everywhere. Values are f_r in 1/sr.",
+      .columns = {"name", "kind", "grid", "cells", "negative", "NaN", "infinite", "too large", "below horizon", "holes",
+                  "exchanged", "between", "nearest", "guessed", "least", "largest"},
+      .rows = {}};
+  const auto count = [](size_t cells) { return static_cast<double>(cells); };
   for (const MeasuredBrdf& brdf : brdfs) {
     const bool merl = brdf.kind == MeasuredKind::merl;
     double least = 1e300, largest = 0;
@@ -88,10 +94,12 @@ Table measuredContents(const std::vector<MeasuredBrdf>& brdfs) {
       least = std::min(least, static_cast<double>(std::min({v.x, v.y, v.z})));
       largest = std::max(largest, static_cast<double>(std::max({v.x, v.y, v.z})));
     }
-    table.rows.push_back(
-        {brdf.name, merl ? "MERL" : "UTIA", merl ? "90 x 90 x " + std::to_string(brdf.phiSteps) : "288 x 288",
-         static_cast<double>(brdf.values.size()), static_cast<double>(brdf.counts.negative),
-         static_cast<double>(brdf.counts.notANumber), static_cast<double>(brdf.counts.infinite), least, largest});
+    table.rows.push_back({brdf.name, merl ? "MERL" : "UTIA",
+                          merl ? "90 x 90 x " + std::to_string(brdf.phiSteps) : "288 x 288", count(brdf.values.size()),
+                          count(brdf.counts.negative), count(brdf.counts.notANumber), count(brdf.counts.infinite),
+                          count(brdf.counts.tooLarge), count(brdf.guess.belowHorizon), count(brdf.guess.holes()),
+                          count(brdf.guess.reciprocal), count(brdf.guess.between), count(brdf.guess.continued),
+                          brdf.guess.energy, least, largest});
   }
   return table;
 }
@@ -100,19 +108,24 @@ Table albedoTable() {
   return {.name = "albedo",
           .title = "Directional albedo",
           .note =
-              "What is reflected of a beam from that polar angle, all directions together. Past 75 degrees the "
-              "databases hold extrapolated values.",
-          .columns = {"name", "angle [degrees]", "red", "green", "blue", "remark"},
+              "What is reflected of a beam from that polar angle, all directions together, and how much of that "
+              "(luminance) comes from cells that were filled. Past 75 degrees the databases hold extrapolated values.",
+          .columns = {"name", "angle [degrees]", "red", "green", "blue", "guessed", "remark"},
           .rows = {}};
 }
 
 void addAlbedoRows(Table& table, const MeasuredBrdf& brdf, const optics::MeasuredProxy& proxy) {
+  const MeasuredBrdf guesses = brdf.guess.holes() > 0 ? optics::guessedPart(brdf) : MeasuredBrdf{};
   for (const double angle : {0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 85.0}) {
     const glm::dvec3 V = direction(angle * degree, 0);
     const glm::dvec3 albedo = optics::measuredAlbedo(brdf, proxy, V, LookUp::interpolated);
     std::string remark = std::max({albedo.x, albedo.y, albedo.z}) > tooMuch ? "more than comes" : "";
     if (angle > optics::utiaLastTheta) remark += remark.empty() ? "extrapolated" : ", extrapolated";
-    table.rows.push_back({brdf.name, angle, albedo.x, albedo.y, albedo.z, remark});
+    double guessed = 0;
+    if (brdf.guess.holes() > 0)
+      guessed = optics::luminance(optics::measuredAlbedo(guesses, proxy, V, LookUp::interpolated)) /
+                std::max(optics::luminance(albedo), 1e-300);
+    table.rows.push_back({brdf.name, angle, albedo.x, albedo.y, albedo.z, guessed, remark});
   }
 }
 

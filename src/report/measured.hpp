@@ -10,11 +10,11 @@
 
 namespace facet::report {
 
-// One row: kind, size, what is missing, range of the values.
+// A row each: kind, size, what is missing and how it was filled, range of the values.
 Table measuredContents(const std::vector<optics::MeasuredBrdf>& brdfs);
 
-// Rows of a table's directional albedo, by polar angle of V (azimuth 0): a row each with name, angle, red, green, blue
-// and a remark where one is above 1.01 or where values are extrapolated.
+// Rows of a table's directional albedo, by polar angle of V (azimuth 0): a row each with name, angle, red, green, blue,
+// the share that is guessed, and a remark where one is above 1.01 or where values are extrapolated.
 Table albedoTable();
 void addAlbedoRows(Table& table, const optics::MeasuredBrdf& brdf, const optics::MeasuredProxy& proxy);
 

@@ -79,6 +79,9 @@ std::vector<Detail> measuredDetails(const frame::MeasuredFacts& facts, optics::L
   std::string cells = grouped(facts.cells);
   if (facts.missing > 0) cells += ", " + grouped(facts.missing) + " of them missing";
   details.push_back({"cells", cells});
+  if (facts.holes > 0)
+    details.push_back({"filled", grouped(facts.holes) + " above the horizon: " +
+                                     number("%.2g %% of the light is guessed", 100 * facts.guessed)});
   details.push_back({"look-up", std::string(rowOf(optics::lookUps, lookUp).label)});
   constexpr const char* decodings[] = {"linear, as stored", "through an sRGB curve", "v / 140 through an sRGB curve"};
   if (!merl && !builtin) details.push_back({"numbers", decodings[static_cast<size_t>(facts.source.decode)]});

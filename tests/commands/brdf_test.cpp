@@ -45,6 +45,28 @@ TEST_CASE("facet brdf: a built-in one is written, read, described, fitted and dr
   CHECK(holds(svg.text, ">extrapolated</text>"));
 }
 
+TEST_CASE("facet brdf: what was not measured is told with its share of the light") {
+  const test::TemporaryFolder folder;
+  optics::MeasuredBrdf brdf{.name = "x", .kind = optics::MeasuredKind::utia, .values = {}, .counts = {}};
+  brdf.values.assign(optics::cellsOf(brdf.kind), glm::vec3(0.1f));
+  for (size_t i = 0; i < brdf.values.size(); ++i)
+    if (i % 288 / 48 == 5) brdf.values[i] = glm::vec3(-0.1f);  // theta of V at 75 degrees
+  const std::string file = folder.write("a.bin", io::encodeUtia(brdf)).string();
+  const nlohmann::json tables =
+      nlohmann::json::parse(test::runShell(test::facetPath() + " brdf " + file + " --format json 2>/dev/null").text);
+  const nlohmann::json contents = tableOf(tables, "contents")[0];
+  CHECK(contents["holes"] == 48 * 288);
+  CHECK(contents["exchanged"] == 48 * 240);
+  CHECK(contents["nearest"] == 48 * 48);
+  CHECK(contents["guessed"].get<double>() == Approx(0.1464).margin(1e-4));
+  const nlohmann::json albedo = tableOf(tables, "albedo");
+  CHECK(albedo[0]["red"].get<double>() == Approx(0.1 * 3.14159265).epsilon(1e-3));
+  CHECK(albedo[5]["angle [degrees]"] == 75);
+  CHECK(albedo[5]["guessed"].get<double>() == Approx(1));  // all that is seen from there
+  CHECK(albedo[1]["guessed"].get<double>() < 1e-6);
+  CHECK(holds(test::runFacet({"brdf", file}).text, "15 % of the light that it reflects is guessed"));
+}
+
 TEST_CASE("facet brdf: a folder of them, names, what is found, what is wrong is told") {
   const test::TemporaryFolder folder;
   CHECK(test::runFacet({"brdf", "--synthesize", "utia-lambert", "-o", folder.file("a.bin")}).status == 0);

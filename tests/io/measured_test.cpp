@@ -60,8 +60,9 @@ TEST_CASE("MERL: order, scale, counts, written and read again it is the same") {
   for (size_t i = 0; i < 4; ++i) CHECK(brdf->values[i] == glm::vec3(-1));
   CHECK(brdf->counts.negative == 1);
   CHECK(brdf->counts.notANumber == 1);
-  CHECK(brdf->counts.infinite == 2);
-  CHECK(io::measuredNotes(*brdf).size() == 3);
+  CHECK(brdf->counts.infinite == 1);
+  CHECK(brdf->counts.tooLarge == 1);  // 1e300 is finite
+  CHECK(io::measuredNotes(*brdf).size() == 4);
   const auto again = io::decodeMerl(io::encodeMerl(*brdf), "x");
   REQUIRE(again.has_value());
   CHECK(again->values == brdf->values);
@@ -116,7 +117,7 @@ TEST_CASE("measured BRDFs: what is wrong with a file is told") {
   bytes[0] = 91;
   CHECK(holds(problemOf(write(bytes)), "the dimensions 91 x 90 x 180 are not 90 x 90 x 180"));
   CHECK(holds(problemOf(write(merlBytesOf(180, notANumber))), "holds no valid value: of its cells 1458000 are NaN"));
-  CHECK(holds(problemOf(write(merlBytesOf(180, -1))), "0 infinite, 1458000 negative"));
+  CHECK(holds(problemOf(write(merlBytesOf(180, -1))), "0 infinite, 0 too large, 1458000 negative"));
   CHECK(holds(problemOf(write({})), "is empty"));
   CHECK(holds(problemOf(write({0x89, 'P', 'N', 'G', 13, 10, 26, 10, 0, 0, 0, 13})), "is a PNG picture"));
   CHECK(holds(problemOf(write({1, 2, 3})), "no measured BRDF that facet reads: 3 bytes"));
@@ -126,6 +127,34 @@ TEST_CASE("measured BRDFs: what is wrong with a file is told") {
   REQUIRE(mkfifo(folder.file("pipe").c_str(), 0600) == 0);
   CHECK(holds(problemOf(folder.file("pipe")), "is not a regular file"));
   CHECK(holds(problemOf("builtin:ggx-0.6"), "there is no such built-in BRDF"));
+}
+
+TEST_CASE("measured BRDFs: holes of a file are filled and told, or the file is refused") {
+  const test::TemporaryFolder folder;
+  // UTIA, Lambert of albedo 0.3, theta of L at 75 degrees not measured.
+  std::vector<uint8_t> utia(io::utiaBytes);
+  const size_t cells = size_t{288} * 288;
+  for (size_t i = 0; i < 3 * cells; ++i) {
+    const bool ring = i % cells / 288 / 48 == 5;
+    put(utia, 8 * i, ring ? notANumber : 0.3 / 3.14159265358979);
+  }
+  const auto matte = io::readMeasured(folder.write("matte.bin", utia).string());
+  REQUIRE(matte.has_value());
+  CHECK(matte->counts.notANumber == 48 * 288);
+  for (const glm::vec3& value : matte->values) REQUIRE(value.y == Approx(0.3 / 3.14159265358979).epsilon(1e-5));
+  const Notes notes = io::measuredNotes(*matte);
+  REQUIRE(notes.size() == 2);
+  CHECK(notes[0].text == "13824 of 82944 cells hold NaN and count as missing");
+  CHECK(notes[1].severity == Note::Severity::warning);
+  CHECK(
+      notes[1].text ==
+      "13824 cells above the horizon hold no value and are filled (11520 with V and L exchanged, 2304 like the nearest "
+      "ones): 15 % of the light that it reflects is guessed");
+  // Both rings of both directions: nothing measured is near enough.
+  for (size_t i = 0; i < 3 * cells; ++i)
+    if (i % cells / 288 / 48 > 1 || i % 288 / 48 > 1) put(utia, 8 * i, infinity);
+  CHECK(holds(problemOf(folder.write("dark.bin", utia).string()),
+              "cells hold no value, are above the horizon and have no neighbours to fill them from"));
 }
 
 TEST_CASE("measured BRDFs: found in folders by content, and by name") {
