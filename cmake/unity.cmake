@@ -2,6 +2,31 @@
 # that are compiled alike, by paths below src/ or tests/, so that ccache shares it between checkouts (CMake's own unity
 # builds write absolute paths). Names in anonymous namespaces are therefore a folder's, not a file's.
 
+# What reaches this header, and what does not, are in batches of their own: it changes with every new setting.
+set(facet_apart frame/settings.hpp)
+
+# YES in `result` where the file, by path below src/, includes facet_apart, itself or by what it includes.
+function(facet_is_apart result path)
+  get_property(known GLOBAL PROPERTY facet_apart_${path})
+  if(NOT known)
+    set_property(GLOBAL PROPERTY facet_apart_${path} NO)
+    set(known NO)
+    file(STRINGS ${PROJECT_SOURCE_DIR}/src/${path} lines REGEX "^#include \"")
+    foreach(line IN LISTS lines)
+      string(REGEX REPLACE "^#include \"([^\"]+)\".*" "\\1" include "${line}")
+      if(NOT known AND EXISTS ${PROJECT_SOURCE_DIR}/src/${include})
+        if(include STREQUAL facet_apart)
+          set(known YES)
+        else()
+          facet_is_apart(known ${include})
+        endif()
+      endif()
+    endforeach()
+    set_property(GLOBAL PROPERTY facet_apart_${path} ${known})
+  endif()
+  set(${result} ${known} PARENT_SCOPE)
+endfunction()
+
 # Names in `result` the batches of the sources, or the sources themselves without FACET_UNITY. `root`: what the batches'
 # paths start at, an include folder of the target.
 function(facet_batches result name root)
@@ -15,7 +40,14 @@ function(facet_batches result name root)
     get_filename_component(folder ${path} DIRECTORY)
     get_source_file_property(options ${source} COMPILE_OPTIONS)
     get_source_file_property(definitions ${source} COMPILE_DEFINITIONS)
-    string(MD5 key "${folder} ${options} ${definitions}")
+    set(apart)
+    if(root STREQUAL ${PROJECT_SOURCE_DIR}/src)
+      facet_is_apart(reached ${path})
+      if(reached)
+        set(apart " apart")
+      endif()
+    endif()
+    string(MD5 key "${folder} ${options} ${definitions}${apart}")
     if(NOT key IN_LIST keys)
       list(APPEND keys ${key})
       set(sources_${key})

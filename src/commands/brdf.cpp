@@ -8,8 +8,8 @@
 
 #include "base/log.hpp"
 #include "base/nearest.hpp"
+#include "base/text.hpp"
 #include "commands/commands.hpp"
-#include "commands/option_text.hpp"
 #include "commands/write_tables.hpp"
 #include "io/measured.hpp"
 #include "io/merl.hpp"

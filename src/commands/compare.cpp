@@ -10,8 +10,8 @@
 
 #include "base/log.hpp"
 #include "base/nearest.hpp"
+#include "base/text.hpp"
 #include "commands/commands.hpp"
-#include "commands/option_text.hpp"
 #include "compare/metrics.hpp"
 
 namespace facet::commands {

@@ -8,8 +8,9 @@
 
 #include "base/log.hpp"
 #include "base/nearest.hpp"
+#include "base/text.hpp"
 #include "commands/commands.hpp"
-#include "commands/option_text.hpp"
+#include "options/picture_options.hpp"
 
 namespace facet::commands {
 
@@ -147,7 +148,7 @@ int parseAndRun(std::span<const Command> table, int argc, char** argv) {
 }  // namespace
 
 int badInput(const Error& error) {
-  log::error(describe(error));
+  log::error(options::describe(error));
   return exitBadInput;
 }
 

@@ -8,12 +8,13 @@
 #include "commands/commands.hpp"
 #include "commands/inspect_parts.hpp"
 #include "commands/notes_json.hpp"
-#include "commands/picture_options.hpp"
+#include "commands/picture_arguments.hpp"
 #include "frame/choose.hpp"
 #include "frame/gpu_scene.hpp"
 #include "frame/left_out.hpp"
 #include "frame/list_notes.hpp"
 #include "frame/measured_gpu.hpp"
+#include "frame/settings.hpp"
 #include "io/image.hpp"
 #include "io/measured.hpp"
 #include "io/sources.hpp"
@@ -187,7 +188,8 @@ Result<Json> readMeasured(const frame::PictureSettings& settings, frame::DrawOpt
 
 int runInspect(const InspectArguments& arguments) {
   frame::PictureSettings settings;
-  if (const Result<void> applied = apply(arguments.picture, settings); !applied) return badInput(applied.error());
+  if (const Result<void> applied = options::apply(arguments.picture, settings); !applied)
+    return badInput(applied.error());
   Result<io::LoadedModel> loaded = io::loadModel(arguments.model);
   if (!loaded) return badInput(loaded.error());
   const scene::Model& model = loaded->model;

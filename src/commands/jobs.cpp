@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/nearest.hpp"
+#include "base/text.hpp"
 #include "commands/json_file.hpp"
-#include "commands/option_text.hpp"
 
 namespace facet::commands {
 
@@ -50,13 +50,13 @@ Result<Job> parseJob(const json& object, const std::string& name, const std::str
   if (auto named = checkOutputName(job.output); !named) {
     return fail(name, pointer + "/output", named.error().problem, named.error().remedy);
   }
-  if (auto set = apply(object, ownKeys, folder.string(), name, pointer, job.settings); !set) {
+  if (auto set = applyObject(object, ownKeys, folder.string(), name, pointer, job.settings); !set) {
     return tl::unexpected(set.error());
   }
-  if (auto together = checkTogether(job.settings); !together) {
+  if (auto together = options::checkTogether(job.settings); !together) {
     return fail(name, pointer, together.error().place + ": " + together.error().problem, together.error().remedy);
   }
-  if (auto set = apply(overrides, job.settings); !set) return tl::unexpected(set.error());
+  if (auto set = options::apply(overrides, job.settings); !set) return tl::unexpected(set.error());
   return job;
 }
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "commands/picture_options.hpp"
+#include "commands/picture_arguments.hpp"
 #include "frame/settings.hpp"
 
 namespace facet::commands {

@@ -2,8 +2,8 @@
 #include <memory>
 #include <string>
 
+#include "base/text.hpp"
 #include "commands/commands.hpp"
-#include "commands/option_text.hpp"
 #include "io/bump.hpp"
 
 namespace facet::commands {

@@ -17,7 +17,7 @@ using compare::JobResult;
 using compare::JobStatus;
 
 // Without what belongs to this machine: the picture's name alone.
-std::string commandOf(const SuiteJob& job) { return commandLine(job.settings, job.model, job.name + ".png"); }
+std::string commandOf(const SuiteJob& job) { return options::commandLine(job.settings, job.model, job.name + ".png"); }
 
 struct Files {
   std::string picture, baseline, difference;
@@ -31,7 +31,7 @@ Result<io::Pixels> render(const SuiteJob& job, frame::Session& session, JobResul
   Result<frame::Picture> picture = session.render(job.model, job.settings, {.display = true}, notes, stages);
   if (!picture) return tl::unexpected(picture.error());
   for (const Note& note : notes)
-    if (note.severity == Note::Severity::warning) result.warnings.push_back(describe({"", note.place, note.text, {}}));
+    if (note.severity == Note::Severity::warning) result.warnings.push_back(options::describe("", note));
   return std::move(picture->display);
 }
 
@@ -100,7 +100,7 @@ JobResult runJob(const Suite& suite, const SuiteJob& job, const std::filesystem:
   const auto start = std::chrono::steady_clock::now();
   if (Result<void> done = tryJob(suite, job, results, session, result); !done) {
     result.status = JobStatus::failed;
-    result.message = describe(done.error());
+    result.message = options::describe(done.error());
   }
   result.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   return result;

@@ -12,7 +12,7 @@
 #include "commands/commands.hpp"
 #include "commands/jobs.hpp"
 #include "commands/notes_json.hpp"
-#include "commands/picture_options.hpp"
+#include "commands/picture_arguments.hpp"
 #include "commands/shard.hpp"
 #include "frame/left_out.hpp"
 #include "frame/session.hpp"
@@ -53,7 +53,7 @@ nlohmann::ordered_json statsJson(const Job& job, const frame::Session& session, 
   Json out;
   out["model"] = job.model;
   out["environment"] = session.environmentName();
-  out["command"] = commandLine(job.settings, job.model, job.output.string());
+  out["command"] = options::commandLine(job.settings, job.model, job.output.string());
   out["opengl"] = {{"platform", session.context().platform},
                    {"renderer", session.context().renderer},
                    {"version", session.context().version}};
@@ -119,7 +119,7 @@ Result<void> writeOutput(const Job& job, const frame::Picture& picture) {
 bool tell(const std::string& model, const Notes& notes) {
   bool warned = false;
   for (const Note& note : notes) {
-    const std::string text = describe({model, note.place, note.text, {}});
+    const std::string text = options::describe(model, note);
     if (note.severity == Note::Severity::warning)
       log::warning(text), warned = true;
     else
@@ -203,8 +203,8 @@ Result<std::vector<Job>> listJobs(const RenderArguments& arguments) {
   if (arguments.output.empty()) return fail({}, "-o", "is missing", "give -o PICTURE.png or -o PICTURE.exr");
   Job job{arguments.model, arguments.output, arguments.stats, {}};
   if (Result<void> r = checkOutputName(job.output); !r) return tl::unexpected(r.error());
-  if (Result<void> r = apply(arguments.picture, job.settings); !r) return tl::unexpected(r.error());
-  if (Result<void> r = checkTogether(job.settings); !r) return tl::unexpected(r.error());
+  if (Result<void> r = options::apply(arguments.picture, job.settings); !r) return tl::unexpected(r.error());
+  if (Result<void> r = options::checkTogether(job.settings); !r) return tl::unexpected(r.error());
   if (arguments.frames > 0) return listFrames(job, arguments);
   return std::vector<Job>{job};
 }
@@ -234,7 +234,7 @@ int runRender(const RenderArguments& arguments) {
         runJob(job, arguments.repeat, i + 1 == jobs->size(), **session, i == 0 ? stages : Stages());
     const std::string place = many ? std::to_string(i + 1) + "/" + std::to_string(jobs->size()) + " " : "";
     if (!result) {
-      log::error(place + (many ? job.output.string() + ": " : "") + describe(result.error()));
+      log::error(place + (many ? job.output.string() + ": " : "") + options::describe(result.error()));
       status = exitBadInput;
       continue;
     }

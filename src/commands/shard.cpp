@@ -1,6 +1,6 @@
 #include "commands/shard.hpp"
 
-#include "commands/option_text.hpp"
+#include "base/text.hpp"
 
 namespace facet::commands {
 

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/nearest.hpp"
+#include "base/text.hpp"
 #include "commands/json_file.hpp"
-#include "commands/option_text.hpp"
 
 namespace facet::commands {
 
@@ -76,13 +76,13 @@ Result<SuiteJob> parseJob(const json& object, const std::string& pointer, SuiteJ
   if (!model) return tl::unexpected(model.error());
   job.name = *name;
   job.model = model->starts_with("builtin:") ? *model : (context.folder / *model).string();
-  if (auto set = apply(object, jobKeys, context.folder.string(), context.file, pointer, job.settings); !set)
+  if (auto set = applyObject(object, jobKeys, context.folder.string(), context.file, pointer, job.settings); !set)
     return tl::unexpected(set.error());
-  if (auto together = checkTogether(job.settings); !together)
+  if (auto together = options::checkTogether(job.settings); !together)
     return fail(context.file, pointer, together.error().place + ": " + together.error().problem,
                 together.error().remedy);
   if (auto set = applyTolerance(object, context.file, pointer, job.limits); !set) return tl::unexpected(set.error());
-  if (auto set = apply(context.overrides, job.settings); !set) return tl::unexpected(set.error());
+  if (auto set = options::apply(context.overrides, job.settings); !set) return tl::unexpected(set.error());
   return job;
 }
 
@@ -92,7 +92,8 @@ Result<SuiteJob> parseDefaults(const json& document, const Context& context) {
   const auto given = document.find("defaults");
   if (given == document.end()) return job;
   if (!given->is_object()) return fail(context.file, "/defaults", "this is no object", "write {\"size\": \"128x128\"}");
-  if (auto set = apply(*given, defaultKeys, context.folder.string(), context.file, "/defaults", job.settings); !set)
+  if (auto set = applyObject(*given, defaultKeys, context.folder.string(), context.file, "/defaults", job.settings);
+      !set)
     return tl::unexpected(set.error());
   if (auto set = applyTolerance(*given, context.file, "/defaults", job.limits); !set)
     return tl::unexpected(set.error());

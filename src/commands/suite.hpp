@@ -10,8 +10,9 @@
 #include <string_view>
 #include <vector>
 
-#include "commands/picture_options.hpp"
+#include "commands/picture_arguments.hpp"
 #include "compare/metrics.hpp"
+#include "frame/settings.hpp"
 
 namespace facet::commands {
 

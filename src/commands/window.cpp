@@ -6,7 +6,7 @@
 
 #include "base/log.hpp"
 #include "commands/commands.hpp"
-#include "commands/picture_options.hpp"
+#include "commands/picture_arguments.hpp"
 
 namespace facet::commands {
 
@@ -40,10 +40,7 @@ int runViewer(const WindowArguments& arguments) {
   options.settings.frame.width = 1280;
   options.settings.frame.height = 800;
   options.settings.quality.samples = 256;  // a resting picture converges
-  if (Result<void> r = apply(arguments.picture, options.settings); !r) return badInput(r.error());
-  options.commandLine = [](const frame::PictureSettings& settings, const std::string& model) {
-    return commandLine(settings, model, "picture.png");
-  };
+  if (Result<void> r = options::apply(arguments.picture, options.settings); !r) return badInput(r.error());
   options.sizeGiven = arguments.picture.contains("size");
   if (Result<void> r = sortSources(arguments.sources, options); !r) return badInput(r.error());
   options.diskCache = !arguments.noCache;

@@ -1,8 +1,8 @@
 #include "commands/write_tables.hpp"
 
 #include "base/nearest.hpp"
+#include "base/text.hpp"
 #include "base/whole_file.hpp"
-#include "commands/option_text.hpp"
 
 namespace facet::commands {
 

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "base/whole_number.hpp"
+#include "frame/settings.hpp"
 #include "scene/animation.hpp"
 #include "scene/builtin_scenes.hpp"
 
@@ -24,7 +25,7 @@ Result<FileCamera> findCamera(const std::string& wanted, const scene::Model& mod
     for (const FileCamera& camera : list.cameras)
       if (camera.placed.camera == *index) return camera;
   return fail(model.name, "", "the scene has no camera '" + wanted + "'",
-              known.empty() ? "it has none at all: choose no camera of the file" : "it has " + known);
+              known.empty() ? "it has none at all: choose no camera of the file" : "it has " + known, Setting::camera);
 }
 
 const scene::BuiltinScene* builtinOf(const std::string& source) {
@@ -32,6 +33,8 @@ const scene::BuiltinScene* builtinOf(const std::string& source) {
 }
 
 }  // namespace
+
+bool converges(const Quality& quality) { return quality.maxError.has_value() || quality.samples > convergedAbove; }
 
 PictureSettings movingSettings(const PictureSettings& settings) {
   PictureSettings moving = settings;
@@ -66,7 +69,7 @@ Result<int> chooseScene(const Placement& placement, const scene::Model& model) {
   const int scene = placement.scene < 0 ? model.defaultScene : placement.scene;
   if (scene >= static_cast<int>(model.scenes.size()) && placement.scene >= 0)
     return fail(model.name, "", "there is no scene " + std::to_string(scene),
-                "the file has " + std::to_string(model.scenes.size()));
+                "the file has " + std::to_string(model.scenes.size()), Setting::scene);
   return scene;
 }
 
@@ -81,7 +84,7 @@ Result<int> chooseVariant(const Look& look, const scene::Model& model) {
   }
   if (const std::optional<int> index = wholeNumber(look.variant); index && *index >= 0 && *index < count) return *index;
   return fail(model.name, "", "the file has no material variant '" + look.variant + "'",
-              known.empty() ? "it has none at all: choose none" : "it has " + known);
+              known.empty() ? "it has none at all: choose none" : "it has " + known, Setting::variant);
 }
 
 Result<scene::Pose> choosePose(const Placement& placement, const scene::Model& model) {

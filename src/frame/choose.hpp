@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 #include "frame/draw_list.hpp"
-#include "frame/settings.hpp"
+#include "frame/settings_fwd.hpp"
 #include "scene/camera.hpp"
 #include "scene/model.hpp"
 #include "scene/pose.hpp"
@@ -17,9 +17,7 @@ namespace facet::frame {
 // More samples a pixel than this: each is a draw of its own and samples the environment instead of reading the split
 // sum's tables, so that its specular part converges to the true integral, not to the approximation.
 inline constexpr int convergedAbove = 4;
-inline bool converges(const Quality& quality) {
-  return quality.maxError.has_value() || quality.samples > convergedAbove;
-}
+bool converges(const Quality& quality);
 inline constexpr int convergedLightSamples = 4;  // environment samples per draw
 inline constexpr int onceLightSamples = 32;      // the same where there is but one draw
 

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "frame/settings.hpp"
+
 namespace facet::frame {
 
 using shading::ProgramStore;

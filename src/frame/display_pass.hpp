@@ -26,12 +26,6 @@ Result<const gl::Program*> displayProgram(const FrameInput& in, shading::Program
 Result<void> showPicture(const FrameInput& in, const Targets& targets, float scale, const Targets& shown,
                          shading::ProgramStore& programs);
 
-// How the display pictures of a measured BRDF and of the model fitted to it differ, in 1/255.
-struct ComparisonFigures {
-  double rms = 0;      // root mean square over the pixels that differ at all and the colour channels
-  double share = 0;    // of the picture's pixels: those
-  double largest = 0;  // of any channel
-};
 // Of one band, to be read when the GPU has come so far.
 struct ComparisonSums {
   gl::Buffer sums;

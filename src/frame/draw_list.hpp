@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "frame/settings.hpp"
+#include "frame/material_choice.hpp"
 #include "ibl/needs.hpp"
 #include "layout.h"
 #include "scene/model.hpp"

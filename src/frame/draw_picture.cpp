@@ -9,6 +9,7 @@
 #include "frame/gather.hpp"
 #include "frame/max_error.hpp"
 #include "frame/picture.hpp"
+#include "frame/settings.hpp"
 
 namespace facet::frame {
 

@@ -1,12 +1,11 @@
 #include "frame/fitted_gpu.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstring>
 
 #include "base/log.hpp"
-#include "io/measured.hpp"
+#include "frame/settings.hpp"
 #include "layout.h"
 #include "optics/color.hpp"
 
@@ -15,10 +14,6 @@ namespace facet::frame {
 namespace {
 
 constexpr size_t keptFits = 64;
-
-double millisecondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
 
 // To draw samples from: the model's own lobe; the cosine gets about its share of what is reflected.
 optics::MeasuredProxy lobeOf(const optics::AnalyticBrdf& model) {
@@ -30,21 +25,6 @@ optics::MeasuredProxy lobeOf(const optics::AnalyticBrdf& model) {
 }
 
 }  // namespace
-
-Result<FittedBrdf> fitMeasured(const MeasuredSource& source, optics::DiffuseModel diffuse) {
-  auto start = std::chrono::steady_clock::now();
-  const Result<std::string> path = io::resolveMeasured(source.name, source.folder);
-  if (!path) return tl::unexpected(path.error());
-  const Result<optics::MeasuredBrdf> brdf = io::readMeasured(*path, {.utiaDecode = source.decode});
-  if (!brdf) return tl::unexpected(brdf.error());
-  FittedBrdf fitted{.source = source, .name = brdf->name, .kind = brdf->kind, .fit = {}};
-  fitted.readMs = millisecondsSince(start);
-  start = std::chrono::steady_clock::now();
-  fitted.fit =
-      optics::fitAnalytic(*brdf, optics::fitSamples(*brdf), optics::fitProxy(*brdf), diffuse, optics::FitMetric::log);
-  fitted.fitMs = millisecondsSince(start);
-  return fitted;
-}
 
 std::shared_ptr<const FittedOnGpu> uploadFitted(FittedBrdf fitted) {
   const optics::AnalyticBrdf& model = fitted.fit.model;

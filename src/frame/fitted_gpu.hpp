@@ -4,20 +4,8 @@
 
 #include "frame/draw_list.hpp"
 #include "frame/measured_gpu.hpp"
-#include "optics/measured_fit.hpp"
 
 namespace facet::frame {
-
-// GGX over one diffuse model, by the least mean square of ln(1 + f NoL).
-struct FittedBrdf {
-  MeasuredSource source;
-  std::string name;
-  optics::MeasuredKind kind = optics::MeasuredKind::merl;
-  optics::BrdfFit fit;
-  double readMs = 0, fitMs = 0;
-};
-// Reads the table again; no OpenGL here: on any thread. Errors: as readMeasuredBytes has them.
-Result<FittedBrdf> fitMeasured(const MeasuredSource& source, optics::DiffuseModel diffuse);
 
 struct FittedOnGpu {
   FittedBrdf fitted;

@@ -11,6 +11,7 @@
 #include "frame/display_pass.hpp"
 #include "frame/fitted_gpu.hpp"
 #include "frame/scene_pass.hpp"
+#include "frame/settings.hpp"
 #include "scene/geometry.hpp"
 
 namespace facet::frame {

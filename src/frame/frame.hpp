@@ -7,7 +7,8 @@
 
 #include "frame/draw_list.hpp"
 #include "frame/gpu_scene.hpp"
-#include "frame/settings.hpp"
+#include "frame/settings_fwd.hpp"
+#include "frame/statistics.hpp"
 #include "gl/buffer.hpp"
 #include "gl/texture.hpp"
 #include "gl/vertex_array.hpp"
@@ -52,14 +53,6 @@ void prepareBehind(Targets& targets, const DrawList& list);
 // Likewise for the fitted model's picture, where the list is compared.
 void prepareComparison(Targets& targets, const DrawList& list);
 size_t targetBytes(const Targets& targets);  // of the textures
-
-struct FrameStatistics {
-  std::vector<std::string> passes;
-  int draws = 0;
-  uint64_t instances = 0, triangles = 0;
-  uint64_t culled = 0;  // instances of draws outside the picture
-  double error = -1;    // estimated (PictureErrors::parts), 1/255; below 0: the targets have no `before`
-};
 
 struct FrameInput {
   const scene::Model& model;

@@ -6,6 +6,7 @@
 
 #include "frame/display_pass.hpp"
 #include "frame/scene_pass.hpp"
+#include "frame/settings.hpp"
 
 namespace facet::frame {
 

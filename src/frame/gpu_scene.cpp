@@ -313,8 +313,12 @@ std::vector<TextureUse> textureUses(const scene::Model& model, const DrawList& l
 }
 
 std::vector<bool> missingImages(const scene::Model& model, const DrawList& list, const GpuScene& gpu) {
+  return missingImages(model, textureUses(model, list), gpu);
+}
+
+std::vector<bool> missingImages(const scene::Model& model, const std::vector<TextureUse>& uses, const GpuScene& gpu) {
   std::vector<bool> missing(model.images.size(), false);
-  for (const TextureUse& use : textureUses(model, list))
+  for (const TextureUse& use : uses)
     if (!findTexture(gpu, use)) missing[static_cast<size_t>(use.image)] = true;
   return missing;
 }

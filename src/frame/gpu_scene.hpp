@@ -89,8 +89,9 @@ layout::MaterialUniforms materialUniforms(const scene::Material& material);
 // the order of images.
 std::vector<TextureUse> textureUses(const scene::Model& model, const DrawList& list);
 
-// Images of the list that the GPU does not hold yet: one entry per image of the model.
+// Images of the list, or of its texture uses, that the GPU does not hold yet: one entry per image of the model.
 std::vector<bool> missingImages(const scene::Model& model, const DrawList& list, const GpuScene& gpu);
+std::vector<bool> missingImages(const scene::Model& model, const std::vector<TextureUse>& uses, const GpuScene& gpu);
 
 // Images and vertex attributes of a part (partOf) are there already.
 bool isOnGpu(const scene::Model& model, const DrawList& part, const GpuScene& gpu);

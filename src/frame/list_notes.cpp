@@ -17,7 +17,8 @@ void noteUnlit(const DrawList& list, const ibl::Needs& needs, Notes& notes) {
   if (anyLit && !needs.irradiance && !needs.cube && list.lights.empty() && list.features.channel == 0)
     notes.push_back(
         {Note::Severity::warning, "",
-         "nothing lights the scene: it has no lights and there is no environment; choose one, or the demo lights"});
+         "nothing lights the scene: it has no lights and there is no environment; choose one, or the demo lights",
+         Setting::environment});
 }
 
 // What the chosen models do not reach.
@@ -25,30 +26,34 @@ void noteModels(const DrawList& list, Notes& notes) {
   const auto any = [&](auto test) {
     return std::ranges::any_of(list.classes(), [&](const auto* draws) { return std::ranges::any_of(*draws, test); });
   };
-  const auto warn = [&](const char* text) { notes.push_back({Note::Severity::warning, "", text}); };
+  const auto warn = [&](const char* text, Setting about) {
+    notes.push_back({Note::Severity::warning, "", text, about});
+  };
   const optics::Models& models = list.features.models;
   if (models.distribution != optics::NormalDistribution::ggx || models.masking != optics::Masking::smith) {
     if (!any([](const Draw& d) { return d.key.distribution != 0 || d.key.masking != 0; }))
       warn(
           "the distribution of normals and the masking term change nothing: they are for point, spot and directional "
-          "lights, and none shines");
+          "lights, and none shines",
+          Setting::models);
     else if (list.features.environment)
       warn(
           "the distribution of normals and the masking term are for point, spot and directional lights: GGX reflects "
-          "the environment");
+          "the environment",
+          Setting::models);
   }
   if (models.fresnel == optics::FresnelModel::schlick) return;
   const bool sampled = list.features.imageLightSamples != 0;
   if (!any([](const Draw& d) { return d.key.fresnel != 0; }))
     warn(
         "the Fresnel term changes nothing: exact is for dielectrics and for metals whose index is known, f82 for the "
-        "latter, "
-        "under point, spot and directional lights, or with more than 4 samples");
+        "latter, under point, spot and directional lights, or with more than 4 samples",
+        Setting::fresnel);
   else if (list.features.environment && !sampled)
     warn(
         "the chosen Fresnel term is for point, spot and directional lights: the environment's tables are Schlick's; "
-        "more than 4 "
-        "samples do without them");
+        "more than 4 samples do without them",
+        Setting::samples);
 }
 
 // Which draws do not show the measured BRDF, or not as it was meant.
@@ -59,7 +64,9 @@ void noteMeasured(const DrawList& list, Notes& notes) {
       if (!shading::isMeasured(draw.key)) ++unlit;
       if (shading::usesFeature(draw.key, shading::Feature::utiaBrdf) && draw.primitive->tangents.empty()) ++levelled;
     }
-  const auto warn = [&](const std::string& text) { notes.push_back({Note::Severity::warning, "", text}); };
+  const auto warn = [&](const std::string& text) {
+    notes.push_back({Note::Severity::warning, "", text, Setting::brdf});
+  };
   if (list.features.channel == 0 && unlit > 0)
     warn("measured BRDF: " + std::to_string(unlit) +
          " draws keep their own look, because they are unlit or have no normals");

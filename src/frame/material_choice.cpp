@@ -1,6 +1,7 @@
 #include "frame/material_choice.hpp"
 
 #include "optics/presets.hpp"
+#include "scene/model.hpp"
 
 namespace facet::frame {
 

@@ -1,11 +1,27 @@
 #pragma once
 
+#include <glm/glm.hpp>
+#include <string>
 #include <string_view>
 
-#include "frame/settings.hpp"
-#include "scene/model.hpp"
+namespace facet::scene {
+struct Material;
+}
 
 namespace facet::frame {
+
+// One material for everything, in place of the file's. What has no normals, because its own material is unlit, stays
+// unlit.
+struct MaterialChoice {
+  bool on = false;
+  glm::vec3 baseColor = glm::vec3(0.8f);  // linear Rec. 709, [0, 1]
+  float metallic = 0;
+  float perceptualRoughness = 0.4f;
+  float ior = 1.5f;    // of the dielectric, [1, 3]
+  std::string preset;  // metal or dielectric (optics/presets.hpp); empty: none
+
+  bool operator==(const MaterialChoice&) const = default;
+};
 
 // A metal sets the base colour to its F at normal incidence and metallic to 1, a dielectric the index of refraction and
 // metallic to 0. Roughness, and a dielectric's colour, are not the substance's: they stay. Empty: all stays.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "frame/choose.hpp"
+#include "frame/settings.hpp"
 
 namespace facet::frame {
 

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "frame/settings.hpp"
+#include "frame/settings_fwd.hpp"
 
 namespace facet::frame {
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "frame/list_notes.hpp"
+#include "frame/settings.hpp"
 
 namespace facet::frame {
 
@@ -81,17 +82,17 @@ Result<void> makeTables(Drawable& next, const Supply& supply) {
   return supply.tables(*next.environment, needs);
 }
 
-// Images of the list that are neither on the GPU nor decoded.
-std::vector<bool> undecodedImages(const LoadedScene& scene, const DrawList& list) {
-  std::vector<bool> missing = missingImages(scene.model(), list, scene.gpu);
+// Images of the uses that are neither on the GPU nor decoded.
+std::vector<bool> undecodedImages(const LoadedScene& scene, const std::vector<TextureUse>& uses) {
+  std::vector<bool> missing = missingImages(scene.model(), uses, scene.gpu);
   for (size_t i = 0; i < scene.pixels.size(); ++i) missing[i] = missing[i] && scene.pixels[i].width == 0;
   return missing;
 }
 
 // False where images that are missing are on their way; did: some were decoded by this call.
-Result<bool> askForImages(Drawable& next, const Supply& supply, bool& did) {
+Result<bool> askForImages(Drawable& next, const std::vector<TextureUse>& uses, const Supply& supply, bool& did) {
   if (!next.scene->pixels.empty()) return true;
-  const std::vector<bool> missing = undecodedImages(*next.scene, next.list);
+  const std::vector<bool> missing = undecodedImages(*next.scene, uses);
   if (std::ranges::find(missing, true) == missing.end()) return true;
   const Result<bool> there = supply.images(*next.scene, missing);
   did = there && *there;
@@ -103,11 +104,12 @@ Result<Step> nextStep(Plan& plan, const PictureSettings& wish, const Supply& sup
   Drawable& next = plan.next;
   if (!plan.listed) {
     if (Result<void> made = makeList(next, wish.placement); !made) return tl::unexpected(made.error());
+    plan.uses = textureUses(next.scene->model(), next.list);
     plan.listed = true;
     return Step{Progress::working, "prepare"};
   }
   bool decoded = false;  // they are asked for first: where they come later, tables are made in between
-  const Result<bool> images = askForImages(next, supply, decoded);
+  const Result<bool> images = askForImages(next, plan.uses, supply, decoded);
   if (!images) return tl::unexpected(images.error());
   if (decoded) return Step{Progress::working, "decode"};
   if (!plan.tabled && next.environment) {
@@ -123,8 +125,7 @@ Result<Step> nextStep(Plan& plan, const PictureSettings& wish, const Supply& sup
     return Step{Progress::working, "upload"};
   }
   if (!scene.pixels.empty()) {
-    if (uploadImages(scene.gpu, scene.model(), textureUses(scene.model(), next.list), scene.pixels, keepGoing))
-      scene.pixels.clear();
+    if (uploadImages(scene.gpu, scene.model(), plan.uses, scene.pixels, keepGoing)) scene.pixels.clear();
     return Step{Progress::working, "upload"};
   }
   const Result<bool> compiled = prepareNextProgram(frameInput(next, {}, wish), programs);
@@ -170,8 +171,12 @@ bool differInTimeOnly(PlanInputs a, const PlanInputs& b) {
 }
 
 FrameInput frameInput(const Drawable& drawable, const scene::View& view, const PictureSettings& settings) {
-  FrameInput in{drawable.scene->model(),      drawable.list, drawable.scene->gpu,
-                drawable.environment->tables, view,          settings};
+  return frameInput(drawable, drawable.list, view, settings);
+}
+
+FrameInput frameInput(const Drawable& drawable, const DrawList& part, const scene::View& view,
+                      const PictureSettings& settings) {
+  FrameInput in{drawable.scene->model(), part, drawable.scene->gpu, drawable.environment->tables, view, settings};
   if (drawable.inputs.list.measured) in.measured = &drawable.inputs.list.measured->buffer;
   if (drawable.inputs.list.fitted) in.fittedModel = &drawable.inputs.list.fitted->buffer;
   return in;

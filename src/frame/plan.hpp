@@ -121,6 +121,9 @@ struct Drawable {
   Notes notes;  // what the list leaves out of the wish
 };
 FrameInput frameInput(const Drawable& drawable, const scene::View& view, const PictureSettings& settings);
+// Of a part of its list (partOf).
+FrameInput frameInput(const Drawable& drawable, const DrawList& part, const scene::View& view,
+                      const PictureSettings& settings);
 
 enum class Progress {
   nothing,  // what is wished for is shown already, or cannot be shown
@@ -134,6 +137,7 @@ struct Plan {
   LoadedEnvironment* environment = nullptr;            // null: on its way
   std::shared_ptr<const MeasuredOnGpu> measured = {};  // likewise
   Drawable next = {};                                  // in the making
+  std::vector<TextureUse> uses = {};                   // of its list
   bool listed = false, tabled = false, uploaded = false;
   // What was tried and failed, so that it is not tried again; whoever changes the supply or the shaders clears it.
   std::optional<PlanInputs> failed = {};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "frame/settings.hpp"
 #include "frame/user_stores.hpp"
 #include "io/sources.hpp"
 

@@ -1,13 +1,14 @@
 #pragma once
 
 // What a picture is to look like: plain structs, one for each step that reads them, made from the command line, a job
-// file or the panel by commands/picture_options. A default that is "not given" leaves the choice to the reader.
+// file or the panel by options/picture_options. A default that is "not given" leaves the choice to the reader.
 
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
 
 #include "base/choice.hpp"
+#include "frame/material_choice.hpp"
 #include "io/utia.hpp"
 #include "optics/color.hpp"
 #include "optics/measured.hpp"
@@ -43,19 +44,6 @@ inline constexpr Choice<Lights> lightChoices[] = {
     {Lights::none, "none", "none"},
     {Lights::demo, "demo", "the file's and four", "four point lights on a ring above the scene"}};
 static_assert(inOrder(lightChoices));
-
-// One material for everything, in place of the file's. What has no normals, because its own material is unlit, stays
-// unlit.
-struct MaterialChoice {
-  bool on = false;
-  glm::vec3 baseColor = glm::vec3(0.8f);  // linear Rec. 709, [0, 1]
-  float metallic = 0;
-  float perceptualRoughness = 0.4f;
-  float ior = 1.5f;    // of the dielectric, [1, 3]
-  std::string preset;  // metal or dielectric (optics/presets.hpp); empty: none
-
-  bool operator==(const MaterialChoice&) const = default;
-};
 
 // What is read from outside, besides the model.
 struct Sources {

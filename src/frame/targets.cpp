@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "frame/frame.hpp"
+#include "frame/settings.hpp"
 
 namespace facet::frame {
 

@@ -93,9 +93,9 @@ Result<std::string> resolveMeasured(const std::string& pathOrName, const fs::pat
   }
   if (const std::string_view meant = nearest(pathOrName, names); !meant.empty())
     return fail(pathOrName, "", "neither a file nor a database by that name",
-                "perhaps " + std::string(meant) + " is meant");
+                "perhaps " + std::string(meant) + " is meant", Setting::brdf);
   return fail(pathOrName, "", "neither a file nor a database by that name",
-              "give a path, builtin:NAME, or the name of a file in the folder of measured BRDFs");
+              "give a path, builtin:NAME, or the name of a file in the folder of measured BRDFs", Setting::brdfFolder);
 }
 
 }  // namespace facet::io

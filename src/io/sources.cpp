@@ -24,7 +24,7 @@ Result<LoadedModel> readModel(const std::string& source, const Limits& limits) {
 
 Result<void> checkBump(const std::string& source, const Bump& bump) {
   if (bump.file.empty() || isBuiltin(source)) return {};
-  return fail(source, "", "a bump is for the built-in scenes", "leave it out, or show builtin:poster");
+  return fail(source, "", "a bump is for the built-in scenes", "leave it out, or show builtin:poster", Setting::bump);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "compare/compare.hpp"
 #include "constants.h"
 #include "frame/session.hpp"
+#include "frame/settings.hpp"
 #include "optics/presets.hpp"
 #include "optics/random_walk.hpp"
 #include "selftest/light_probe.hpp"

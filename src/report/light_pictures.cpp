@@ -4,6 +4,7 @@
 
 #include "compare/compare.hpp"
 #include "frame/session.hpp"
+#include "frame/settings.hpp"
 #include "report/light.hpp"
 #include "selftest/error_figures.hpp"
 

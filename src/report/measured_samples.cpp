@@ -7,6 +7,7 @@
 #include "frame/draw_list.hpp"
 #include "frame/measured_gpu.hpp"
 #include "frame/session.hpp"
+#include "frame/settings.hpp"
 #include "gl/buffer.hpp"
 #include "io/sources.hpp"
 #include "layout.h"

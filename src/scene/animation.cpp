@@ -232,9 +232,10 @@ Result<std::vector<int>> chooseAnimations(const Model& model, const std::string&
   }
   const std::optional<int> index = wholeNumber(wanted);
   if (index && *index >= 0 && size_t(*index) < model.animations.size()) return std::vector{*index};
-  if (model.animations.empty()) return fail(model.name, "", "there are no animations", "leave out \"" + wanted + "\"");
+  if (model.animations.empty())
+    return fail(model.name, "", "there are no animations", "leave out \"" + wanted + "\"", Setting::animation);
   return fail(model.name, "", "there is no animation \"" + wanted + "\"",
-              "choose all or one of " + listed(model.animations));
+              "choose all or one of " + listed(model.animations), Setting::animation);
 }
 
 Pose poseAt(const Model& model, std::span<const int> animations, double time) {

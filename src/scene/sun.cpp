@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
+#include "base/log.hpp"
 #include "optics/mapping.hpp"
 #include "optics/microfacet.hpp"
 
@@ -134,6 +136,8 @@ double Sun::solidAngle() const {
 
 std::optional<FoundSun> findSun(const Environment& environment) {
   if (environment.radiance.empty()) return std::nullopt;
+  log::debug("looking for a sun in " + std::to_string(environment.width) + " x " + std::to_string(environment.height) +
+             " texels");
   const Map map{environment};
   const Brightest brightest = findBrightest(map);
   if (!(brightest.value > leastOverMean * brightest.mean)) return std::nullopt;

@@ -32,10 +32,7 @@ frame::Supply supplyBeside(Viewport& viewport, Loader& loader) {
   };
   supply.images = [&](frame::LoadedScene& scene, const std::vector<bool>& missing) -> Result<bool> {
     // While an animation plays, images that it has brought to light are waited for, not asked for anew each frame.
-    const auto asked = [&](size_t i) { return i < viewport.imagesAsked.size() && viewport.imagesAsked[i]; };
-    bool all = loader.images.running();
-    for (size_t i = 0; i < missing.size() && all; ++i) all = !missing[i] || asked(i);
-    if (!all) startImages(loader, scene.loaded, viewport.imagesAsked = missing);
+    if (!decodes(loader, scene.loaded, missing)) startImages(loader, scene.loaded, missing);
     return false;
   };
   supply.tables = [&](frame::LoadedEnvironment& environment, const ibl::Needs& needs) {

@@ -54,7 +54,7 @@ Result<std::optional<glm::vec4>> valueAt(Viewport& viewport, const Inspection& a
   settings.look.channel = shading::channelSetting(channel);
   settings.quality.samples = 1;
   settings.frame.background = frame::Background::transparent;
-  frame::FrameInput in{model, part, viewport.scene->gpu, viewport.environments.shown->tables, at.view, settings};
+  frame::FrameInput in = frame::frameInput(viewport.shown, part, at.view, settings);
   in.firstRow = at.pixel.y & ~1;
   if (Result<void> r = frame::preparePrograms(in, viewport.programs); !r) return tl::unexpected(r.error());
   const frame::Targets targets = frame::createValueTargets(settings.frame.width, 2, GL_RGBA32F);

@@ -102,7 +102,17 @@ void startFit(Loader& loader, const frame::MeasuredSource& source, optics::Diffu
 }
 
 void startImages(Loader& loader, std::shared_ptr<const io::LoadedModel> model, std::vector<bool> wanted) {
+  loader.imagesAsked = {model, wanted};
   loader.images.start([model = std::move(model), wanted = std::move(wanted)] { return decodeImages(model, wanted); });
+}
+
+bool decodes(const Loader& loader, const std::shared_ptr<const io::LoadedModel>& model,
+             const std::vector<bool>& wanted) {
+  const ImagesAsked& asked = loader.imagesAsked;
+  if (!loader.images.running() || asked.model != model) return false;
+  for (size_t i = 0; i < wanted.size(); ++i)
+    if (wanted[i] && !asked.wanted[i]) return false;
+  return true;
 }
 
 }  // namespace facet::view

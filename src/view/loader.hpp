@@ -13,7 +13,7 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
-#include "frame/fitted_gpu.hpp"
+#include "frame/measured_read.hpp"
 #include "ibl/prepared.hpp"
 #include "io/bump.hpp"
 #include "io/gltf.hpp"
@@ -96,12 +96,19 @@ class Latest {
   std::vector<std::future<T>> superseded_;
 };
 
+// What images are decoded of a model.
+struct ImagesAsked {
+  std::shared_ptr<const io::LoadedModel> model;
+  std::vector<bool> wanted;  // by image
+};
+
 struct Loader {
   Latest<ModelLoaded> model;
   Latest<EnvironmentLoaded> environment;
   Latest<MeasuredLoaded> measured;
   Latest<FitMade> fit;
   Latest<ImagesDecoded> images;
+  ImagesAsked imagesAsked;  // the newest request for them
 
   bool running() const {
     return model.running() || environment.running() || measured.running() || fit.running() || images.running();
@@ -113,5 +120,8 @@ void startEnvironment(Loader& loader, const std::string& source, bool again = fa
 void startMeasured(Loader& loader, const frame::MeasuredSource& source, bool again = false);
 void startFit(Loader& loader, const frame::MeasuredSource& source, optics::DiffuseModel diffuse);
 void startImages(Loader& loader, std::shared_ptr<const io::LoadedModel> model, std::vector<bool> wanted);
+// All of these are on their way.
+bool decodes(const Loader& loader, const std::shared_ptr<const io::LoadedModel>& model,
+             const std::vector<bool>& wanted);
 
 }  // namespace facet::view

@@ -50,7 +50,8 @@ void databaseList(ViewerState& state) {
   ImGui::SetNextItemWidth(-1);
   searchField("##databases", "search the databases", state.brdfFilter);
   hint(
-      "MERL and UTIA files in --brdf-dir, resources/brdf, $XDG_DATA_HOME/facet/brdf and folders that are browsed, "
+      "MERL and UTIA files in the folder that was named at the start, resources/brdf, $XDG_DATA_HOME/facet/brdf and "
+      "folders that are browsed, "
       "and built-in ones; drop a file to add it");
   const std::vector<int> found = filtered(state.databases, FileKind::brdf, state.brdfFilter);
   const float height = ImGui::GetTextLineHeightWithSpacing() * static_cast<float>(shownRows);

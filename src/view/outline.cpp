@@ -44,8 +44,7 @@ Result<void> drawMask(Viewport& viewport, const ViewerState& state, const scene:
   frame::PictureSettings settings = state.settings;
   settings.quality.samples = 1;
   settings.frame.background = frame::Background::transparent;
-  const frame::FrameInput in{viewport.scene->loaded->model,       part, viewport.scene->gpu,
-                             viewport.environments.shown->tables, view, settings};
+  const frame::FrameInput in = frame::frameInput(viewport.shown, part, view, settings);
   if (Result<void> r = frame::preparePrograms(in, viewport.programs); !r) return r;
   frame::Gathering gathering = frame::beginGathering(in, viewport.outline.mask);
   return frame::gatherRows(in, viewport.outline.mask, gathering, settings.frame.height, viewport.programs);

@@ -1,5 +1,6 @@
 #include "view/screenshot.hpp"
 
+#include "frame/settings.hpp"
 #include "io/image.hpp"
 
 namespace facet::view {

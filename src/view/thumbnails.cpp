@@ -13,6 +13,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "frame/settings.hpp"
+#include "options/picture_options.hpp"
 #include "view/file_watch.hpp"
 
 namespace facet::view {
@@ -112,23 +114,24 @@ std::string thumbnailKey(const ThumbnailRequest& request) {
 }
 
 std::vector<std::string> thumbnailArguments(const ThumbnailRequest& request, const fs::path& png) {
-  const std::string side = std::to_string(thumbnailSide);
-  std::vector<std::string> arguments = {"render"};
-  const auto add = [&](std::initializer_list<const char*> more) {
-    arguments.insert(arguments.end(), more.begin(), more.end());
-  };
-  if (request.kind == FileKind::environment) {
-    add({"builtin:furnace", "--env", request.source.c_str(), "--lights", "none"});
-    add({"--orbit", "0,90,2.2", "--target", "-5,0.5,0", "--fov-y", "27"});  // the smooth metal sphere, no other
-  } else if (request.kind == FileKind::brdf) {
-    add({"builtin:furnace", "--brdf", request.source.c_str(), "--env", "builtin:studio", "--lights", "none"});
-    add({"--background", "transparent", "--orbit", "0,90,3", "--target", "-5,0.5,0", "--fov-y", "19"});  // one sphere
-  } else {
-    add({request.source.c_str(), "--background", "transparent"});
-    if (!isBuiltin(request.source)) add({"--env", "builtin:studio"});
+  frame::PictureSettings s;
+  s.frame.width = s.frame.height = thumbnailSide;
+  if (request.kind == FileKind::environment) {  // on the smooth metal sphere, no other
+    s.sources.environment = request.source;
+    s.look.lights = frame::Lights::none;
+    s.viewpoint = {.camera = {}, .orbit = frame::Orbit{0, 90, 2.2}, .target = glm::dvec3(-5, 0.5, 0), .fovYDeg = 27};
+    return options::commandWords(s, "builtin:furnace", png.string());
   }
-  add({"--size", (side + "x" + side).c_str(), "--samples", "4", "-o", png.c_str()});
-  return arguments;
+  s.frame.background = frame::Background::transparent;
+  if (request.kind == FileKind::brdf) {  // one sphere
+    s.sources.brdf = request.source;
+    s.sources.environment = "builtin:studio";
+    s.look.lights = frame::Lights::none;
+    s.viewpoint = {.camera = {}, .orbit = frame::Orbit{0, 90, 3}, .target = glm::dvec3(-5, 0.5, 0), .fovYDeg = 19};
+    return options::commandWords(s, "builtin:furnace", png.string());
+  }
+  if (!isBuiltin(request.source)) s.sources.environment = "builtin:studio";
+  return options::commandWords(s, request.source, png.string());
 }
 
 DiskCache thumbnailCache() {

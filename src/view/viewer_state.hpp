@@ -9,12 +9,11 @@
 #include <string_view>
 #include <vector>
 
-#include "frame/display_pass.hpp"
 #include "frame/draw_list.hpp"
-#include "frame/fitted_gpu.hpp"
-#include "frame/frame.hpp"
 #include "frame/material_choice.hpp"
+#include "frame/measured_read.hpp"
 #include "frame/settings.hpp"
+#include "frame/statistics.hpp"
 #include "ibl/choice.hpp"
 #include "scene/camera.hpp"
 #include "scene/pick.hpp"

@@ -49,7 +49,6 @@ struct Viewport {
   Environments environments;
   frame::Drawable shown;                // of `scene`
   frame::Plan plan = {.moving = true};  // of what comes next
-  std::vector<bool> imagesAsked;        // that the loader decodes
   std::string loadingEnvironment;
   MeasuredView measured;
   Comparison comparison;

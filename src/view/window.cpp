@@ -3,6 +3,8 @@
 #include <imgui.h>
 #include <imgui/backends/imgui_impl_glfw.h>
 #include <imgui/backends/imgui_impl_opengl3.h>
+
+#include "options/picture_options.hpp"
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
@@ -49,7 +51,6 @@ struct Loop {
   Followed followed;
   Browser browser;
   std::string model;  // what the loader reads
-  decltype(WindowOptions::commandLine) commandLine;
   std::string noted;  // model and environment that the browser was told last
   LoadTime load;
 };
@@ -224,8 +225,8 @@ bool turn(Loop& loop, ImGuiSession& imgui, Viewport& viewport, ViewerState& stat
     PanelResult panel;
     drawBrowser(loop.browser, state, panel);
     drawPanel(state, panel);
-    if (panel.copyCommand && loop.commandLine)
-      copyCommand(loop.commandLine(commandSettings(state), state.shown.model), state);
+    if (panel.copyCommand)
+      copyCommand(options::commandLine(commandSettings(state), state.shown.model, "picture.png"), state);
     applyPanel(panel, viewport, state, loop.input, actions);
   }
   loop.input.keyboardTaken |= state.searchAsked || loop.browser.focusing > 0;
@@ -309,7 +310,6 @@ Result<bool> runWindow(const WindowOptions& options) {
   glfwSwapInterval(1);
   Loop loop;
   loop.window = context->window();
-  loop.commandLine = options.commandLine;
   loop.shaders = watchShaders(options.settings.sources.shaderDir);
   listen(loop.window, loop.input);
   ImGuiSession imgui(loop.window, state);

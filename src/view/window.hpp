@@ -2,7 +2,6 @@
 
 // The viewer: a window on a model.
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,11 +14,9 @@ struct WindowOptions {
   std::string model = "builtin:poster";  // a path or "builtin:NAME"
   frame::PictureSettings settings;       // the size is the window's
   std::vector<std::string> folders;      // to be browsed
-  // What draws the same picture from the command line, for "copy command". Empty: nothing is copied.
-  std::function<std::string(const frame::PictureSettings& settings, const std::string& model)> commandLine;
-  bool sizeGiven = false;  // else the window gets the size that it had last
-  bool diskCache = true;   // program binaries, tables
-  bool glDebug = false;    // KHR_debug
+  bool sizeGiven = false;                // else the window gets the size that it had last
+  bool diskCache = true;                 // program binaries, tables
+  bool glDebug = false;                  // KHR_debug
 };
 
 // What can be told without reading anything, so that it is told without a window: the model, the environment or the

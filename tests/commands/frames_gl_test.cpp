@@ -63,5 +63,6 @@ TEST_CASE("facet render --frames: every way to be wrong has its sentence") {
        "--frames: nothing moves without an animation; give --animation NAME, or --animation all.");
   says({"--frames", "2", "--animation", "rise", "-o", folder.file("f.png")},
        "does not say where the frame's number goes; give a name like frame_%04d.png.");
+  says({"--animation", "fall", "-o", folder.file("f.png")}, "(--animation)");
   says({"--animation", "fall", "-o", folder.file("f.png")}, "there is no animation");
 }

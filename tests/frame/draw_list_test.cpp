@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "frame/picture.hpp"
+#include "frame/settings.hpp"
 #include "scene/builtin_scenes.hpp"
 #include "scene/geometry.hpp"
 #include "support/gltf_load.hpp"

@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "frame/settings.hpp"
+
 using namespace facet;
 using frame::PictureSettings;
 

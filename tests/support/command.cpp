@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "commands/option_text.hpp"
+#include "base/text.hpp"
 
 namespace facet::test {
 
@@ -25,8 +25,8 @@ Outcome runShell(const std::string& line) {
 std::string facetPath() { return FACET_EXECUTABLE; }
 
 Outcome runFacet(const std::vector<std::string>& words) {
-  std::string line = commands::shellWord(FACET_EXECUTABLE);
-  for (const std::string& word : words) line.append(" ").append(commands::shellWord(word));
+  std::string line = shellWord(FACET_EXECUTABLE);
+  for (const std::string& word : words) line.append(" ").append(shellWord(word));
   return runShell(line);
 }
 

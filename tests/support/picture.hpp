@@ -5,6 +5,7 @@
 #include <string>
 
 #include "frame/session.hpp"
+#include "frame/settings.hpp"
 #include "io/gltf.hpp"
 #include "support/gltf_builder.hpp"
 

@@ -5,9 +5,9 @@
 #include <fstream>
 #include <iterator>
 
-#include "commands/option_text.hpp"
-#include "commands/picture_options.hpp"
+#include "base/text.hpp"
 #include "io/image.hpp"
+#include "options/picture_options.hpp"
 #include "support/command.hpp"
 #include "support/temporary_folder.hpp"
 #include "view/viewer.hpp"
@@ -18,10 +18,10 @@ namespace facet::test {
 inline void checkCopiedCommand(const Viewer& viewer, const TemporaryFolder& folder) {
   REQUIRE(io::writePng(folder.file("window.png"), viewer.display()));
   const std::string line =
-      commands::commandLine(view::commandSettings(viewer.state), viewer.state.shown.model, folder.file("command.png"));
+      options::commandLine(view::commandSettings(viewer.state), viewer.state.shown.model, folder.file("command.png"));
   INFO(line);
   REQUIRE(line.starts_with("facet render "));
-  const Outcome outcome = runShell(commands::shellWord(facetPath()) + line.substr(5));
+  const Outcome outcome = runShell(shellWord(facetPath()) + line.substr(5));
   INFO(outcome.text);
   REQUIRE(outcome.status == 0);
   const auto bytes = [&](const char* name) {

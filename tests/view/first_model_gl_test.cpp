@@ -61,6 +61,26 @@ TEST_CASE("viewport: what the command line names is the first model's alone", "[
   CHECK_FALSE(settings.viewpoint.orbit);
 }
 
+TEST_CASE("viewport: a new model's images are asked for while those of another are still decoded", "[gl]") {
+  const test::TemporaryFolder folder;
+  const std::string red = folder.write("red.glb", texturedTriangle({255, 0, 0}));
+  const std::string blue = folder.write("blue.glb", texturedTriangle({0, 0, 255}));
+  Viewer viewer;
+  view::startModel(viewer.loader, red, view::Opening::first);
+  view::takeModel(viewer.viewport, viewer.state, *viewer.loader.model.take(true));
+  const auto ask = [&] {  // the loader's images are never taken
+    for (int turn = 0; turn < 100; ++turn) view::bringUp(viewer.viewport, viewer.state, viewer.loader);
+    return viewer.loader.imagesAsked;
+  };
+  CHECK(ask().model == viewer.viewport.next->loaded);
+  view::startModel(viewer.loader, blue);
+  view::takeModel(viewer.viewport, viewer.state, *viewer.loader.model.take(true));
+  CHECK(ask().model == viewer.viewport.next->loaded);
+  CHECK(ask().wanted == std::vector<bool>{true});
+  viewer.settle();
+  CHECK(viewer.state.shown.model == blue);
+}
+
 TEST_CASE("viewport: a first model without what the command line names of it is told and not shown", "[gl]") {
   struct Row {
     void (*set)(frame::PictureSettings&);

@@ -21,10 +21,10 @@ std::optional<view::ThumbnailMade> await(view::ThumbnailMaker& maker) {
   return std::nullopt;
 }
 
-// A program that answers in place of facet: `script` sees the picture's path as $OUT.
+// A program that answers in place of "facet render SOURCE -o PICTURE ...": `script` sees the picture as $OUT.
 std::string program(const test::TemporaryFolder& folder, const std::string& name, const std::string& script) {
   const std::string path =
-      folder.write(name, "#!/bin/sh\nfor OUT; do :; done\necho run >>" + folder.file("runs") + "\n" + script + "\n");
+      folder.write(name, "#!/bin/sh\nOUT=$4\necho run >>" + folder.file("runs") + "\n" + script + "\n");
   std::filesystem::permissions(path, std::filesystem::perms::owner_all);
   return path;
 }
@@ -56,14 +56,14 @@ TEST_CASE("thumbnails: the key changes with path, time and size") {
 
 TEST_CASE("thumbnails: the arguments are those of a small picture") {
   const auto model = view::thumbnailArguments({FileKind::model, "/a b.glb"}, "/o.png");
-  CHECK(model == std::vector<std::string>{"render", "/a b.glb", "--background", "transparent", "--env",
-                                          "builtin:studio", "--size", "96x96", "--samples", "4", "-o", "/o.png"});
+  CHECK(model == std::vector<std::string>{"render", "/a b.glb", "-o", "/o.png", "--size", "96x96", "--env",
+                                          "builtin:studio", "--background", "transparent"});
   const auto map = view::thumbnailArguments({FileKind::environment, "/sky.hdr"}, "/o.png");
-  CHECK(map[1] == "builtin:furnace");
-  CHECK(map[3] == "/sky.hdr");
+  CHECK(map == std::vector<std::string>{"render", "builtin:furnace", "-o", "/o.png", "--size", "96x96", "--orbit",
+                                        "0,90,2.2", "--target", "-5,0.5,0", "--fov-y", "27", "--env", "/sky.hdr",
+                                        "--lights", "none"});
   const auto brdf = view::thumbnailArguments({FileKind::brdf, "/gold.binary"}, "/o.png");
-  CHECK(brdf[2] == "--brdf");
-  CHECK(brdf[3] == "/gold.binary");
+  CHECK(std::ranges::search(brdf, std::vector<std::string>{"--brdf", "/gold.binary"}).size() == 2);
 }
 
 TEST_CASE("thumbnails: made once, then read from the disk, a changed file is made anew") {

@@ -2,10 +2,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "commands/picture_options.hpp"
 #include "frame/picture.hpp"
 #include "io/gltf.hpp"
 #include "optics/presets.hpp"
+#include "options/picture_options.hpp"
 #include "support/gltf_builder.hpp"
 #include "support/temporary_folder.hpp"
 #include "view/screenshot.hpp"
@@ -49,12 +49,12 @@ TEST_CASE("viewer state: the copied command gives the same settings again") {
   state.settings.look.channel = "normal";
   state.shown.environment = "builtin:sky";
   state.camera = {12.5, 80, 3.25, {0.5, 1, -2}, 35};
-  const std::string line = commands::commandLine(view::commandSettings(state), "a b.glb");
+  const std::string line = options::commandLine(view::commandSettings(state), "a b.glb");
   CHECK(line ==
         "facet 'a b.glb' --size 1280x800 --orbit 12.5,80,3.25 --target 0.5,1,-2 --fov-y 35 --env builtin:sky "
         "--env-rotation 30 --exposure -1.5 --channel normal");
   state.settings.viewpoint.camera = "door";
-  CHECK(commands::commandLine(view::commandSettings(state), "a.glb") ==
+  CHECK(options::commandLine(view::commandSettings(state), "a.glb") ==
         "facet a.glb --size 1280x800 --camera door --env builtin:sky --env-rotation 30 --exposure -1.5 "
         "--channel normal");
 }

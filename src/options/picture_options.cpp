@@ -1,21 +1,20 @@
-#include "commands/picture_options.hpp"
+#include "options/picture_options.hpp"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "base/nearest.hpp"
 #include "base/srgb.hpp"
-#include "commands/option_text.hpp"
+#include "base/text.hpp"
 #include "frame/material_choice.hpp"
+#include "frame/settings.hpp"
 #include "optics/presets.hpp"
 #include "shading/features.hpp"
 
-namespace facet::commands {
+namespace facet::options {
 
 namespace {
 
@@ -425,7 +424,10 @@ constexpr PictureOption optionTable[] = {
      true},
 };
 
-// What is chosen where the option is not given, in brackets.
+}  // namespace
+
+std::span<const PictureOption> pictureOptions() { return optionTable; }
+
 std::string helpOf(const PictureOption& option) {
   std::string help(option.help);
   if (!option.choices) return help;
@@ -439,39 +441,12 @@ std::vector<Text> optionNames() {
   return names;
 }
 
-const PictureOption* find(Text name) {
+const PictureOption* findOption(Text name) {
   for (const PictureOption& option : optionTable) {
     if (option.name == name) return &option;
   }
   return nullptr;
 }
-
-// ---- JSON -----------------------------------------------------------------------------------------------------------
-
-// A job's value as the command line would have it.
-Result<std::string> textOf(const nlohmann::json& value, const PictureOption& option) {
-  const auto numberText = [](const nlohmann::json& n) {
-    return n.is_number_float() ? number(n.get<double>()) : n.dump();
-  };
-  if (value.is_string()) return value.get<std::string>();
-  if (value.is_number()) return numberText(value);
-  const auto wrong = [&](const nlohmann::json& found) {
-    return fail({}, {}, "a value of type " + std::string(found.type_name()) + " is no " + std::string(option.value),
-                "give a text, a number or an array of numbers");
-  };
-  if (!value.is_array()) return wrong(value);
-  std::string text;
-  for (const nlohmann::json& element : value) {
-    if (!element.is_number()) return wrong(element);
-    if (!text.empty()) text += option.separator;
-    text += numberText(element);
-  }
-  return text;
-}
-
-}  // namespace
-
-std::span<const PictureOption> pictureOptions() { return optionTable; }
 
 std::string placedBelow(const std::string& folder, const PictureOption& option, const std::string& text) {
   if (!option.isPath || text.empty() || text == "none" || text.starts_with("builtin:")) return text;
@@ -481,19 +456,9 @@ std::string placedBelow(const std::string& folder, const PictureOption& option, 
   return option.mayBeName && word && !std::filesystem::exists(path, error) ? text : path.string();
 }
 
-void addPictureOptions(CLI::App& app, PictureArguments& arguments, std::span<const Text> only) {
-  for (const PictureOption& option : optionTable) {
-    if (!only.empty() && std::ranges::find(only, option.name) == only.end()) continue;
-    const auto keep = [&arguments, name = option.name](const std::string& text) { arguments[name] = text; };
-    app.add_option_function<std::string>("--" + std::string(option.name), keep, helpOf(option))
-        ->type_name(std::string(option.value))
-        ->group("Picture");
-  }
-}
-
 Result<void> apply(const PictureArguments& arguments, PictureSettings& settings) {
   for (const auto& [name, text] : arguments)
-    if (!find(name))
+    if (!findOption(name))
       return fail({}, "--" + std::string(name), "there is no such option", suggestion(name, optionNames()));
   for (const PictureOption& option : optionTable) {
     const auto given = arguments.find(option.name);
@@ -505,26 +470,27 @@ Result<void> apply(const PictureArguments& arguments, PictureSettings& settings)
   return checkTogether(settings);
 }
 
-Result<void> apply(const nlohmann::json& object, std::span<const Text> others, const std::string& folder,
-                   const std::string& file, const std::string& pointer, PictureSettings& settings) {
-  for (const auto& [key, value] : object.items()) {
-    if (find(key) || std::find(others.begin(), others.end(), key) != others.end()) continue;
-    std::vector<Text> names = optionNames();
-    names.insert(names.end(), others.begin(), others.end());
-    return fail(file, pointer + "/" + pointerToken(key), "there is no such option", suggestion(key, names));
-  }
-  for (const PictureOption& option : optionTable) {
-    const auto given = object.find(std::string(option.name));
-    if (given == object.end()) continue;
-    const Result<std::string> text = textOf(*given, option);
-    const Result<void> parsed =
-        text ? option.parse(placedBelow(folder, option, *text), settings) : tl::unexpected(text.error());
-    if (!parsed) {
-      const std::string place = pointer + "/" + pointerToken(option.name);
-      return fail(file, place, parsed.error().problem, parsed.error().remedy);
-    }
-  }
-  return {};
+namespace {
+
+// Row i is that of Setting(i).
+constexpr Text settingOptions[] = {"",    "scene", "variant", "animation", "camera", "bump",
+                                   "env", "ndf",   "fresnel", "samples",   "brdf",   "brdf-dir"};
+static_assert(std::size(settingOptions) == static_cast<size_t>(Setting::brdfFolder) + 1);
+static_assert(std::ranges::all_of(settingOptions, [](Text name) {
+  return name.empty() || std::ranges::any_of(optionTable, [&](const PictureOption& o) { return o.name == name; });
+}));
+
+}  // namespace
+
+std::string describe(const Error& error) {
+  std::string text = facet::describe(error);
+  const Text option = settingOptions[static_cast<size_t>(error.about)];
+  if (!option.empty()) text.insert(text.size() - 1, " (--" + std::string(option) + ")");
+  return text;
+}
+
+std::string describe(const std::string& source, const Note& note) {
+  return describe({source, note.place, note.text, {}, note.about});
 }
 
 Result<void> checkTogether(const PictureSettings& settings) {
@@ -537,18 +503,25 @@ Result<void> checkTogether(const PictureSettings& settings) {
               "give either this or --camera");
 }
 
-std::string commandLine(const PictureSettings& settings, const std::string& model, const std::string& output) {
-  std::string line = output.empty() ? "facet" : "facet render";
-  if (!model.empty()) line += " " + shellWord(model);
-  if (!output.empty()) line += " -o " + shellWord(output);
+std::vector<std::string> commandWords(const PictureSettings& settings, const std::string& model,
+                                      const std::string& output) {
+  std::vector<std::string> words;
+  if (!output.empty()) words.push_back("render");
+  if (!model.empty()) words.push_back(model);
+  if (!output.empty()) words.insert(words.end(), {"-o", output});
   const PictureSettings defaults;
   for (const PictureOption& option : optionTable) {
     const std::string text = option.write(settings);
-    if (!text.empty() && text != option.write(defaults)) {
-      line += " --" + std::string(option.name) + " " + shellWord(text);
-    }
+    if (!text.empty() && text != option.write(defaults))
+      words.insert(words.end(), {"--" + std::string(option.name), text});
   }
+  return words;
+}
+
+std::string commandLine(const PictureSettings& settings, const std::string& model, const std::string& output) {
+  std::string line = "facet";
+  for (const std::string& word : commandWords(settings, model, output)) line += " " + shellWord(word);
   return line;
 }
 
-}  // namespace facet::commands
+}  // namespace facet::options

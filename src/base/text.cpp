@@ -1,10 +1,10 @@
-#include "commands/option_text.hpp"
+#include "base/text.hpp"
 
 #include <array>
 #include <charconv>
 #include <cmath>
 
-namespace facet::commands {
+namespace facet {
 
 namespace {
 
@@ -73,4 +73,4 @@ std::string pointerToken(std::string_view key) {
   return token;
 }
 
-}  // namespace facet::commands
+}  // namespace facet

@@ -1,6 +1,6 @@
 #pragma once
 
-// Text of an option's value <-> numbers, and the two ways of quoting that commands need.
+// Text <-> numbers, and ways of quoting.
 
 #include <string>
 #include <string_view>
@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 
-namespace facet::commands {
+namespace facet {
 
 // The whole text is one finite number in [min, max]; a leading + is accepted. Errors hold problem and remedy.
 Result<double> parseNumber(std::string_view text, double min, double max);
@@ -25,4 +25,4 @@ std::string inQuotes(std::string_view text);     // 'text', for messages
 std::string shellWord(std::string_view text);    // one word for a POSIX shell, quoted where it has to be
 std::string pointerToken(std::string_view key);  // of a JSON pointer (RFC 6901): ~ as ~0, / as ~1
 
-}  // namespace facet::commands
+}  // namespace facet

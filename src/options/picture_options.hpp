@@ -1,22 +1,18 @@
 #pragma once
 
-// The one table of a picture's options. Command line, job files, help and the panel's "copy command" are derived from
-// it.
+// The one table of a picture's options. Command line, job files, help, the names of options in messages and the panel's
+// "copy command" are derived from it.
 
 #include <map>
-#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/error.hpp"
-#include "frame/settings.hpp"
+#include "frame/settings_fwd.hpp"
 
-namespace CLI {
-class App;
-}
-
-namespace facet::commands {
+namespace facet::options {
 
 struct PictureOption {
   std::string_view name;   // --NAME on the command line, "NAME" in a job
@@ -35,6 +31,12 @@ struct PictureOption {
 // In the order in which they are applied, whatever order they are given in: a substance comes before what differs from
 // it.
 std::span<const PictureOption> pictureOptions();
+// Null where there is none of that name.
+const PictureOption* findOption(std::string_view name);
+std::vector<std::string_view> optionNames();
+
+// Its help, with the words that it takes and in brackets what is chosen where it is not given.
+std::string helpOf(const PictureOption& option);
 
 // An option's text in a job: paths are taken below `folder`. "builtin:..." and "none" are names; so is a plain word of
 // an option that takes names, unless such a file exists there or its ending is that of a database.
@@ -43,25 +45,21 @@ std::string placedBelow(const std::string& folder, const PictureOption& option, 
 // Names and texts of the options that were given.
 using PictureArguments = std::map<std::string_view, std::string>;
 
-// Registers the table's options, or only those of these names; parsing fills `arguments`, which must live as long as
-// app.
-void addPictureOptions(CLI::App& app, PictureArguments& arguments, std::span<const std::string_view> only = {});
-
 // Sets what was given, leaves the rest. Errors name the option: "--samples: 0 is out of range; give ...".
 Result<void> apply(const PictureArguments& arguments, frame::PictureSettings& settings);
 
-// Sets what the object holds except the keys in `others`, which are the caller's. An option's value is its text, a
-// number, or an array of numbers: "orbit": [25, 75, 0.4], "size": "640x480", "exposure": -1. Relative paths are taken
-// below `folder`. `file` and `pointer` (of the object) lead the errors.
-Result<void> apply(const nlohmann::json& object, std::span<const std::string_view> others, const std::string& folder,
-                   const std::string& file, const std::string& pointer, frame::PictureSettings& settings);
+// facet::describe with the options that set what it is about: "...; choose none (--variant)."
+std::string describe(const Error& error);
+std::string describe(const std::string& source, const Note& note);
 
 // Options that exclude each other: camera against orbit and target.
 Result<void> checkTogether(const frame::PictureSettings& settings);
 
 // The shortest command that shows (`facet MODEL ...`) or, with an output, renders (`facet render MODEL -o OUTPUT ...`)
-// the same picture, to the last bit; quoted for a POSIX shell.
+// the same picture, to the last bit: its words, without the program's name, and the line, quoted for a POSIX shell.
+std::vector<std::string> commandWords(const frame::PictureSettings& settings, const std::string& model,
+                                      const std::string& output = {});
 std::string commandLine(const frame::PictureSettings& settings, const std::string& model,
                         const std::string& output = {});
 
-}  // namespace facet::commands
+}  // namespace facet::options

@@ -1,4 +1,4 @@
-#include "commands/picture_options.hpp"
+#include "options/picture_options.hpp"
 
 #include <CLI/CLI.hpp>
 #include <catch2/catch.hpp>
@@ -6,13 +6,15 @@
 #include <sstream>
 
 #include "base/srgb.hpp"
-#include "commands/option_text.hpp"
+#include "base/text.hpp"
+#include "commands/picture_arguments.hpp"
+#include "frame/settings.hpp"
 #include "support/command.hpp"
 
 using namespace facet;
-using commands::PictureArguments;
 using frame::PictureSettings;
 using nlohmann::json;
+using options::PictureArguments;
 
 namespace {
 
@@ -20,12 +22,12 @@ constexpr std::string_view jobKeys[] = {"model", "output"};
 
 Result<PictureSettings> fromArguments(const PictureArguments& arguments) {
   PictureSettings settings;
-  return commands::apply(arguments, settings).map([&] { return settings; });
+  return options::apply(arguments, settings).map([&] { return settings; });
 }
 
 Result<PictureSettings> fromJson(const json& object, const std::string& folder = "folder") {
   PictureSettings settings;
-  return commands::apply(object, jobKeys, folder, "jobs.json", "/jobs/2", settings).map([&] { return settings; });
+  return commands::applyObject(object, jobKeys, folder, "jobs.json", "/jobs/2", settings).map([&] { return settings; });
 }
 
 // Words -> CLI11 -> settings, as the window command and render do it.
@@ -41,7 +43,7 @@ Result<PictureSettings> fromWords(std::vector<std::string> words, std::string* m
 }
 
 void checkEqual(const PictureSettings& a, const PictureSettings& b) {
-  for (const commands::PictureOption& option : commands::pictureOptions()) {
+  for (const options::PictureOption& option : options::pictureOptions()) {
     CAPTURE(option.name);
     CHECK(option.write(a) == option.write(b));
   }
@@ -95,19 +97,32 @@ TEST_CASE("a time needs an animation") {
   CHECK(both->placement.animation == "all");
 }
 
+TEST_CASE("a message below names no option, what the program says does") {
+  CHECK(options::describe(Error{"a.glb", "", "there is no camera", "it has none", Setting::camera}) ==
+        "a.glb: there is no camera; it has none (--camera).");
+  CHECK(options::describe("a.glb", {Note::Severity::warning, "", "nothing lights the scene", Setting::environment}) ==
+        "a.glb: nothing lights the scene (--env).");
+  CHECK(options::describe("a.glb", {Note::Severity::warning, "/nodes/1", "is left out"}) ==
+        "a.glb: /nodes/1: is left out.");
+  // Each setting has an option.
+  for (int i = 1; i <= static_cast<int>(Setting::brdfFolder); ++i)
+    CHECK(options::describe(Error{"", "", "wrong", "", Setting(i)}).starts_with("wrong (--"));
+  CHECK(describe(Error{"", "", "wrong", "", Setting::brdf}) == "wrong.");
+}
+
 TEST_CASE("a comparison needs a measured BRDF") {
   CHECK(describe(fromArguments({{"brdf-compare", "split"}}).error()) ==
         "--brdf-compare: there is no measured BRDF to compare; give --brdf, too.");
   const auto both = fromArguments({{"brdf-compare", "fit"}, {"brdf", "gold"}});
   REQUIRE(both);
   CHECK(both->comparison.brdfCompare == frame::BrdfCompare::fit);
-  CHECK(commands::commandLine(*both, "a.glb") == "facet a.glb --brdf gold --brdf-compare fit");
+  CHECK(options::commandLine(*both, "a.glb") == "facet a.glb --brdf gold --brdf-compare fit");
   PictureSettings measured = *both;
   measured.comparison.brdfCompare = frame::BrdfCompare::none;
-  CHECK(commands::commandLine(measured, "a.glb") == "facet a.glb --brdf gold");
+  CHECK(options::commandLine(measured, "a.glb") == "facet a.glb --brdf gold");
   PictureSettings without = *both;
   without.sources.brdf.clear();  // as the panel leaves it
-  CHECK(commands::commandLine(without, "a.glb") == "facet a.glb");
+  CHECK(options::commandLine(without, "a.glb") == "facet a.glb");
 }
 
 TEST_CASE("each option sets its own field") {
@@ -230,7 +245,7 @@ TEST_CASE("every way to be wrong has its sentence") {
 }
 
 TEST_CASE("every option of the table has a row above: its parser refuses something") {
-  for (const commands::PictureOption& option : commands::pictureOptions()) {
+  for (const options::PictureOption& option : options::pictureOptions()) {
     PictureSettings settings;
     CAPTURE(option.name);
     CHECK_FALSE(option.parse("", settings));
@@ -245,11 +260,11 @@ TEST_CASE("a substance comes before what differs from it, in whatever order both
     REQUIRE(settings);
     CHECK(settings->look.material.metallic == 0.5f);
     CHECK(settings->look.material.preset == "gold");
-    CHECK(commands::commandLine(*settings, "a.glb") == "facet a.glb --material gold --material-metallic 0.5");
+    CHECK(options::commandLine(*settings, "a.glb") == "facet a.glb --material gold --material-metallic 0.5");
   }
   PictureSettings off = *words;
   off.look.material.on = false;
-  CHECK(commands::commandLine(off, "a.glb") == "facet a.glb");
+  CHECK(options::commandLine(off, "a.glb") == "facet a.glb");
 }
 
 TEST_CASE("a camera of the file excludes a place of one's own") {
@@ -263,7 +278,7 @@ TEST_CASE("a camera of the file excludes a place of one's own") {
 TEST_CASE("what write gives, parse reads back") {
   const PictureSettings settings = unusual();
   PictureSettings read;
-  for (const commands::PictureOption& option : commands::pictureOptions()) {
+  for (const options::PictureOption& option : options::pictureOptions()) {
     const std::string text = option.write(settings);
     CAPTURE(option.name, text);
     if (option.name == "camera") continue;  // excluded by the orbit
@@ -280,13 +295,13 @@ TEST_CASE("what write gives, parse reads back") {
 }
 
 TEST_CASE("the command line names only what differs from the defaults") {
-  CHECK(commands::commandLine({}, "a.glb") == "facet a.glb");
-  CHECK(commands::commandLine({}, "") == "facet");
-  CHECK(commands::commandLine({}, "a b.glb", "o'c.png") == "facet render 'a b.glb' -o 'o'\\''c.png'");
+  CHECK(options::commandLine({}, "a.glb") == "facet a.glb");
+  CHECK(options::commandLine({}, "") == "facet");
+  CHECK(options::commandLine({}, "a b.glb", "o'c.png") == "facet render 'a b.glb' -o 'o'\\''c.png'");
   PictureSettings settings;
   settings.display.exposureStops = 1.5f, settings.frame.width = 640,
   settings.frame.background = frame::Background::transparent;
-  CHECK(commands::commandLine(settings, "a.glb") ==
+  CHECK(options::commandLine(settings, "a.glb") ==
         "facet a.glb --size 640x1024 --background transparent --exposure 1.5");
 }
 
@@ -297,7 +312,7 @@ TEST_CASE("a command line goes through a shell and the parser and comes back the
     settings.viewpoint.orbit.reset(), settings.viewpoint.target.reset(),
         settings.viewpoint.camera = "-- $(date) \"Kamera\" 1;2 `x`";
   const std::string model = "dir with space/it's.glb";
-  const std::string line = commands::commandLine(settings, model);
+  const std::string line = options::commandLine(settings, model);
   CAPTURE(line);
   REQUIRE(line.starts_with("facet "));
   const test::Outcome outcome = test::runShell("printf '%s\\n' " + line.substr(6));
@@ -309,7 +324,7 @@ TEST_CASE("a command line goes through a shell and the parser and comes back the
   REQUIRE(read);
   CHECK(readModel == model);
   checkEqual(*read, settings);
-  CHECK(commands::commandLine(*read, readModel) == line);
+  CHECK(options::commandLine(*read, readModel) == line);
 }
 
 TEST_CASE("negative values and equals signs pass through the command line") {
@@ -383,7 +398,7 @@ TEST_CASE("JSON: an error leads with file and pointer") {
 
 TEST_CASE("every row of a choice is an option's word, comes back as it was given, and is in its help") {
   size_t choices = 0;
-  for (const commands::PictureOption& option : commands::pictureOptions()) {
+  for (const options::PictureOption& option : options::pictureOptions()) {
     if (!option.choices) continue;
     ++choices;
     const std::string listed = option.choices(), words = listed.substr(0, listed.find(';'));

@@ -1,0 +1,12 @@
+# GCC 12 bug 105562: with sanitizers std::regex looks uninitialised. For those of the sources that include it.
+function(facet_sanitized_regex)
+  if(NOT FACET_SANITIZE OR NOT CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    return()
+  endif()
+  foreach(source IN LISTS ARGN)
+    file(STRINGS ${source} regex REGEX "^#include <regex>")
+    if(regex)
+      set_property(SOURCE ${source} APPEND PROPERTY COMPILE_OPTIONS -Wno-maybe-uninitialized)
+    endif()
+  endforeach()
+endfunction()
