@@ -29,6 +29,7 @@ LAYOUT_CONST texCoordSetCount = 8;
 // Uniform buffers.
 LAYOUT_CONST frameBinding = 0;
 LAYOUT_CONST materialBinding = 1;
+LAYOUT_CONST pathsBinding = 2;
 
 // Shader storage buffers.
 LAYOUT_CONST instanceBinding = 0;
@@ -40,6 +41,8 @@ LAYOUT_CONST influenceBinding = 5;     // of one primitive
 LAYOUT_CONST jointBinding = 6;         // of all skins
 LAYOUT_CONST morphTargetBinding = 7;   // of one primitive
 LAYOUT_CONST morphWeightBinding = 8;   // of all instances
+LAYOUT_CONST pathGroupsBinding = 8;    // of passes that draw nothing
+LAYOUT_CONST rayHolesBinding = 10;     // likewise
 LAYOUT_CONST measuredBinding = 9;      // a measured BRDF; only where a draw reads it
 
 // Texture units. First the material's slots (texture_slots.inc). A driver may offer as few as 16 units to a stage: what
@@ -61,6 +64,11 @@ LAYOUT_CONST opaqueFrameUnit = materialSlotCount + 8;  // what is behind transmi
 LAYOUT_CONST opaqueDepthUnit = materialSlotCount + 9;  // its depth, with mips
 LAYOUT_CONST tapsUnit = materialSlotCount + 10;        // image_light_taps.glsl
 LAYOUT_CONST comparedUnit = materialSlotCount + 11;    // the fitted model's picture
+LAYOUT_CONST rayNodesUnit = materialSlotCount + 12;    // rays.h
+LAYOUT_CONST rayTrianglesUnit = materialSlotCount + 13;
+LAYOUT_CONST rayPlacementsUnit = materialSlotCount + 14;
+LAYOUT_CONST environmentTexelsUnit = materialSlotCount + 15;
+LAYOUT_CONST rayAlphaUnit = materialSlotCount + 16;
 
 // Compute passes: invocations of a work group along x and y; pixels along the edge of the square that one group sums up.
 LAYOUT_CONST groupSize = 8;
@@ -102,6 +110,8 @@ LAYOUT_CONST dfgRadiiLocation = 0;
 LAYOUT_CONST dfgSamplesLocation = 0;
 LAYOUT_CONST sheenHeightsLocation = 0;
 LAYOUT_CONST probeCountLocation = 0;
+LAYOUT_CONST pathsClassLocation = 0;
+LAYOUT_CONST holesFirstLocation = 0;
 
 // The LD chain: layer i holds perceptual roughness ldKnot(i) (environment_layers.glsl); how many cubes of which size.
 LAYOUT_CONST ldLayerCount = 13;

@@ -4,7 +4,7 @@
 #include "bsdf.glsl"
 #include "layers/dielectric.glsl" if HAS_DIELECTRIC_SPECULAR
 #include "dfg_table.glsl"
-#include "normal_spread.glsl" if SPREAD_NORMALS
+#include "pixel_spread.glsl" if SPREAD_NORMALS
 #include "sheen_table.glsl" if HAS_SHEEN
 
 // KHR_materials_ior, KHR_materials_specular.
@@ -44,7 +44,7 @@ void readCoat(inout Surface s, Varyings v) {
   float weight = clamp(material.clearcoatFactor * clearcoatTexel(v).r, 0.0, 1.0);
   vec3 N = normalFromTexel(v, clearcoatNormalTexel(v).xyz, material.clearcoatNormalScale, s.V);
   float perceptualRoughness = clamp(material.clearcoatRoughnessFactor * clearcoatRoughnessTexel(v).g, 0.0, 1.0);
-  perceptualRoughness = roughnessOverPixel(perceptualRoughness, dFdx(N), dFdy(N));
+  perceptualRoughness = spreadRoughness(perceptualRoughness, N);
   float NoV = clamp(dot(N, s.V), minNoV, 1.0);
   setCoat(s.coat, N, NoV, weight, perceptualRoughness, lookUpDfg(NoV, perceptualRoughness));
 }

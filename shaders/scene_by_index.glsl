@@ -1,10 +1,8 @@
 // What lies at a point of a triangle, from buffers that hold all of a scene (src/frame/scene_buffers.hpp), in the
 // mesh's space and as the file has it: no skin, no morph target. With MATERIAL_BY_INDEX, of material.glsl: `material`
 // is filled by selectMaterial, and textures are those of the caller.
-#include "layout.h"
-#include "scene_by_index.h"
+#include "scene_primitives.glsl"
 
-layout(std430, binding = scenePrimitivesBinding) readonly buffer ScenePrimitivesBlock { ScenePrimitive scenePrimitives[]; };
 layout(std430, binding = sceneTrianglesBinding) readonly buffer SceneTrianglesBlock { uint sceneTriangles[]; };
 layout(std430, binding = sceneAttributesBinding) readonly buffer SceneAttributesBlock { float sceneAttributes[]; };
 layout(std430, binding = sceneMaterialsBinding) readonly buffer SceneMaterialsBlock { MaterialUniforms sceneMaterials[]; };

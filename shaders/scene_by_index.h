@@ -27,10 +27,11 @@ struct ScenePrimitive {
   uint material;                          // index in the draw list's materials
   uint triangles, vertices;               // their numbers
   uint texCoord[8];                       // of TEXCOORD_0 to 7
+  uint shading;                           // number of what is shaded alike, for whom asks for it
 };
 
 #ifdef __cplusplus
 #undef BY_INDEX_CONST
-static_assert(sizeof(ScenePrimitive) == 16 * 4);
+static_assert(sizeof(ScenePrimitive) == 17 * 4);
 }  // namespace facet::layout
 #endif

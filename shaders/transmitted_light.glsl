@@ -133,9 +133,6 @@ Passage passageThrough(Surface s, float ior, float thickness) {
 #include "transmitted_punctual.glsl" if HAS_PUNCTUAL_LIGHTS
 #include "layers/dispersion.glsl" if HAS_DISPERSION
 
-// KHR_materials_transmission: of the light that enters the dielectric, what passes through.
-float transmittedShare(Varyings v) { return clamp(material.transmissionFactor * transmissionTexel(v).r, 0.0, 1.0); }
-
 // Adds what shines through to the radiance and returns how much of the view is covered. share: transmittedShare.
 // Where nothing is behind, the picture stays see-through. A tint has no place in coverage: before a known colour it is
 // added to the radiance, before an unknown one coverage takes its mean.

@@ -34,11 +34,18 @@ const scene::BuiltinScene* builtinOf(const std::string& source) {
 
 }  // namespace
 
-bool converges(const Quality& quality) { return quality.maxError.has_value() || quality.samples > convergedAbove; }
+bool tracesPaths(const Look& look) { return look.transport == Transport::paths && look.channel.empty(); }
+
+bool converges(const PictureSettings& settings) {
+  const Quality& quality = settings.quality;
+  return quality.maxError.has_value() || quality.samples > convergedAbove || tracesPaths(settings.look);
+}
 
 PictureSettings movingSettings(const PictureSettings& settings) {
   PictureSettings moving = settings;
-  moving.quality = {.samples = std::min(settings.quality.samples, convergedAbove), .maxError = {}};
+  moving.look.transport = Transport::direct;
+  moving.quality.samples = std::min(settings.quality.samples, convergedAbove);
+  moving.quality.maxError.reset();
   return moving;
 }
 
@@ -47,13 +54,18 @@ DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment) {
   options.features.environment = hasEnvironment && settings.frame.environmentStrength > 0;
   options.features.occlusion = settings.frame.occlusion > 0;
   options.features.channel = std::max(0, shading::channelIndex(settings.look.channel));
-  const bool converging = converges(settings.quality);
+  const bool converging = converges(settings);
   options.features.shadedOnce = !converging;
   if (settings.look.models.imageLight == optics::ImageLight::sampled)
     options.features.imageLightSamples = converging ? convergedLightSamples : onceLightSamples;
   else if (settings.look.models.imageLight == optics::ImageLight::automatic && converging)
     options.features.imageLightSamples = convergedLightSamples;
   options.features.models = settings.look.models;
+  if (tracesPaths(settings.look)) {  // occlusion textures would count twice
+    options.features.paths = true;
+    options.features.imageLightSamples = 0;
+    options.features.occlusion = false;
+  }
   options.sceneLights = settings.look.lights != Lights::none;
   options.demoLights = settings.look.lights == Lights::demo;
   options.moving = !settings.placement.animation.empty();

@@ -17,7 +17,9 @@ namespace facet::frame {
 // More samples a pixel than this: each is a draw of its own and samples the environment instead of reading the split
 // sum's tables, so that its specular part converges to the true integral, not to the approximation.
 inline constexpr int convergedAbove = 4;
-bool converges(const Quality& quality);
+// Of the shaded picture, not of a channel.
+bool tracesPaths(const Look& look);
+bool converges(const PictureSettings& settings);
 inline constexpr int convergedLightSamples = 4;  // environment samples per draw
 inline constexpr int onceLightSamples = 32;      // the same where there is but one draw
 

@@ -225,7 +225,7 @@ ibl::Needs DrawList::needs(bool environmentVisible) const {
   needs.background = environmentVisible;
   for (const std::vector<Draw>* draws : classes())
     for (const Draw& draw : *draws) {
-      const bool imageLight = shading::usesFeature(draw.key, shading::Feature::environment);
+      const bool imageLight = shading::usesFeature(draw.key, shading::Feature::environment) && !features.paths;
       if (shading::isMeasured(draw.key)) {
         needs.cube |= imageLight;
         continue;
@@ -238,6 +238,11 @@ ibl::Needs DrawList::needs(bool environmentVisible) const {
       needs.dfg |= shading::readsDfgTable(draw.key);
       needs.sheen |= shading::usesFeature(draw.key, shading::Feature::sheen);
     }
+  if (features.paths) {
+    needs.texels = features.environment;
+    needs.background |= features.environment;
+    taps = 0;
+  }
   needs.taps = taps > 0;
   if (needs.taps) {
     const ibl::TapRoughness reached =

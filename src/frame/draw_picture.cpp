@@ -26,6 +26,7 @@ int bandRows(const PictureSettings& settings, const DrawList& list, const gl::Co
       corners += std::max(draw.primitive->indices.size(), draw.primitive->positions.size()) * draw.instanceCount;
   size_t budget = corners < 300'000 ? size_t{4} << 20 : size_t{1} << 30;
   if (!list.transmitting.empty()) budget = size_t{4} << 30;
+  if (list.features.paths) budget = size_t{1} << 30;  // few rows would keep few rays busy
   const int samples = std::min(settings.quality.samples, context.maxSamples);
   const size_t rows =
       budget / (static_cast<size_t>(settings.frame.width) * static_cast<size_t>(samples) * 12) / 16 * 16;
@@ -146,7 +147,7 @@ Targets pictureTargets(const PictureSettings& settings, const gl::ContextInfo& c
 }  // namespace
 
 Targets createTargets(const PictureSettings& settings, const gl::ContextInfo& context, int rows) {
-  const bool gather = settings.quality.samples > convergedAbove;
+  const bool gather = settings.quality.samples > convergedAbove || tracesPaths(settings.look);
   return createTargets(settings.frame.width, rows > 0 ? rows : settings.frame.height,
                        gather ? 1 : std::min(settings.quality.samples, context.maxSamples), gather);
 }

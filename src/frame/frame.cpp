@@ -10,6 +10,7 @@
 #include "frame/behind.hpp"
 #include "frame/display_pass.hpp"
 #include "frame/fitted_gpu.hpp"
+#include "frame/paths.hpp"
 #include "frame/scene_pass.hpp"
 #include "frame/settings.hpp"
 #include "scene/geometry.hpp"
@@ -30,34 +31,6 @@ Result<const gl::Program*> skyProgram(ProgramStore& programs) {
 bool skyVisible(const FrameInput& in) {
   return in.settings.frame.background == Background::environment && in.tables.background &&
          in.list.features.channel == 0;
-}
-
-layout::FrameUniforms frameUniforms(const FrameInput& in, int draw, int draws, const glm::dvec2& offsetPixels) {
-  const scene::View& view = in.view;
-  const glm::dmat4 shift = glm::translate(glm::dmat4(1), glm::dvec3(2 * offsetPixels.x / in.settings.frame.width,
-                                                                    2 * offsetPixels.y / in.settings.frame.height, 0));
-  layout::FrameUniforms u{};
-  u.clipFromWorld = glm::mat4(shift * view.clipFromWorld * glm::translate(glm::dmat4(1), in.list.origin));
-  const double tanX = view.orthographic ? 0 : 1 / view.clipFromView[0][0];
-  const double tanY = view.orthographic ? 0 : 1 / view.clipFromView[1][1];
-  const glm::dvec3 skyForward = view.forward - view.right * (tanX * 2 * offsetPixels.x / in.settings.frame.width) -
-                                view.up * (tanY * 2 * offsetPixels.y / in.settings.frame.height);
-  u.worldFromClip = glm::mat4(glm::dmat4(glm::dvec4(view.right * tanX, 0), glm::dvec4(view.up * tanY, 0), glm::dvec4(0),
-                                         glm::dvec4(skyForward, 0)));
-  u.eye = glm::vec4(glm::vec3(view.eye - in.list.origin), view.orthographic ? 0.0f : 1.0f);
-  u.towardsEye = glm::vec4(glm::vec3(-view.forward), 0);
-  const float angle = glm::radians(in.settings.frame.environmentRotationDeg);
-  u.environmentRotation = glm::vec4(std::cos(angle), std::sin(angle), 0, 0);
-  const float scale = in.tables.radianceScale * in.settings.frame.environmentStrength;
-  u.environmentScale = glm::vec4(scale, scale, in.settings.frame.environmentStrength, 0);
-  u.options = glm::vec4(in.settings.frame.occlusion, static_cast<float>(draw), static_cast<float>(draws), 0);
-  u.picture = glm::vec4(in.settings.frame.width, in.settings.frame.height, in.firstRow,
-                        static_cast<float>(view.clipFromView[1][1] * in.settings.frame.height / 2));
-  const glm::dmat4& p = view.clipFromView;
-  u.distanceFromDepth = glm::vec4(p[2][2], p[3][2], p[2][3], p[3][3]);
-  if (in.settings.frame.background == Background::color)
-    u.backdrop = glm::vec4(in.settings.frame.backgroundColor * std::exp2(-in.settings.display.exposureStops), 1);
-  return u;
 }
 
 void bindMaterial(const FrameInput& in, const Draw& draw) {
@@ -216,6 +189,34 @@ void clearTargets(const FrameInput& in, const Targets& targets) {
 
 }  // namespace
 
+layout::FrameUniforms frameUniforms(const FrameInput& in, int draw, int draws, const glm::dvec2& offsetPixels) {
+  const scene::View& view = in.view;
+  const glm::dmat4 shift = glm::translate(glm::dmat4(1), glm::dvec3(2 * offsetPixels.x / in.settings.frame.width,
+                                                                    2 * offsetPixels.y / in.settings.frame.height, 0));
+  layout::FrameUniforms u{};
+  u.clipFromWorld = glm::mat4(shift * view.clipFromWorld * glm::translate(glm::dmat4(1), in.list.origin));
+  const double tanX = view.orthographic ? 0 : 1 / view.clipFromView[0][0];
+  const double tanY = view.orthographic ? 0 : 1 / view.clipFromView[1][1];
+  const glm::dvec3 skyForward = view.forward - view.right * (tanX * 2 * offsetPixels.x / in.settings.frame.width) -
+                                view.up * (tanY * 2 * offsetPixels.y / in.settings.frame.height);
+  u.worldFromClip = glm::mat4(glm::dmat4(glm::dvec4(view.right * tanX, 0), glm::dvec4(view.up * tanY, 0), glm::dvec4(0),
+                                         glm::dvec4(skyForward, 0)));
+  u.eye = glm::vec4(glm::vec3(view.eye - in.list.origin), view.orthographic ? 0.0f : 1.0f);
+  u.towardsEye = glm::vec4(glm::vec3(-view.forward), 0);
+  const float angle = glm::radians(in.settings.frame.environmentRotationDeg);
+  u.environmentRotation = glm::vec4(std::cos(angle), std::sin(angle), 0, 0);
+  const float scale = in.tables.radianceScale * in.settings.frame.environmentStrength;
+  u.environmentScale = glm::vec4(scale, scale, in.settings.frame.environmentStrength, 0);
+  u.options = glm::vec4(in.settings.frame.occlusion, static_cast<float>(draw), static_cast<float>(draws), 0);
+  u.picture = glm::vec4(in.settings.frame.width, in.settings.frame.height, in.firstRow,
+                        static_cast<float>(view.clipFromView[1][1] * in.settings.frame.height / 2));
+  const glm::dmat4& p = view.clipFromView;
+  u.distanceFromDepth = glm::vec4(p[2][2], p[3][2], p[2][3], p[3][3]);
+  if (in.settings.frame.background == Background::color)
+    u.backdrop = glm::vec4(in.settings.frame.backgroundColor * std::exp2(-in.settings.display.exposureStops), 1);
+  return u;
+}
+
 Result<FrameStatistics> drawScene(const FrameInput& in, const VisibleDraws& visible, const Targets& targets, int draw,
                                   int draws, const glm::dvec2& offsetPixels, ProgramStore& programs) {
   FrameStatistics statistics;
@@ -251,13 +252,16 @@ Result<FrameStatistics> drawScene(const FrameInput& in, const VisibleDraws& visi
 
 namespace {
 
-using ProgramGetter = std::function<Result<const gl::Program*>()>;
-
 std::vector<ProgramGetter> neededPrograms(const FrameInput& in, ProgramStore& programs) {
   std::set<shading::VariantKey> keys;
   for (const std::vector<Draw>* draws : in.list.classes())
     for (const Draw& draw : *draws) keys.insert(draw.key);
   std::vector<ProgramGetter> needed;
+  if (in.list.features.paths) {
+    needed = neededPathPrograms(in, programs);
+    needed.push_back([&] { return displayProgram(in, programs); });
+    return needed;
+  }
   for (const shading::VariantKey& key : keys) needed.push_back([&, key] { return meshProgram(key, programs); });
   if (comparing(in))
     for (const shading::VariantKey& key : keys) {

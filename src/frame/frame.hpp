@@ -54,6 +54,8 @@ void prepareBehind(Targets& targets, const DrawList& list);
 void prepareComparison(Targets& targets, const DrawList& list);
 size_t targetBytes(const Targets& targets);  // of the textures
 
+struct PathScene;
+
 struct FrameInput {
   const scene::Model& model;
   const DrawList& list;
@@ -63,6 +65,7 @@ struct FrameInput {
   const PictureSettings& settings;
   const gl::Buffer* measured = nullptr;     // of the measured BRDF in the materials' place
   const gl::Buffer* fittedModel = nullptr;  // of the model fitted to it, where it is drawn in its place or beside it
+  const PathScene* paths = nullptr;         // of the list, where paths are traced
   int firstRow = 0;                         // the targets hold the picture's rows from here on, counted from the bottom
   bool fitted = false;                      // draws the fitted model in the measured BRDF's place
 };

@@ -100,8 +100,29 @@ Gathering beginGathering(const FrameInput& in, const Targets& targets) {
   return gathering;
 }
 
+namespace {
+
+Result<void> gatherPaths(const FrameInput& in, const Targets& targets, Gathering& gathering, int64_t rows,
+                         ProgramStore& programs) {
+  if (gathering.statistics.passes.empty()) gathering.statistics.passes.emplace_back("paths");
+  while (rows > 0 && !gathering.complete()) {
+    const int band = static_cast<int>(std::min<int64_t>(rows, targets.height - gathering.rows));
+    const float share = 1.0f / static_cast<float>(gathering.draws());
+    Result<void> traced =
+        tracePaths(in, targets, gathering.paths, gathering.done, gathering.rows, band, share, programs);
+    if (!traced) return traced;
+    rows -= band;
+    gathering.rows += band;
+    if (gathering.rows == targets.height) gathering.rows = 0, ++gathering.done;
+  }
+  return {};
+}
+
+}  // namespace
+
 Result<void> gatherRows(const FrameInput& in, const Targets& targets, Gathering& gathering, int64_t rows,
                         ProgramStore& programs) {
+  if (in.list.features.paths) return gatherPaths(in, targets, gathering, rows, programs);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::visibleBinding, gathering.visibleBuffer.id());
   while (rows > 0 && !gathering.complete()) {
     const bool whole = !in.list.transmitting.empty() || !targets.sum;

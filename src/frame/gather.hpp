@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "frame/frame.hpp"
+#include "frame/paths.hpp"
 #include "frame/visibility.hpp"
 #include "gl/buffer.hpp"
 
@@ -19,6 +20,7 @@ struct Gathering {
   int rows = 0;                     // of the next draw, from the bottom
   int before = 0;                   // draws that were done at the mark
   FrameStatistics statistics;       // of the first draw
+  PathWork paths;                   // where the draws are samples of paths
 
   int draws() const { return static_cast<int>(offsets.size()); }
   bool complete() const { return done == draws(); }

@@ -60,7 +60,7 @@ Result<std::optional<PlanInputs>> inputsOf(const Plan& plan, const LoadedScene& 
   const Result<bool> measured = supplyMeasured(wish, supply, inputs.list);
   if (!measured) return tl::unexpected(measured.error());
   if (!*measured) return std::optional<PlanInputs>();
-  inputs.tables = {plan.environment, backgroundVisible(wish, lit), plan.moving && converges(wish.quality),
+  inputs.tables = {plan.environment, backgroundVisible(wish, lit), plan.moving && converges(wish),
                    wish.quality.maxError};
   return inputs;
 }
@@ -128,6 +128,12 @@ Result<Step> nextStep(Plan& plan, const PictureSettings& wish, const Supply& sup
     if (uploadImages(scene.gpu, scene.model(), plan.uses, scene.pixels, keepGoing)) scene.pixels.clear();
     return Step{Progress::working, "upload"};
   }
+  if (next.list.features.paths && !next.paths) {
+    Result<PathScene> made = pathScene(next.list, scene.model(), scene.gpu, programs);
+    if (!made) return tl::unexpected(made.error());
+    next.paths = std::make_shared<const PathScene>(std::move(*made));
+    return Step{Progress::working, "trees"};
+  }
   const Result<bool> compiled = prepareNextProgram(frameInput(next, {}, wish), programs);
   if (!compiled) return tl::unexpected(compiled.error());
   return Step{*compiled ? Progress::done : Progress::working, "compile"};
@@ -158,7 +164,7 @@ ListInputs listInputs(const PictureSettings& settings, std::shared_ptr<const io:
   inputs.options = drawOptions(moving ? movingSettings(settings) : settings, hasEnvironment);
   inputs.options.variant = variant;
   // What will be refined begins with few samples, by the program that refines it.
-  if (moving && converges(settings.quality) && !settings.sources.brdf.empty() && inputs.options.features.channel == 0)
+  if (moving && converges(settings) && !settings.sources.brdf.empty() && inputs.options.features.channel == 0)
     inputs.options.features.imageLightSamples = convergedLightSamples;
   inputs.animation = settings.placement.animation;
   if (!inputs.animation.empty()) inputs.timeSeconds = settings.placement.timeSeconds;
@@ -178,6 +184,7 @@ FrameInput frameInput(const Drawable& drawable, const DrawList& part, const scen
                       const PictureSettings& settings) {
   FrameInput in{drawable.scene->model(), part, drawable.scene->gpu, drawable.environment->tables, view, settings};
   if (drawable.inputs.list.measured) in.measured = &drawable.inputs.list.measured->buffer;
+  in.paths = drawable.paths.get();
   if (drawable.inputs.list.fitted) in.fittedModel = &drawable.inputs.list.fitted->buffer;
   return in;
 }

@@ -13,6 +13,7 @@
 #include "frame/choose.hpp"
 #include "frame/fitted_gpu.hpp"
 #include "frame/frame.hpp"
+#include "frame/paths.hpp"
 #include "ibl/cache.hpp"
 #include "ibl/choice.hpp"
 #include "io/bump.hpp"
@@ -118,7 +119,8 @@ struct Drawable {
   LoadedEnvironment* environment = nullptr;  // null: on its way
   PlanInputs inputs;
   DrawList list;
-  Notes notes;  // what the list leaves out of the wish
+  Notes notes;                                  // what the list leaves out of the wish
+  std::shared_ptr<const PathScene> paths = {};  // of the list, where paths are traced
 };
 FrameInput frameInput(const Drawable& drawable, const scene::View& view, const PictureSettings& settings);
 // Of a part of its list (partOf).

@@ -19,20 +19,22 @@ uint32_t append(std::vector<float>& attributes, const std::vector<T>& values) {
   return first;
 }
 
-layout::ScenePrimitive appendPrimitive(const scene::Primitive& p, int material, std::vector<uint32_t>& triangles,
+layout::ScenePrimitive appendPrimitive(const ScenePart& part, bool positions, std::vector<uint32_t>& triangles,
                                        std::vector<float>& attributes) {
+  const scene::Primitive& p = *part.primitive;
   layout::ScenePrimitive out{};
   out.firstTriangle = static_cast<uint32_t>(triangles.size() / 3);
   out.triangles = static_cast<uint32_t>(scene::triangleCount(p));
   out.vertices = static_cast<uint32_t>(p.positions.size());
   for (size_t i = 0; i < out.triangles; ++i)
     for (const uint32_t vertex : scene::triangleVertices(p, i)) triangles.push_back(vertex);
-  out.position = append(attributes, p.positions);
+  out.position = positions ? append(attributes, p.positions) : layout::noAttribute;
   out.normal = append(attributes, p.normals);
   out.tangent = append(attributes, p.tangents);
   out.color = append(attributes, p.colors);
   for (size_t set = 0; set < p.texCoords.size(); ++set) out.texCoord[set] = append(attributes, p.texCoords[set]);
-  out.material = static_cast<uint32_t>(material);
+  out.material = static_cast<uint32_t>(part.material);
+  out.shading = part.shading;
   return out;
 }
 
@@ -42,24 +44,19 @@ size_t SceneBuffers::bytes() const {
   return primitives.bytes() + triangles.bytes() + attributes.bytes() + materials.bytes();
 }
 
-SceneBuffers sceneBuffers(const DrawList& list) {
+SceneBuffers sceneBuffers(std::span<const ScenePart> parts, const std::vector<scene::Material>& materials,
+                          bool positions) {
   SceneBuffers buffers;
   std::vector<layout::ScenePrimitive> primitives;
   std::vector<uint32_t> triangles;
   std::vector<float> attributes;
-  for (const std::vector<Draw>* draws : list.classes())
-    for (const Draw& draw : *draws) {
-      if (scene::triangleCount(*draw.primitive) == 0) continue;
-      const auto index = static_cast<uint32_t>(primitives.size());
-      if (!buffers.indices.emplace(draw.primitive, index).second) continue;
-      primitives.push_back(appendPrimitive(*draw.primitive, draw.material, triangles, attributes));
-    }
-  std::vector<layout::MaterialUniforms> materials;
-  for (const scene::Material& material : list.materials) materials.push_back(materialUniforms(material));
+  for (const ScenePart& part : parts) primitives.push_back(appendPrimitive(part, positions, triangles, attributes));
+  std::vector<layout::MaterialUniforms> uniforms;
+  for (const scene::Material& material : materials) uniforms.push_back(materialUniforms(material));
   buffers.primitives = gl::Buffer::of(primitives, "scene primitives");
   buffers.triangles = gl::Buffer::of(triangles, "scene triangles");
   buffers.attributes = gl::Buffer::of(attributes, "scene attributes");
-  buffers.materials = gl::Buffer::of(materials, "scene materials");
+  buffers.materials = gl::Buffer::of(uniforms, "scene materials");
   return buffers;
 }
 

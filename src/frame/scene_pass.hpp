@@ -7,6 +7,9 @@
 
 namespace facet::frame {
 
+// offsetPixels: of the draw within its pixel.
+layout::FrameUniforms frameUniforms(const FrameInput& in, int draw, int draws, const glm::dvec2& offsetPixels);
+
 // Draw number `draw` of `draws` into targets.color, offset within the pixel; keeps to the scissor where that is on. The
 // visible instances are bound.
 Result<FrameStatistics> drawScene(const FrameInput& in, const VisibleDraws& visible, const Targets& targets, int draw,

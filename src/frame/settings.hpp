@@ -45,6 +45,14 @@ inline constexpr Choice<Lights> lightChoices[] = {
     {Lights::demo, "demo", "the file's and four", "four point lights on a ring above the scene"}};
 static_assert(inOrder(lightChoices));
 
+// How light gets to a surface.
+enum class Transport { direct, paths };
+inline constexpr Choice<Transport> transports[] = {
+    {Transport::direct, "direct", "unblocked", "from every light to every surface: nothing casts a shadow"},
+    {Transport::paths, "paths", "path traced",
+     "on all ways that there are: shadows, interreflection, refraction; the picture converges with the samples"}};
+static_assert(inOrder(transports));
+
 // What is read from outside, besides the model.
 struct Sources {
   std::string bump;         // grey height map for the materials of a built-in scene; empty: none
@@ -84,6 +92,7 @@ struct Look {
   std::string variant;  // KHR_materials_variants: name or index; empty: the file's own materials
   MaterialChoice material;
   Lights lights = Lights::scene;
+  Transport transport = Transport::direct;
   // Models for comparison. Of the environment: diffuse and energy; Fresnel's terms only where it is sampled; the rest
   // is GGX.
   optics::Models models;
@@ -131,6 +140,7 @@ struct Quality {
   // The picture takes as many samples as its estimated error needs (frame/max_error.hpp), and the tables the cheapest
   // methods that keep to it (ibl/choice.hpp): relative, (0, 1]. Above 4, samples is the most that it may take.
   std::optional<double> maxError;
+  int bounces = 16;  // of path-traced light: surfaces that a path leaves at most, [0, 64]; 0: what shines by itself
 
   bool operator==(const Quality&) const = default;
 };

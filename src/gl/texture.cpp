@@ -61,6 +61,15 @@ Texture::Texture(const TextureDescription& d, std::string_view label)
   glObjectLabel(GL_TEXTURE, id(), static_cast<GLsizei>(label.size()), label.data());
 }
 
+Texture Texture::ofBuffer(GLuint buffer, GLenum format, std::string_view label) {
+  Texture texture;
+  static_cast<Handle&>(texture) = Handle(createTexture(GL_TEXTURE_BUFFER));
+  glTextureBuffer(texture.id(), format, buffer);
+  glObjectLabel(GL_TEXTURE, texture.id(), static_cast<GLsizei>(label.size()), label.data());
+  texture.description_ = {.target = GL_TEXTURE_BUFFER, .format = format};
+  return texture;
+}
+
 void Texture::filterLinear() const {
   parameter(GL_TEXTURE_MIN_FILTER, description_.levels > 1 ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
   parameter(GL_TEXTURE_MAG_FILTER, GL_LINEAR);

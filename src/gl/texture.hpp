@@ -22,6 +22,8 @@ class Texture : public Handle<destroyTexture> {
  public:
   Texture() = default;
   Texture(const TextureDescription& description, std::string_view label);
+  // A buffer as a texture of such texels; the buffer must outlive it.
+  static Texture ofBuffer(GLuint buffer, GLenum format, std::string_view label);
   const TextureDescription& description() const { return description_; }
   void parameter(GLenum name, GLint value) const { glTextureParameteri(id(), name, value); }
   // Linear filtering (between levels too, where there are several), clamped to the edge.

@@ -13,6 +13,7 @@ struct Needs {
   bool taps = false;        // fitted look-ups
   bool sheen = false;       // a sheen that anything lights
   bool background = false;  // the environment itself is visible
+  bool texels = false;      // how much each of its texels radiates, to draw directions by; with the background
 };
 
 }  // namespace facet::ibl

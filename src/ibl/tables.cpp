@@ -9,6 +9,8 @@
 #include "ibl/albedo.hpp"
 #include "ibl/layers.hpp"
 #include "ibl/taps.hpp"
+#include "optics/environment_texels.hpp"
+#include "paths.h"
 
 namespace facet::ibl {
 
@@ -52,6 +54,22 @@ void addBackgroundSteps(Precompute& work, const scene::Environment& environment)
                           }});
 }
 
+gl::Texture texelsTexture(const scene::Environment& environment) {
+  const optics::TexelTable table = optics::texelTable(environment, layout::texelTableLargest);
+  const glm::ivec2 size = table.elements(0);
+  gl::Texture texture(
+      {.format = GL_RGBA32F, .width = size.x, .height = size.y, .levels = static_cast<int>(table.levels.size())},
+      "environment texels");
+  texture.parameter(GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
+  texture.parameter(GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  for (int level = 0; level < static_cast<int>(table.levels.size()); ++level) {
+    const glm::ivec2 elements = table.elements(level);
+    glTextureSubImage2D(texture.id(), level, 0, 0, elements.x, elements.y, GL_RGBA, GL_FLOAT,
+                        table.levels[static_cast<size_t>(level)].data());
+  }
+  return texture;
+}
+
 // Targets of the layers that are missing; their textures are made where there are none.
 std::vector<LayerTarget> missingLayers(const Tables& tables, Tables& made, const Needs& needs) {
   std::vector<LayerTarget> targets;
@@ -79,6 +97,7 @@ size_t bytesOf(const Tables& made, const Scratch& scratch, std::string_view tabl
   if (table == "taps") return of(made.taps);
   if (table == "irradiance") return of(scratch.summed[1]);
   if (table == "background") return of(made.background);
+  if (table == "texels") return of(made.texels);
   if (table == "LD layers") return of(made.mirrorLayers) + of(made.roughLayers);
   return 0;  // freed at the end, or counted where it is kept
 }
@@ -87,7 +106,8 @@ size_t bytesOf(const Tables& made, const Scratch& scratch, std::string_view tabl
 
 size_t Tables::bytes() const {
   size_t sum = 0;
-  for (const gl::Texture* texture : {&dfg, &sheen, &taps, &irradiance, &mirrorLayers, &roughLayers, &cube, &background})
+  for (const gl::Texture* texture :
+       {&dfg, &sheen, &taps, &irradiance, &mirrorLayers, &roughLayers, &cube, &background, &texels})
     if (*texture) sum += texture->bytes();
   return sum;
 }
@@ -117,19 +137,24 @@ Precompute planTables(const Tables& tables, const scene::Environment* environmen
                             made.taps = tapsTexture();
                             return {};
                           }});
-  const bool background = needs.background && !tables.background;
+  const bool background = needs.background && !tables.background, texels = needs.texels && !tables.texels;
   work.keepIrradiance = needs.irradiance && !tables.irradiance;
   work.keepCube = needs.cube && !tables.cube;
   const std::vector<LayerTarget> targets =
       needs.layers ? missingLayers(tables, made, needs) : std::vector<LayerTarget>();
   const bool filtered = work.keepIrradiance || work.keepCube || !targets.empty();
-  if (!background && !filtered) return work;
+  if (!background && !texels && !filtered) return work;
 
   assert(environment != nullptr && environment->width > 0);
   std::optional<PreparedEnvironment> here;
   if (!prepared && filtered && !tables.cube) prepared = &here.emplace(prepareEnvironment(*environment, method, found));
   made.radianceScale = prepared ? prepared->radianceScale : radianceScaleFor(*environment);
   if (background) addBackgroundSteps(work, *environment);
+  if (texels)
+    work.steps.push_back({"texels", 0, [&made, environment]() -> Result<void> {
+                            made.texels = texelsTexture(*environment);
+                            return {};
+                          }});
   if (!filtered) return work;
   if (tables.cube) {
     work.scratch->presentCube = &tables.cube;
@@ -154,8 +179,8 @@ void finish(Precompute&& work, Tables& tables) {
   Tables& made = *work.made;
   tables.radianceScale = made.radianceScale;
   tables.sun = made.sun;
-  for (gl::Texture Tables::*texture :
-       {&Tables::dfg, &Tables::sheen, &Tables::taps, &Tables::mirrorLayers, &Tables::roughLayers, &Tables::background})
+  for (gl::Texture Tables::*texture : {&Tables::dfg, &Tables::sheen, &Tables::taps, &Tables::mirrorLayers,
+                                       &Tables::roughLayers, &Tables::background, &Tables::texels})
     if (made.*texture) tables.*texture = std::move(made.*texture);
   for (size_t i = 0; i < made.layersMade.size(); ++i) tables.layersMade[i] = tables.layersMade[i] || made.layersMade[i];
   if (work.keepIrradiance) tables.irradiance = std::move(work.scratch->summed[1]);

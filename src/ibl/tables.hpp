@@ -38,6 +38,7 @@ struct Tables {
   std::array<bool, layout::ldLayerCount> layersMade = {};
   gl::Texture cube;         // RGBA32F cube with levels; alpha = solid angle
   gl::Texture background;   // RGBA16F equirectangular, full resolution
+  gl::Texture texels;       // RGBA32F with levels, environment_texels.glsl
   float radianceScale = 1;  // radiance = stored value * radianceScale (a power of two, so that half floats hold it)
   std::optional<scene::Sun> sun;  // taken out of all of these but the background (Method::takeSunOut)
   std::vector<TableStatistics> statistics;

@@ -64,7 +64,8 @@ bool extended(const FeatureInput& in) {
 }
 // Is there light for the effects of extensions? What is behind shines through all of them.
 bool reached(const FeatureInput& in) {
-  return in.frame.punctualLights || in.frame.environment || has(in.material, scene::Effect::transmission);
+  return in.frame.punctualLights || in.frame.environment || in.frame.paths ||
+         has(in.material, scene::Effect::transmission);
 }
 // What is below a coat and shines by itself shines through it.
 bool glowsThroughCoat(const FeatureInput& in) {
@@ -165,6 +166,7 @@ bool isDoubleSided(const FeatureInput& in) { return in.material.doubleSided && r
 bool showsNoLight(const FeatureInput& in) { return unlit(in) || in.frame.channel != 0; }
 bool readsPunctualLights(const FeatureInput& in) { return in.frame.punctualLights && !showsNoLight(in); }
 bool readsEnvironment(const FeatureInput& in) { return in.frame.environment && !showsNoLight(in); }
+bool tracesPaths(const FeatureInput& in) { return in.frame.paths && !showsNoLight(in); }
 bool measuredMerl(const FeatureInput& in) { return measured(in) && in.frame.measured == Measured::merl; }
 bool measuredNearest(const FeatureInput& in) {
   return measured(in) && in.frame.measuredNearest && !in.frame.measuredFitted;
@@ -263,7 +265,8 @@ std::string variantName(const VariantKey& key) {
 bool readsDfgTable(const VariantKey& key) {
   if (isMeasured(key)) return false;
   return usesFeature(key, Feature::environment) || usesFeature(key, Feature::punctualLights) ||
-         usesFeature(key, Feature::transmission) || usesFeature(key, Feature::clearcoat);
+         usesFeature(key, Feature::transmission) || usesFeature(key, Feature::clearcoat) ||
+         usesFeature(key, Feature::paths);
 }
 
 uint64_t attributeBits(const VariantKey& key) { return key.features & bitsOf(FeatureRole::attribute); }

@@ -50,6 +50,7 @@ struct FrameFeatures {
   bool environment = false;
   bool occlusion = true;  // false: occlusion textures are switched off
   int channel = 0;
+  bool paths = false;         // light comes by paths of rays: nothing else is looked up of the environment
   bool shadedOnce = false;    // a pixel, for all of its coverage samples
   int imageLightSamples = 0;  // 0: split sum from the tables; else environment samples per shaded sample
   optics::Models models = {};

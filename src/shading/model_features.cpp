@@ -21,8 +21,10 @@ uint8_t energyIndex(const FeatureInput& in, const VariantKey& key) {
   optics::EnergyModel chosen = in.frame.models.energy;
   // Where light is sampled: against path-traced rough metals under a sun, Kulla and Conty's lobe is nearer than a
   // scaled one, 3.3 / 255 in the place of 4.6, for 1.2 times the time. It has no table for a grain.
-  if (chosen == usual && in.frame.imageLightSamples != 0 && !usesFeature(key, Feature::anisotropy))
-    chosen = optics::EnergyModel::kullaConty;
+  const bool paths = usesFeature(key, Feature::paths), grain = usesFeature(key, Feature::anisotropy);
+  if (chosen == usual && (in.frame.imageLightSamples != 0 || paths) && !grain) chosen = optics::EnergyModel::kullaConty;
+  // Of paths all light is distant.
+  if (paths) return static_cast<uint8_t>(chosen == usual ? optics::EnergyModel::fdezAguera : chosen);
   // Lobes other than GGX with Smith's term have no compensation; what they leave for the base has.
   const bool lights = usesFeature(key, Feature::punctualLights) &&
                       ((key.distribution == 0 && key.masking == 0) || hasDielectric(in.material));
@@ -42,7 +44,9 @@ std::string vec3Text(const glm::dvec3& v) {
 }  // namespace
 
 void setModels(const FeatureInput& in, VariantKey& key) {
-  const bool lights = usesFeature(key, Feature::punctualLights), environment = usesFeature(key, Feature::environment);
+  const bool paths = usesFeature(key, Feature::paths);
+  const bool lights = usesFeature(key, Feature::punctualLights) || paths;  // the lobes themselves are evaluated
+  const bool environment = usesFeature(key, Feature::environment);
   const bool sampled = key.imageLightSamples != 0;
   const scene::Material& m = in.material;
   const optics::Models& models = in.frame.models;

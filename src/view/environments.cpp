@@ -23,7 +23,7 @@ constexpr ibl::Method previewMethod{.cube = ibl::CubeMethod::oneTap,
 
 bool covers(const ibl::Needs& have, const ibl::Needs& wanted) {
   return have.background >= wanted.background && have.irradiance >= wanted.irradiance && have.layers >= wanted.layers &&
-         have.cube >= wanted.cube && have.lowestRoughness <= wanted.lowestRoughness &&
+         have.cube >= wanted.cube && have.texels >= wanted.texels && have.lowestRoughness <= wanted.lowestRoughness &&
          have.highestRoughness >= wanted.highestRoughness;
 }
 

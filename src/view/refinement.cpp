@@ -40,6 +40,8 @@ Result<bool> prepare(Viewport& viewport, const ViewerState& state, const scene::
     const frame::DrawOptions options = frame::drawOptions(state.settings, resting.environment);
     resting.imageLightSamples = options.features.imageLightSamples;
     resting.shadedOnce = options.features.shadedOnce;
+    resting.paths = options.features.paths;
+    resting.occlusion = options.features.occlusion;
     frame::setFeatures(viewport.shown.list, resting);
   }
   EnvironmentSlot& environment = *viewport.environments.shown;
@@ -48,6 +50,12 @@ Result<bool> prepare(Viewport& viewport, const ViewerState& state, const scene::
       !provided)
     return tl::unexpected(provided.error());
   if (environment.preview) return false;
+  if (viewport.shown.list.features.paths && !viewport.shown.paths) {
+    Result<frame::PathScene> made =
+        frame::pathScene(viewport.shown.list, viewport.scene->model(), viewport.scene->gpu, viewport.programs);
+    if (!made) return tl::unexpected(made.error());
+    viewport.shown.paths = std::make_shared<const frame::PathScene>(std::move(*made));
+  }
   const Result<bool> compiled = frame::prepareNextProgram(frameInput(viewport, view), viewport.programs);
   if (!compiled || !*compiled) return compiled;
   if (Result<void> gather = frame::prepareGatherPrograms(viewport.programs); !gather)
@@ -161,16 +169,16 @@ void stopRefinement(Viewport& viewport, ViewerState& state) {
   r.since = Clock::now();
   if (r.movingFeatures) frame::setFeatures(viewport.shown.list, *r.movingFeatures);
   r.movingFeatures.reset();
-  if (!frame::converges(state.settings.quality)) r.targets = {};
+  if (!frame::converges(state.settings)) r.targets = {};
   r.samples = firstAttempt(state.settings);
   state.refinement = {};
-  if (frame::converges(state.settings.quality)) state.refinement.wanted = r.samples;
+  if (frame::converges(state.settings)) state.refinement.wanted = r.samples;
 }
 
 bool refining(const Viewport& viewport, const ViewerState& state) {
   const bool preview = viewport.environments.shown && viewport.environments.shown->preview;
   return viewport.drawn && !viewport.next && !preview && !viewport.refinement.ended &&
-         frame::converges(state.settings.quality) && !viewport.shadersBroken;
+         frame::converges(state.settings) && !viewport.shadersBroken;
 }
 
 bool refine(Viewport& viewport, ViewerState& state, const scene::View& view) {

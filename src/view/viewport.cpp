@@ -82,7 +82,7 @@ int64_t cornerCount(const Viewport& viewport) {
 Result<void> drawMoving(Viewport& viewport, ViewerState& state, const scene::View& view) {
   frame::PictureSettings s = frame::movingSettings(state.settings);
   const bool sketch = std::exchange(viewport.sketch, false) && !viewport.shown.list.compared;
-  if (sketch && frame::converges(state.settings.quality) && cornerCount(viewport) > manyCorners) s.quality.samples = 1;
+  if (sketch && frame::converges(state.settings) && cornerCount(viewport) > manyCorners) s.quality.samples = 1;
   frame::Targets& targets = viewport.targets;
   if (targets.width != s.frame.width || targets.height != s.frame.height || targets.samples != s.quality.samples) {
     targets = {};  // the old ones go first

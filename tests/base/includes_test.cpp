@@ -22,10 +22,11 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"optics", {"base"}},                                   // the truth: of nothing but numbers
     {"scene", {"base", "optics"}},                          // presets, directions of maps
     {"io", {"base", "optics", "scene"}},                    // measured BRDFs are optics'
+    {"rays", {"base"}},                                     // triangles and boxes, whatever they are of
     {"gl", {"base"}},                                       // knows no scene
     {"shading", {"base", "optics", "scene", "gl"}},         // materials -> features -> programs
     {"ibl", {"base", "optics", "scene", "gl", "shading"}},  // an environment's tables: no files, no frame
-    {"frame", {"base", "optics", "scene", "io", "gl", "shading", "ibl"}},  // reads what a picture's settings name
+    {"frame", {"base", "optics", "scene", "io", "rays", "gl", "shading", "ibl"}},  // reads what a picture's settings name
     {"compare", {"base", "optics", "io"}},                                 // pictures, not how they came about
     {"selftest", {"base", "optics", "scene", "io", "gl", "shading", "ibl", "frame"}},
     {"report", {"base", "optics", "scene", "io", "gl", "shading", "ibl", "frame", "compare", "selftest"}},

@@ -2,6 +2,7 @@
 #include <random>
 
 #include "frame/scene_buffers.hpp"
+#include "frame/traced.hpp"
 #include "optics/bsdf_sampling.hpp"
 #include "scene/pick.hpp"
 #include "scene/shapes.hpp"
@@ -105,8 +106,9 @@ glm::dvec3 above(const glm::dvec3& N, double a, double b) {
 TEST_CASE("Scene by index: a compute shader shades a buffer of hits as the twins do", "[gl]") {
   const scene::Model model = twoPrimitives();
   const frame::DrawList list = frame::buildDrawList(model, 0, {});
-  const frame::SceneBuffers buffers = frame::sceneBuffers(list);
-  REQUIRE(buffers.indices.size() == 2);
+  const frame::TracedList traced = frame::tracedList(list);
+  REQUIRE(traced.parts.size() == 2);
+  const frame::SceneBuffers buffers = frame::sceneBuffers(traced.parts, list.materials);
 
   struct Expected {
     scene::Hit hit;
@@ -129,7 +131,7 @@ TEST_CASE("Scene by index: a compute shader shades a buffer of hits as the twins
       const scene::Material& m = model.materials[static_cast<size_t>(p.material)];
       const glm::vec4 color = scene::interpolated(p.colors, e.hit).value_or(glm::vec4(1)) * m.baseColorFactor;
       e.surface = {glm::dvec3(color), double(m.metallicFactor), double(m.perceptualRoughnessFactor)};
-      hits.push_back({buffers.indices.at(&p),
+      hits.push_back({traced.parts[0].primitive == &p ? 0u : 1u,
                       static_cast<uint32_t>(i),
                       {},
                       glm::vec4(glm::vec3(e.hit.weights), 0),
@@ -188,8 +190,11 @@ TEST_CASE("Scene by index: lines and points have no triangles, a primitive that 
   model.scenes[0].nodes.push_back(1);
   const frame::DrawList list = frame::buildDrawList(model, 0, {});
   REQUIRE(list.opaque.size() > 2);
-  const frame::SceneBuffers buffers = frame::sceneBuffers(list);
-  CHECK(buffers.indices.size() == 1);
+  const frame::TracedList traced = frame::tracedList(list);
+  CHECK(traced.parts.size() == 1);
+  CHECK(traced.thin == 2);
+  CHECK(traced.classes.size() == 1);
+  const frame::SceneBuffers buffers = frame::sceneBuffers(traced.parts, list.materials);
   const auto primitives = buffers.primitives.read<layout::ScenePrimitive>(1);
   CHECK(primitives[0].triangles == scene::triangleCount(model.meshes[0].primitives[0]));
   CHECK(primitives[0].tangent == layout::noAttribute);

@@ -180,9 +180,7 @@ std::map<std::string, std::set<std::string>> callsOfShaders(std::set<std::string
       calls[name];
       add(name, text.substr(first, at - first));
       // ggxValue: what stands beside its sample and density for the tests of these.
-      const bool ofPassesToCome =
-          file.path == "bsdf_sampling.glsl" || file.path == "scene_by_index.glsl" || file.path == "sobol.glsl";
-      if (name == "main" || name == "ggxValue" || ofPassesToCome) entries.insert(name);
+      if (name == "main" || name == "ggxValue") entries.insert(name);
     }
   }
   return calls;
@@ -190,7 +188,7 @@ std::map<std::string, std::set<std::string>> callsOfShaders(std::set<std::string
 
 }  // namespace
 
-TEST_CASE("Shaders: every function is in a picture, or is of those that passes to come will draw") {
+TEST_CASE("Shaders: every function is in a picture") {
   std::set<std::string> reached = {"#define"};
   const std::map<std::string, std::set<std::string>> calls = callsOfShaders(reached);
   CHECK(calls.size() > 200);

@@ -1,0 +1,3 @@
+#include "material.glsl"
+
+float transmittedShare(Varyings v) { return 0.0; }

@@ -1,1 +1,0 @@
-float roughnessOverPixel(float perceptualRoughness, vec3 dNdx, vec3 dNdy) { return perceptualRoughness; }

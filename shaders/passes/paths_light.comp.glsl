@@ -1,0 +1,15 @@
+// Lights that surfaces see unless something is between.
+#include "paths.glsl"
+#include "rays.glsl"
+
+layout(local_size_x = groupInvocations) in;
+
+void main() {
+  uint i = gl_GlobalInvocationID.x;
+  if (i >= work[workLights]) return;
+  uint path = work[listAt(lightsList, i)];
+  holesSeed = ~pathRaySeed(paths[path]);
+  RayHit hit = RayHit(rayNone, 0u, paths[path].lightOrigin.w, vec2(0.0));
+  if (!walkRay(paths[path].lightOrigin.xyz, paths[path].lightDirection.xyz, 0.0, true, hit))
+    paths[path].radiance.rgb += paths[path].lightRadiance.rgb;
+}

@@ -1,0 +1,25 @@
+// Paths that leave the scene.
+#include "path_class.glsl"
+#include "path_environment.glsl" if HAS_ENVIRONMENT
+
+layout(local_size_x = groupInvocations) in;
+
+void main() {
+  uint path;
+  if (!pathOfClass(gl_GlobalInvocationID.x, path)) return;
+  PathState p = paths[path];
+  bool camera = p.direction.w == 0.0;
+#ifdef BACKGROUND
+  const bool seen = true;
+#else
+  const bool seen = false;
+#endif
+  if (camera && !seen) p.radiance.a = 0.0;
+#ifdef HAS_ENVIRONMENT
+  if (!camera || seen) {
+    float weight = camera ? 1.0 : drawnWeight(p.direction.w, lightChance * environmentDensity(p.direction.xyz));
+    p.radiance.rgb += p.throughput.rgb * environmentRadiance(p.direction.xyz) * weight;
+  }
+#endif
+  paths[path].radiance = p.radiance;
+}

@@ -1,0 +1,1 @@
+float drawnWeight(float density, float other) { return 1.0; }

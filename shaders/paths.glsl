@@ -1,0 +1,34 @@
+// The paths under way and the lists of them (paths.h).
+#include "paths.h"
+#include "layout.h"
+#include "sobol.glsl"
+
+layout(std430, binding = computeInputBinding) buffer PathsBlock { PathState paths[]; };
+layout(std430, binding = computeOutputBinding) buffer WorkBlock { uint work[]; };
+
+layout(std140, binding = pathsBinding) uniform PathUniformsBlock { PathUniforms pathsShared; };
+
+uint listAt(uint list, uint i) { return workClasses + 3u * pathsShared.classes + list * pathsShared.paths + i; }
+uint activeList() { return work[workTurn] & 1u; }
+uint nextList() { return 1u - activeList(); }
+// Chance that a surface looks at the environment rather than at one of the lights.
+#if defined(HAS_ENVIRONMENT) && defined(HAS_PUNCTUAL_LIGHTS)
+const float lightChance = 0.5;
+#else
+const float lightChance = 1.0;
+#endif
+const uint sortedList = 2u, lightsList = 3u;
+
+uvec2 pathPixel(PathState p) { return uvec2(p.pixel & 0xffffu, p.pixel >> 16); }
+
+// Pairs of numbers in (0, 1)^2 that a sample of a pixel uses: first the pixel's, then four for each surface that is met.
+const uint pixelPair = 0u, lightPair = 1u, lobePair = 2u, choicePair = 3u, lightChoicePair = 4u, pairsOfVertex = 4u;
+const uint pathsUse = 0x70617468u;
+vec2 pathDraw(PathState p, uint pair) {
+  return owenSobol2(pathsShared.number, pair + (pair == pixelPair ? 0u : p.vertices * pairsOfVertex), pixelSeed(pathPixel(p), pathsUse));
+}
+
+// Of what stops a ray by chance.
+uint pathRaySeed(PathState p) {
+  return hashedBits(p.pixel ^ hashedBits(pathsShared.number ^ hashedBits(p.vertices + 0x72617973u)));
+}

@@ -1,0 +1,76 @@
+// Paths of light under way: one each pixel at a time, moved on together a surface at a time (src/frame/paths.hpp). Read by
+// C++ and by GLSL alike.
+#ifdef __cplusplus
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+
+namespace facet::layout {
+using glm::vec2;
+using glm::vec4;
+using uint = uint32_t;
+#define PATHS_CONST inline constexpr uint
+#else
+#define PATHS_CONST const uint
+#endif
+
+struct PathState {
+  vec4 origin;     // xyz where the ray starts; w from which distance on it meets something
+  vec4 direction;  // xyz unit; w density with which a surface drew it [1/sr], 0: it comes from the camera
+  vec4 throughput;  // rgb what of the radiance that the ray brings reaches the pixel; w unused
+  vec4 radiance;    // rgb what has been gathered; a coverage
+  // A light that is seen from the last surface unless something is between.
+  vec4 lightOrigin;     // xyz; w distance to it
+  vec4 lightDirection;  // xyz unit; w unused
+  vec4 lightRadiance;   // rgb what it adds; w unused
+  // What the ray has met: index of its triangle in the leaves' order, that of the placement's instance, where.
+  uint triangle, instance;
+  float distance;
+  uint vertices;   // surfaces met so far
+  vec2 weights;    // of the second and third corner
+  uint pixel;      // x, in the upper half y
+  uint media;      // bodies around the ray, the innermost in the lowest byte: number of the medium, 0 for none
+};
+
+// What paths of some rows have in common.
+struct PathUniforms {
+  // Where rays begin and where they go: at the picture's centre, and per half a picture to the right and up. The first
+  // origin's w: nearest distance along the view's axis.
+  vec4 origins[3];
+  vec4 directions[3];
+  uint paths;           // room for so many
+  uint classes;         // of what a ray can meet
+  uint number;          // which sample of its pixel
+  uint mostVertices;    // surfaces that a path leaves
+  uint firstRow, rows;  // of the picture, counted from the bottom
+  uint lights;          // of the scene's, the first so many
+  float share;          // of the picture
+};
+
+// Words of the work buffer: how many paths are at what, then lists of their indices.
+PATHS_CONST workActive = 0u;   // paths under way
+PATHS_CONST workNext = 1u;     // of those that go on
+PATHS_CONST workLights = 2u;   // lights to be seen from surfaces
+PATHS_CONST workTurn = 3u;     // surfaces after which the two lists of active paths have changed places
+PATHS_CONST workClasses = 4u;  // first of the classes' counters: number, first in the sorted list, placed so far
+// Lists behind them, each as long as there are paths: active, next (they take turns), sorted by class, lights.
+PATHS_CONST workLists = 4u;
+
+// Work groups of the next dispatches, three words each.
+PATHS_CONST groupsActive = 0u;
+PATHS_CONST groupsLights = 1u;
+PATHS_CONST groupsClasses = 2u;
+
+// What a ray can meet: nothing, or a surface of a class that is shaded alike.
+PATHS_CONST missClass = 0u;
+
+// Texels of the environment's importance at its finest level, along an axis.
+PATHS_CONST texelTableLargest = 2048u;
+
+#ifdef __cplusplus
+#undef PATHS_CONST
+static_assert(sizeof(PathState) == 9 * 16);
+static_assert(sizeof(PathUniforms) == 8 * 16);
+}  // namespace facet::layout
+#endif

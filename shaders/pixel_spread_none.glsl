@@ -1,0 +1,1 @@
+float spreadRoughness(float perceptualRoughness, vec3 N) { return perceptualRoughness; }

@@ -1,0 +1,2 @@
+uint holesSeed;
+bool stopsRay(uint primitive, uint triangle, vec2 weights) { return true; }

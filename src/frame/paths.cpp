@@ -1,0 +1,302 @@
+#include "frame/paths.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include "frame/scene_pass.hpp"
+#include "paths.h"
+#include "rays.h"
+
+namespace facet::frame {
+
+namespace {
+
+using shading::Define;
+using shading::ProgramStore;
+
+// Paths that are under way at once.
+constexpr int64_t mostPaths = int64_t{1} << 19;
+
+BufferTexture bufferTexture(std::span<const std::byte> data, const char* label) {
+  BufferTexture out{gl::Buffer(data, label), {}};
+  out.texture = gl::Texture::ofBuffer(out.buffer.id(), GL_RGBA32UI, label);
+  return out;
+}
+
+// What all programs of a scene are compiled with.
+std::vector<Define> sceneDefines(const FrameInput& in) {
+  std::vector<Define> defines;
+  if (in.list.features.environment) defines.push_back({"HAS_ENVIRONMENT"});
+  if (in.paths->list.lights > 0) defines.push_back({"HAS_PUNCTUAL_LIGHTS"});
+  if (!in.paths->list.scene.placements.empty()) defines.push_back({"RAY_PLACEMENTS"});
+  if (in.paths->list.scene.holed) defines.push_back({"RAY_HOLES"});
+  return defines;
+}
+
+std::vector<Define> missDefines(const FrameInput& in) {
+  std::vector<Define> defines = sceneDefines(in);
+  if (in.list.features.environment && in.settings.frame.background == Background::environment)
+    defines.push_back({"BACKGROUND"});
+  return defines;
+}
+
+std::vector<Define> classDefines(const FrameInput& in, const PathClass& shaded) {
+  std::vector<Define> defines = shading::variantDefines(shaded.key);
+  if (!in.paths->list.scene.placements.empty()) defines.push_back({"RAY_PLACEMENTS"});
+  if (in.paths->list.media) defines.push_back({"SCENE_MEDIA"});
+  return defines;
+}
+
+Result<const gl::Program*> classProgram(const FrameInput& in, const PathClass& shaded, ProgramStore& programs) {
+  return programs.compute("passes/paths_shade.comp.glsl", classDefines(in, shaded));
+}
+
+struct Programs {
+  std::array<const gl::Program*, 3> plans;
+  const gl::Program *begin, *meet, *sort, *miss, *light, *end;
+  std::vector<const gl::Program*> classes;
+};
+
+Result<Programs> pathPrograms(const FrameInput& in, ProgramStore& store) {
+  std::vector<const gl::Program*> got;
+  for (const ProgramGetter& get : neededPathPrograms(in, store)) {
+    const Result<const gl::Program*> program = get();
+    if (!program) return tl::unexpected(program.error());
+    got.push_back(*program);
+  }
+  return Programs{{got[0], got[1], got[2]},    got[3], got[4], got[5], got[6], got[7], got[8],
+                  {got.begin() + 9, got.end()}};
+}
+
+// As many paths as the rows have pixels.
+void makeRoom(PathWork& work, size_t paths, size_t classes) {
+  if (work.paths >= paths) return;
+  work = {};
+  work.paths = paths;
+  work.states = gl::Buffer(paths * sizeof(layout::PathState), "paths");
+  work.work = gl::Buffer((layout::workClasses + 3 * classes + layout::workLists * paths) * sizeof(uint32_t),
+                         "lists of paths", true);
+  work.groups = gl::Buffer((layout::groupsClasses + classes) * 3 * sizeof(uint32_t), "groups of paths");
+}
+
+void dispatch(const gl::Program& program, size_t invocations) {
+  glUseProgram(program.id());
+  glDispatchCompute(static_cast<GLuint>((invocations + layout::groupInvocations - 1) / layout::groupInvocations), 1, 1);
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+}
+void dispatchCounted(const gl::Program& program, uint32_t group) {
+  glUseProgram(program.id());
+  glDispatchComputeIndirect(static_cast<GLintptr>(group * 3 * sizeof(uint32_t)));
+}
+void barrier() { glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT); }
+
+// A texture's alpha behind those that are there; its first texel.
+struct Alphas {
+  struct Source {
+    GLuint texture;
+    uint32_t first, width, height;
+  };
+  std::vector<Source> sources;
+  uint32_t texels = 0;
+
+  const Source& of(GLuint texture) {
+    for (const Source& source : sources)
+      if (source.texture == texture) return source;
+    GLint width = 0, height = 0;
+    glGetTextureLevelParameteriv(texture, 0, GL_TEXTURE_WIDTH, &width);
+    glGetTextureLevelParameteriv(texture, 0, GL_TEXTURE_HEIGHT, &height);
+    sources.push_back({texture, texels, static_cast<uint32_t>(width), static_cast<uint32_t>(height)});
+    texels += (sources.back().width * sources.back().height + 3) / 4 * 4;
+    return sources.back();
+  }
+};
+
+uint32_t wrapOf(scene::Wrap wrap) {
+  return wrap == scene::Wrap::clampToEdge      ? layout::wrapClamp
+         : wrap == scene::Wrap::mirroredRepeat ? layout::wrapMirror
+                                               : layout::wrapRepeat;
+}
+
+// What of the materials lets rays pass.
+Result<void> addHoles(PathScene& out, const DrawList& list, const scene::Model& model, const GpuScene& gpu,
+                      ProgramStore& programs) {
+  std::vector<layout::RayHoles> holes;
+  Alphas alphas;
+  for (const scene::Material& material : list.materials) {
+    layout::RayHoles& h = holes.emplace_back();
+    h = {};
+    h.masked = material.alphaMode == scene::AlphaMode::mask ? 1 : 0;
+    if (material.alphaMode == scene::AlphaMode::opaque || !material.baseColor) continue;
+    const scene::Texture& texture = model.textures[static_cast<size_t>(material.baseColor.texture)];
+    const Alphas::Source& source = alphas.of(boundTexture(gpu, model, material, scene::TextureSlot::baseColor).texture);
+    h.first = source.first, h.width = source.width, h.height = source.height;
+    h.wrapS = wrapOf(texture.sampler.wrapS), h.wrapT = wrapOf(texture.sampler.wrapT);
+    h.nearest = texture.sampler.magFilter == scene::Filter::nearest ? 1 : 0;
+  }
+  const auto program = programs.compute("passes/hole_alpha.comp.glsl");
+  if (!program) return tl::unexpected(program.error());
+  out.holes = gl::Buffer::of(holes, "holes");
+  out.alpha.buffer = gl::Buffer(std::max<size_t>(alphas.texels, 4), "alpha for rays");
+  out.alpha.texture = gl::Texture::ofBuffer(out.alpha.buffer.id(), GL_R8, "alpha for rays");
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeOutputBinding, out.alpha.buffer.id());
+  glBindSampler(layout::sourceUnit, 0);
+  for (const Alphas::Source& source : alphas.sources) {
+    glBindTextureUnit(layout::sourceUnit, source.texture);
+    glProgramUniform1ui((*program)->id(), layout::holesFirstLocation, source.first);
+    dispatch(**program, (static_cast<size_t>(source.width) * source.height + 3) / 4);
+  }
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+  return {};
+}
+
+void setCamera(const FrameInput& in, layout::PathUniforms& uniforms) {
+  const scene::View& view = in.view;
+  const double x = 1 / view.clipFromView[0][0], y = 1 / view.clipFromView[1][1];
+  const glm::dvec3 right = view.right * x, up = view.up * y;
+  uniforms.origins[0] = glm::vec4(glm::vec3(view.eye - in.list.origin), static_cast<float>(view.zNear));
+  uniforms.directions[0] = glm::vec4(glm::vec3(view.forward), 0);
+  glm::vec4* const across = view.orthographic ? uniforms.origins : uniforms.directions;
+  across[1] = glm::vec4(glm::vec3(right), 0), across[2] = glm::vec4(glm::vec3(up), 0);
+}
+
+layout::PathUniforms pathUniforms(const FrameInput& in, const PathWork& work, int number, float share) {
+  layout::PathUniforms uniforms{};
+  setCamera(in, uniforms);
+  uniforms.paths = static_cast<uint32_t>(work.paths);
+  uniforms.classes = static_cast<uint32_t>(in.paths->list.classes.size() + 1);
+  uniforms.number = static_cast<uint32_t>(number);
+  uniforms.mostVertices = static_cast<uint32_t>(in.settings.quality.bounces);
+  uniforms.lights = static_cast<uint32_t>(in.paths->list.lights);
+  uniforms.share = share;
+  return uniforms;
+}
+
+void bindClass(const FrameInput& in, const PathClass& shaded) {
+  if (shaded.material < 0) return;
+  const scene::Material& material = in.list.materials[static_cast<size_t>(shaded.material)];
+  for (const scene::TextureSlot slot : scene::textureSlots) {
+    if (!shading::samplesSlot({material, *shaded.primitive, in.list.features}, slot)) continue;
+    const BoundTexture bound = boundTexture(in.gpu, in.model, material, slot);
+    glBindTextureUnit(static_cast<GLuint>(slot), bound.texture);
+    glBindSampler(static_cast<GLuint>(slot), bound.sampler);
+  }
+}
+
+void bindScene(const FrameInput& in, const PathWork& work) {
+  const PathScene& scene = *in.paths;
+  scene.nodes.texture.bind(layout::rayNodesUnit);
+  scene.triangles.texture.bind(layout::rayTrianglesUnit);
+  if (scene.holes) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::rayHolesBinding, scene.holes.id());
+  if (scene.alpha.texture) scene.alpha.texture.bind(layout::rayAlphaUnit);
+  if (scene.placements.texture) scene.placements.texture.bind(layout::rayPlacementsUnit);
+  bindSceneBuffers(scene.buffers);
+  bindTables(in.tables);
+  if (in.tables.background) in.tables.background.bind(layout::equirectUnit);
+  if (in.tables.texels) in.tables.texels.bind(layout::environmentTexelsUnit);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::instanceBinding, scene.instances.id());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::lightBinding, in.gpu.lights.id());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeInputBinding, work.states.id());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeOutputBinding, work.work.id());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::pathGroupsBinding, work.groups.id());
+  glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, work.groups.id());
+}
+
+// One sample of some rows, few enough that all of their paths are under way at once.
+void traceRows(const FrameInput& in, const PathWork& work, const Programs& programs, layout::PathUniforms uniforms,
+               int firstRow, int rows) {
+  const size_t paths = static_cast<size_t>(rows) * static_cast<size_t>(in.settings.frame.width);
+  uniforms.firstRow = static_cast<uint32_t>(firstRow + in.firstRow), uniforms.rows = static_cast<uint32_t>(rows);
+  const gl::Buffer common = gl::Buffer::of(std::vector{uniforms}, "path uniforms");
+  glBindBufferBase(GL_UNIFORM_BUFFER, layout::pathsBinding, common.id());
+  const std::array<uint32_t, 4> counts = {0, static_cast<uint32_t>(paths), 0, 0};
+  work.work.update(std::as_bytes(std::span(counts)));
+  dispatch(*programs.begin, paths);
+  const auto plan = [&](size_t step) { dispatch(*programs.plans[step], 1); };
+  for (int vertex = 0; vertex <= in.settings.quality.bounces; ++vertex) {
+    plan(0);
+    dispatchCounted(*programs.meet, layout::groupsActive);
+    barrier();
+    plan(1);
+    dispatchCounted(*programs.sort, layout::groupsActive);
+    barrier();
+    dispatchCounted(*programs.miss, layout::groupsClasses + layout::missClass);
+    for (size_t i = 0; i < programs.classes.size(); ++i) {
+      bindClass(in, in.paths->list.classes[i]);
+      glProgramUniform1ui(programs.classes[i]->id(), layout::pathsClassLocation, static_cast<GLuint>(i + 1));
+      dispatchCounted(*programs.classes[i], static_cast<uint32_t>(layout::groupsClasses + i + 1));
+    }
+    barrier();
+    plan(2);
+    dispatchCounted(*programs.light, layout::groupsLights);
+    barrier();
+  }
+  dispatch(*programs.end, paths);
+}
+
+}  // namespace
+
+size_t PathScene::bytes() const {
+  return nodes.buffer.bytes() + triangles.buffer.bytes() + placements.buffer.bytes() + buffers.bytes() +
+         instances.bytes();
+}
+
+Result<PathScene> pathScene(const DrawList& list, const scene::Model& model, const GpuScene& gpu,
+                            shading::ProgramStore& programs) {
+  const auto start = std::chrono::steady_clock::now();
+  PathScene out;
+  out.list = tracedList(list);
+  out.buildMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  rays::TracedScene& scene = out.list.scene;
+  out.triangleCount = static_cast<int>(scene.triangles.size());
+  out.nodes = bufferTexture(std::as_bytes(std::span(scene.nodes)), "ray nodes");
+  out.triangles = bufferTexture(std::as_bytes(std::span(scene.triangles)), "ray triangles");
+  if (!scene.placements.empty())
+    out.placements = bufferTexture(std::as_bytes(std::span(scene.placements)), "ray placements");
+  out.buffers = sceneBuffers(out.list.parts, list.materials, false);
+  out.instances = gl::Buffer::of(out.list.instances, "path instances");
+  if (scene.holed)
+    if (Result<void> made = addHoles(out, list, model, gpu, programs); !made) return tl::unexpected(made.error());
+  scene.nodes = {}, scene.triangles = {};
+  out.list.deformed.clear(), out.list.parts = {}, out.list.instances = {};
+  return out;
+}
+
+std::vector<ProgramGetter> neededPathPrograms(const FrameInput& in, shading::ProgramStore& programs) {
+  std::vector<ProgramGetter> out;
+  const auto add = [&](const char* name, std::vector<Define> defines) {
+    out.emplace_back([&programs, entry = "passes/paths_" + std::string(name) + ".comp.glsl",
+                      defines = std::move(defines)] { return programs.compute(entry, defines); });
+  };
+  for (const char* step : {"0", "1", "2"}) add("plan", {{"STEP", step}});
+  add("begin", {}), add("meet", sceneDefines(in)), add("sort", {}), add("miss", missDefines(in));
+  add("light", sceneDefines(in)), add("end", {});
+  for (const PathClass& shaded : in.paths->list.classes)
+    out.emplace_back([&in, &shaded, &programs] { return classProgram(in, shaded, programs); });
+  return out;
+}
+
+Result<void> tracePaths(const FrameInput& in, const Targets& targets, PathWork& work, int number, int firstRow,
+                        int rows, float share, ProgramStore& store) {
+  const Result<Programs> programs = pathPrograms(in, store);
+  if (!programs) return tl::unexpected(programs.error());
+  const int width = in.settings.frame.width;
+  rows = std::min(rows, in.settings.frame.height - in.firstRow - firstRow);
+  const int atOnce = static_cast<int>(std::clamp<int64_t>(mostPaths / width, 1, std::max(rows, 1)));
+  const size_t classes = in.paths->list.classes.size() + 1;
+  makeRoom(work, static_cast<size_t>(atOnce) * static_cast<size_t>(width), classes);
+  const gl::Buffer frame = gl::Buffer::of(std::vector{frameUniforms(in, number, 1, glm::dvec2(0))}, "frame");
+  glBindBufferBase(GL_UNIFORM_BUFFER, layout::frameBinding, frame.id());
+  bindScene(in, work);
+  glProgramUniform1ui(programs->miss->id(), layout::pathsClassLocation, layout::missClass);
+  const layout::PathUniforms uniforms = pathUniforms(in, work, number, share);
+  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
+  glBindImageTexture(0, targets.sum.id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
+  for (int row = 0; row < rows; row += atOnce)
+    traceRows(in, work, *programs, uniforms, firstRow + row, std::min(atOnce, rows - row));
+  for (GLuint unit = 0; unit < layout::materialSlotCount; ++unit) glBindSampler(unit, 0);
+  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
+                  GL_TEXTURE_UPDATE_BARRIER_BIT);
+  return {};
+}
+
+}  // namespace facet::frame

@@ -1,0 +1,57 @@
+#pragma once
+
+// Path tracing: what a picture shows where light is blocked, reflected and let through by everything that the scene
+// draws. A sample of a pixel is one path. The paths of some rows go on together, a surface at a time: rays of all of
+// them, then the surfaces that they have met, class by class, each by a program of its own with the material's chunks
+// and textures.
+//
+// Unidirectional, with next-event estimation of the environment's texels or of one punctual light, joined with
+// directions drawn from the lobes by multiple importance sampling (Veach 1997), and Russian roulette.
+
+#include <functional>
+
+#include "frame/frame.hpp"
+#include "frame/scene_buffers.hpp"
+#include "frame/traced.hpp"
+
+namespace facet::frame {
+
+// A buffer that shaders read as a texture, which software OpenGL reads several times faster than a storage buffer.
+struct BufferTexture {
+  gl::Buffer buffer;
+  gl::Texture texture;
+};
+
+// A draw list for paths, on the GPU. Nothing makes it but who traces.
+struct PathScene {
+  TracedList list;  // without what is on the GPU
+  BufferTexture nodes, triangles, placements;
+  gl::Buffer holes;     // layout::RayHoles by material, where there are any
+  BufferTexture alpha;  // of their textures
+  SceneBuffers buffers;
+  gl::Buffer instances;
+  int triangleCount = 0;
+  double buildMs = 0;  // of the trees
+
+  size_t bytes() const;
+};
+// Textures of the list's materials are on the GPU.
+Result<PathScene> pathScene(const DrawList& list, const scene::Model& model, const GpuScene& gpu,
+                            shading::ProgramStore& programs);
+
+// Paths under way.
+struct PathWork {
+  size_t paths = 0;
+  gl::Buffer states, work, groups;
+};
+
+// Rows [firstRow, firstRow + rows) of the targets: sample `number` of each pixel, times `share` onto targets.sum.
+// `work` is kept by the caller for the next rows.
+Result<void> tracePaths(const FrameInput& in, const Targets& targets, PathWork& work, int number, int firstRow,
+                        int rows, float share, shading::ProgramStore& programs);
+
+// All that tracePaths uses.
+using ProgramGetter = std::function<Result<const gl::Program*>()>;
+std::vector<ProgramGetter> neededPathPrograms(const FrameInput& in, shading::ProgramStore& programs);
+
+}  // namespace facet::frame
