@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "frame/scene_pass.hpp"
+#include "frame/settings.hpp"
 #include "paths.h"
 #include "rays.h"
 
