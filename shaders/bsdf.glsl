@@ -22,7 +22,7 @@ struct Surface {
   float perceptualRoughness;
   float alpha;                // perceptualRoughness^2
   vec3 dfg;                   // A, B and tilt of (NoV, perceptualRoughness): dfg_table.glsl
-#if ENERGY_MODEL == 3
+#if ENERGY_MODEL == ENERGY_KULLA_CONTY
   float albedoL;              // A + B at L, where a light is evaluated
 #endif
   float occlusion;            // share of distant light that reaches the point
@@ -50,7 +50,7 @@ Surface makeSurface(vec3 N, vec3 V, vec3 baseColor, float metallic, float percep
   s.coloredInterface = false;
   setRoughness(s, perceptualRoughness);
   s.dfg = vec3(1.0, 0.0, 0.0);
-#if ENERGY_MODEL == 3
+#if ENERGY_MODEL == ENERGY_KULLA_CONTY
   s.albedoL = 1.0;
 #endif
   s.occlusion = occlusion;
@@ -113,10 +113,10 @@ float baseMultipleShape(Surface s, float albedoL) {
 }
 
 // The table of directional albedos is that of GGX with Smith's term: other lobes stay as they are, single scattering.
-#if NDF_MODEL == 0 && MASKING_MODEL == 0
+#if NDF_MODEL == NDF_GGX && MASKING_MODEL == MASKING_SMITH
 const int lobeEnergy = lightEnergy;
 #else
-const int lobeEnergy = noCompensation;
+const int lobeEnergy = ENERGY_NONE;
 #endif
 
 // The base: f(V, L) NoL [1/sr], a mix of a metal and of a dielectric whose diffuse part gets what its specular part
@@ -133,9 +133,9 @@ vec3 evaluateBase(Surface s, vec3 L) {
   vec3 fresnel = mix(dielectricFresnel(s, VoH) * dielectricGain(s, lobeEnergy),
                      metalFresnel(s, VoH) * metalGain(s, lobeEnergy), s.metallic);
   vec3 specular = lobeFacets(s.grain, s.N, s.V, s.NoV, L, NoL, H, s.alpha) * fresnel;
-#if ENERGY_MODEL == 2
+#if ENERGY_MODEL == ENERGY_FDEZ_AGUERA
   specular += baseMultipleAlbedo(s, lobeEnergy) / PI;
-#elif ENERGY_MODEL == 3
+#elif ENERGY_MODEL == ENERGY_KULLA_CONTY
   specular += baseMultipleAlbedo(s, lobeEnergy) * (baseMultipleShape(s, s.albedoL) / PI);
 #endif
   vec3 diffuse = diffuseTerm(s.baseColor, s.NoV, NoL, dot(s.V, L), s.perceptualRoughness) * (1.0 - s.metallic) *

@@ -6,6 +6,11 @@
 #include "transmitted.glsl"
 #include "lobe_frames.glsl"
 
+float meanOf(vec3 v) { return (v.r + v.g + v.b) / 3.0; }
+
+#include "bsdf_sampling_coat.glsl" if HAS_CLEARCOAT
+#include "bsdf_sampling_sheen.glsl" if HAS_SHEEN
+
 // What passes through the surface, which evaluateBsdf leaves to its caller (Surface.diffuseShare is less by it).
 struct Through {
   vec3 share;    // of what enters the dielectric, rgb: what is seen through
@@ -24,21 +29,13 @@ struct LobeChances {
   float of[lobeCount];
 };
 
-float meanOf(vec3 v) { return (v.r + v.g + v.b) / 3.0; }
-
 LobeChances lobeChances(Surface s, Through t) {
   LobeChances chances;
   vec3 entering = enteringShare(s);
   chances.of[specularLobe] = meanOf(prefilteredAlbedo(s)) * layersLeft(s);
   chances.of[diffuseLobe] = meanOf(irradianceAlbedo(s)) * layersLeft(s);
-  chances.of[sheenLobeIndex] = 0.0;
-  chances.of[coatLobeIndex] = 0.0;
-#ifdef HAS_SHEEN
-  chances.of[sheenLobeIndex] = meanOf(s.sheen.color) * min(s.sheen.albedoV, 1.0) * coatLeft(s);
-#endif
-#ifdef HAS_CLEARCOAT
-  chances.of[coatLobeIndex] = s.coat.weight * coatAlbedo(s);
-#endif
+  chances.of[sheenLobeIndex] = sheenChance(s);
+  chances.of[coatLobeIndex] = coatChance(s);
   chances.of[throughLobe] = meanOf(t.share * entering);
   chances.of[scatteredLobe] = meanOf(t.diffuse * entering);
   float sum = 0.0;
@@ -72,14 +69,7 @@ float bsdfDensity(Surface s, Through t, LobeChances chances, vec3 L) {
                (t.eta > 0.0 ? refractionDensity(vec3(0.0, 0.0, 1.0), base.V, local, alpha, t.eta, VoH)
                             : transmittedDensity(base.V, local, alpha));
   }
-#ifdef HAS_SHEEN
-  density += chances.of[sheenLobeIndex] * sheenDensity(local);
-#endif
-#ifdef HAS_CLEARCOAT
-  LobeFrame coat = coatFrame(s);
-  density += chances.of[coatLobeIndex] * ggxDensity(coat.V, L * coat.worldFromLocal, max(s.coat.alpha, minAnalyticAlpha));
-#endif
-  return density;
+  return density + chances.of[sheenLobeIndex] * densityOfSheen(local) + chances.of[coatLobeIndex] * densityOfCoat(s, L);
 }
 float bsdfDensity(Surface s, Through t, vec3 L) { return bsdfDensity(s, t, lobeChances(s, t), L); }
 
@@ -111,15 +101,8 @@ BsdfSample sampleBsdf(Surface s, Through t, vec3 u) {
     else
       drawn = sampleTransmitted(at.V, alpha, u.xy);
   }
-#ifdef HAS_SHEEN
-  if (lobe == sheenLobeIndex) drawn = sampleSheen(at.V, s.sheen.alpha, u.xy);
-#endif
-#ifdef HAS_CLEARCOAT
-  if (lobe == coatLobeIndex) {
-    at = coatFrame(s);
-    drawn = sampleCoat(at.V, max(s.coat.alpha, minAnalyticAlpha), u.xy);
-  }
-#endif
+  if (lobe == sheenLobeIndex) drawSheen(s, u.xy, at, drawn);
+  if (lobe == coatLobeIndex) drawCoat(s, u.xy, at, drawn);
   vec3 L = at.worldFromLocal * drawn.L;
   return BsdfSample(L, drawn.density > 0.0 ? bsdfDensity(s, t, chances, L) : 0.0, lobe);
 }

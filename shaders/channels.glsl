@@ -1,5 +1,6 @@
-// Debug views: CHANNEL is the index in shading::channelNames. Values are shown as they are; what a primitive or its
+// Debug views: CHANNEL is one of CHANNEL_*. Values are shown as they are; what a primitive or its
 // material does not have shows as grey and black checks, never as a plausible number.
+#include "choices.glsl"
 
 vec3 absentChannel() {
   ivec2 cell = ivec2(gl_FragCoord.xy) / 8;
@@ -7,35 +8,35 @@ vec3 absentChannel() {
 }
 
 vec3 channelValue(Varyings v, vec3 V, vec4 baseColor) {
-#if CHANNEL == 1  // normal
+#if CHANNEL == CHANNEL_NORMAL
 #ifdef HAS_NORMAL
   return materialNormal(v, V) * 0.5 + 0.5;
 #endif
-#elif CHANNEL == 2  // geometryNormal
+#elif CHANNEL == CHANNEL_GEOMETRY_NORMAL
 #ifdef HAS_NORMAL
   return geometryNormal(v, V) * 0.5 + 0.5;
 #endif
-#elif CHANNEL == 3  // tangent
+#elif CHANNEL == CHANNEL_TANGENT
 #ifdef HAS_TANGENT
   return safeNormalize(v.tangent.xyz, vec3(0.0)) * 0.5 + 0.5;
 #endif
-#elif CHANNEL == 4  // uv
+#elif CHANNEL == CHANNEL_UV
 #ifdef HAS_TEXCOORD_0
   return vec3(fract(v.texCoord0), 0.0);
 #endif
-#elif CHANNEL == 5  // baseColor
+#elif CHANNEL == CHANNEL_BASE_COLOR
   return baseColor.rgb;
-#elif CHANNEL == 6  // metallic
+#elif CHANNEL == CHANNEL_METALLIC
   return vec3(materialMetallicRoughness(v).x);
-#elif CHANNEL == 7  // roughness
+#elif CHANNEL == CHANNEL_ROUGHNESS
   return vec3(materialMetallicRoughness(v).y);
-#elif CHANNEL == 8  // occlusion
+#elif CHANNEL == CHANNEL_OCCLUSION
 #ifdef HAS_OCCLUSION_TEXTURE
   return vec3(materialOcclusion(v));
 #endif
-#elif CHANNEL == 9  // emissive
+#elif CHANNEL == CHANNEL_EMISSIVE
   return materialEmission(v);
-#elif CHANNEL == 10  // alpha
+#elif CHANNEL == CHANNEL_ALPHA
   return vec3(baseColor.a);
 #endif
   return absentChannel();

@@ -1,5 +1,6 @@
 // Display: exposure is applied before; linear Rec. 709 in, linear [0, 1] out, then the sRGB curve.
 // The twin is src/optics/color.cpp.
+#include "choices.glsl"
 
 // IEC 61966-2-1.
 vec3 encodeSrgb(vec3 c) {
@@ -56,15 +57,15 @@ vec3 toneNeutral(vec3 c) {
   return mix(c, vec3(newPeak), g);
 }
 
-// mapper: frame::ToneMapper. c >= 0; anything else counts as 0.
+// mapper: TONE_*. c >= 0; anything else counts as 0.
 vec3 toneMap(int mapper, vec3 c) {
   c = max(c, 0.0);
   switch (mapper) {
-    case 1: return toneReinhard(c);
-    case 2: return toneUncharted2(c);
-    case 3: return toneAces(c);
-    case 4: return toneAgx(c);
-    case 5: return toneNeutral(c);
+    case TONE_REINHARD: return toneReinhard(c);
+    case TONE_UNCHARTED2: return toneUncharted2(c);
+    case TONE_ACES: return toneAces(c);
+    case TONE_AGX: return toneAgx(c);
+    case TONE_NEUTRAL: return toneNeutral(c);
     default: return min(c, 1.0);
   }
 }

@@ -1,6 +1,7 @@
 // Directional albedo of the specular lobe from the DFG table, and the light that single scattering loses.
 // dfg.x = A, dfg.y = B: single-scattering albedo = f0 A + f90 B (Karis 2013), A + B = albedo for f0 = 1.
 // The twin is src/optics/energy.cpp.
+#include "choices.glsl"
 
 vec3 singleScatterAlbedo(vec3 f0, float f90, vec2 dfg) { return f0 * dfg.x + f90 * dfg.y; }
 vec3 singleScatterAlbedo(vec3 f0, vec2 dfg) { return singleScatterAlbedo(f0, 1.0, dfg); }
@@ -43,20 +44,19 @@ float multipleShapeKullaConty(float albedoL, float missing) {
 // How a lobe's lost energy is made up for. ENERGY_MODEL absent: each as its authors meant it, Fdez-Aguera's for distant
 // light, Turquin's for lights. Kulla and Conty's needs the table at L, too.
 #ifndef ENERGY_MODEL
-#define ENERGY_MODEL 0
+#define ENERGY_MODEL ENERGY_AUTO
 #endif
-const int noCompensation = 1, energyFdezAguera = 2, energyKullaConty = 3, energyTurquin = 4;
-const int distantEnergy = ENERGY_MODEL == 0 ? energyFdezAguera : ENERGY_MODEL;
-const int lightEnergy = ENERGY_MODEL == 0 ? energyTurquin : ENERGY_MODEL;
+const int distantEnergy = ENERGY_MODEL == ENERGY_AUTO ? ENERGY_FDEZ_AGUERA : ENERGY_MODEL;
+const int lightEnergy = ENERGY_MODEL == ENERGY_AUTO ? ENERGY_TURQUIN : ENERGY_MODEL;
 
 // Factor on the lobe of one bounce.
 vec3 specularGain(int model, vec3 f0, vec2 dfg) {
-  return model == energyTurquin ? energyCompensation(f0, dfg) : vec3(1.0);
+  return model == ENERGY_TURQUIN ? energyCompensation(f0, dfg) : vec3(1.0);
 }
 // Albedo of the lobe of further bounces.
 vec3 multipleAlbedo(int model, vec3 f0, float f90, vec2 dfg, float alpha) {
-  if (model == energyFdezAguera) return multipleScatterAlbedo(f0, f90, dfg);
-  if (model == energyKullaConty) return multipleScatterKullaConty(f0, f90, dfg, missingOnAverage(alpha));
+  if (model == ENERGY_FDEZ_AGUERA) return multipleScatterAlbedo(f0, f90, dfg);
+  if (model == ENERGY_KULLA_CONTY) return multipleScatterKullaConty(f0, f90, dfg, missingOnAverage(alpha));
   return vec3(0.0);
 }
 // Of both.

@@ -32,13 +32,13 @@ vec3 specularMeanDirection(Surface s) { return meanDirection(s.N, s.V, s.dfg.z);
 
 // Mean radiance under an isotropic lobe; dfg of (NoV, perceptualRoughness).
 #ifndef IMAGE_LIGHT_MODEL
-#define IMAGE_LIGHT_MODEL 6  // as optics::usualLookUp
+#define IMAGE_LIGHT_MODEL IMAGE_LIGHT_USUAL
 #endif
-#if IMAGE_LIGHT_MODEL == 1
+#if IMAGE_LIGHT_MODEL == IMAGE_LIGHT_MIRROR
 #include "image_light_mirror.glsl"
-#elif IMAGE_LIGHT_MODEL == 2
+#elif IMAGE_LIGHT_MODEL == IMAGE_LIGHT_SHIFTED
 #include "image_light_shifted.glsl"
-#elif IMAGE_LIGHT_MODEL == 3
+#elif IMAGE_LIGHT_MODEL == IMAGE_LIGHT_MEAN
 #include "image_light_mean.glsl"
 #else
 #include "image_light_taps.glsl"

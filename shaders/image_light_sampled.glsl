@@ -6,7 +6,7 @@
 #include "frame.glsl"
 #include "environment_samples.glsl"
 #include "irradiance.glsl"
-#if ENERGY_MODEL == 3
+#if ENERGY_MODEL == ENERGY_KULLA_CONTY
 #include "dfg_table.glsl"
 #endif
 
@@ -28,7 +28,7 @@ vec3 specularSampled(Surface s) {
   return specular / float(IMAGE_LIGHT_SAMPLES);
 }
 
-#if ENERGY_MODEL == 3
+#if ENERGY_MODEL == ENERGY_KULLA_CONTY
 // irradianceAlbedo takes the lobe of further bounces as flat: samples of the difference, whose mean is 0.
 vec3 multipleDetail(Surface s) {
   LobeFrame at = normalFrame(s);
@@ -44,7 +44,7 @@ vec3 multipleDetail(Surface s) {
 }
 #endif
 
-#if DIFFUSE_MODEL != 0
+#if DIFFUSE_MODEL != DIFFUSE_LAMBERT
 // irradianceAlbedo weighs all of the hemisphere alike. Cosine-distributed samples of the difference, whose mean makes up
 // for that: (pi f - returned) radiance.
 vec3 diffuseDetail(Surface s) {
@@ -67,10 +67,10 @@ vec3 diffuseDetail(Surface s) {
 vec3 imageLight(Surface s) {
   vec3 irradiance = lookUpIrradiance(s.N);
   vec3 radiance = specularSampled(s) + irradiance * irradianceAlbedo(s);
-#if ENERGY_MODEL == 3
+#if ENERGY_MODEL == ENERGY_KULLA_CONTY
   radiance += multipleDetail(s) * baseMultipleAlbedo(s, distantEnergy);
 #endif
-#if DIFFUSE_MODEL != 0
+#if DIFFUSE_MODEL != DIFFUSE_LAMBERT
   radiance += diffuseDetail(s) * s.diffuseShare * dielectricBaseShare(s);
 #endif
   radiance = underLitCoat(s, underLitSheen(s, radiance));

@@ -3,7 +3,7 @@
 #include "arriving_light.glsl"
 #include "frame.glsl"
 #include "sheen_table.glsl" if HAS_SHEEN
-#if ENERGY_MODEL == 3
+#if ENERGY_MODEL == ENERGY_KULLA_CONTY
 #include "dfg_table.glsl"
 #endif
 
@@ -28,7 +28,7 @@ vec3 punctualLight(Surface s, vec3 position) {
     vec3 arriving = arrivingLight(lights[i], position, s.N, L);
     if (arriving == vec3(0.0)) continue;
     lightSheen(s.sheen, dot(s.N, L));
-#if ENERGY_MODEL == 3
+#if ENERGY_MODEL == ENERGY_KULLA_CONTY
     vec3 dfgL = lookUpDfg(dot(s.N, L), s.perceptualRoughness);
     s.albedoL = dfgL.x + dfgL.y;
 #endif

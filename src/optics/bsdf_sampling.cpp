@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "constants.h"
 #include "optics/layers.hpp"
 #include "optics/lobes.hpp"
 #include "optics/mapping.hpp"
@@ -12,7 +13,7 @@ namespace facet::optics {
 
 namespace {
 
-constexpr double leastAlpha = 1e-3;  // minAnalyticAlpha of the shaders
+constexpr double leastAlpha = layout::minAnalyticAlpha;
 
 double meanOf(const glm::dvec3& v) { return (v.r + v.g + v.b) / 3; }
 

@@ -37,7 +37,7 @@ const char* const furnaceBody = R"(
   float dielectric = singleScatterAlbedo(s.dielectricF0, in0.zw).x * dielectricGain(s, lobeEnergy).x;
   float metal = singleScatterAlbedo(s.baseColor, in0.zw).x * metalGain(s, lobeEnergy).x;
   float shape = 1.0;
-#if ENERGY_MODEL == 3
+#if ENERGY_MODEL == ENERGY_KULLA_CONTY
   shape = 0.0;
   for (int i = 0; i < int(in1.x); ++i) {
     float u = (float(i) + 0.5) / in1.x;

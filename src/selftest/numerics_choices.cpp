@@ -115,7 +115,7 @@ Check checkModel(const std::string& name, const optics::Models& models, double t
                               "Surface s = makeSurface(vec3(0.0, 0.0, 1.0), in0.xyz, vec3(0.9, 0.5, 0.1), in1.w, "
                               "in0.w, 1.0);\n"
                               "s.dfg = vec3(0.75, 0.125, 0.0);\n"
-                              "#if ENERGY_MODEL == 3\n"
+                              "#if ENERGY_MODEL == ENERGY_KULLA_CONTY\n"
                               "s.albedoL = 0.75;\n"
                               "#endif\n"
                               "out0.rgb = evaluateBsdf(s, in1.xyz);",

@@ -4,54 +4,25 @@
 #include "optics/anisotropy.hpp"
 #include "optics/bsdf.hpp"
 #include "optics/sheen.hpp"
+#include "selftest/layered_surface.hpp"
 #include "selftest/numerics_grid.hpp"
 
 namespace facet::selftest {
 
 namespace {
 
-// A surface with every layer and change of the lobes; the inputs carry what a table or a texture would.
-// in0: V, metallic; in1: L, perceptualRoughness; in2: coat weight, sheen roughness, film weight, anisotropy strength;
-// in3: base A, B, coat A, B; in4: sheen E at V and L.
-const char* const layeredBody = R"(
-  vec3 N = vec3(0.0, 0.0, 1.0);
-  Surface s = makeSurface(N, in0.xyz, vec3(1.0, 0.5, 0.1), in0.w, in1.w, 1.0);
-  s.dielectricF90 = 0.8;
-  s.coloredInterface = true;
-  s.dielectricF0 = vec3(0.05, 0.1, 0.2) * 0.8;
-  s.dfg = vec3(in3.xy, 0.0);
-  s.grain.T = vec3(1.0, 0.0, 0.0);
-  s.grain.B = vec3(0.0, 1.0, 0.0);
-  s.grain.alpha = alphaFromAnisotropy(s.alpha, in2.w);
-  setFilm(s, in2.z, 1.4, 350.0);
-  s.sheen.color = vec3(0.9, 0.3, 0.5);
-  s.sheen.perceptualRoughness = in2.y;
-  s.sheen.alpha = in2.y * in2.y;
-  s.sheen.albedoV = in4.x;
-  s.sheen.albedoL = in4.y;
-  s.coat.N = vec3(0.28, 0.0, 0.96);
-  s.coat.NoV = clamp(dot(s.coat.N, s.V), minNoV, 1.0);
-  s.coat.weight = in2.x;
-  s.coat.perceptualRoughness = 0.3;
-  s.coat.alpha = 0.09;
-  s.coat.dfg = vec3(in3.zw, 0.0);
+// in0: V, metallic; in1: L, perceptualRoughness; in2: the layers; in3: base A, B, coat A, B; in4: sheen E at V and L:
+// what a table or a texture would bring.
+const std::string layeredBody = R"(
+  vec3 V = in0.xyz, baseColor = vec3(1.0, 0.5, 0.1);
+  float metallic = in0.w, perceptualRoughness = in1.w;
+  vec4 layers = in2, dfg = in3;
+  vec2 sheenAlbedo = in4.xy;
+)" + std::string(layeredSurfaceText) +
+                                R"(
   out0.rgb = evaluateBsdf(s, in1.xyz);
   out1.rgb = (prefilteredAlbedo(s) + irradianceAlbedo(s)) * layersLeft(s);
 )";
-const std::vector<shading::Define> allLayers = {
-    {"HAS_DIELECTRIC_SPECULAR"}, {"HAS_CLEARCOAT"}, {"HAS_SHEEN"}, {"HAS_ANISOTROPY"}, {"HAS_IRIDESCENCE"}};
-
-optics::Surface layeredSurface(CheckVectors in) {
-  optics::Surface surface{{1, 0.5, float(0.1)}, in[0].w, in[1].w};
-  surface.f90 = float(0.8);
-  surface.f0 = glm::dvec3(float(0.05), float(0.1), float(0.2)) * surface.f90;
-  surface.coloredInterface = true;
-  surface.grain = {in[2].w, {1, 0, 0}};
-  surface.film = {in[2].z, float(1.4), 350};
-  surface.sheen = {{float(0.9), float(0.3), 0.5}, in[2].y};
-  surface.coat = {in[2].x, float(0.3), {float(0.28), 0, float(0.96)}};
-  return surface;
-}
 
 Check checkLayers(const char* name, const optics::Models& models = {}) {
   Check check{name,
@@ -74,7 +45,7 @@ Check checkLayers(const char* name, const optics::Models& models = {}) {
               check.inputs.emplace_back(sheen * 0.4, sheen * 1.3, 0, 0);
             }
   check.twin = [models](CheckVectors in) {
-    optics::Surface surface = layeredSurface(in);
+    optics::Surface surface = layeredSurface({1, 0.5, float(0.1)}, in[0].w, in[1].w, in[2]);
     surface.models = models;
     // The shader has a grain, if of strength 0: Kulla and Conty's lobe is flat there, and is so where E is its mean.
     const double mean = 1 - optics::missingOnAverageFit(optics::alphaOf(surface));

@@ -5,6 +5,7 @@
 #include "optics/quadrature.hpp"
 #include "optics/sheen.hpp"
 #include "optics/sobol.hpp"
+#include "selftest/layered_surface.hpp"
 #include "selftest/numerics_grid.hpp"
 
 namespace facet::selftest {
@@ -259,27 +260,14 @@ Check checkProxy() {
 
 // in0: V, metallic; in1: u, perceptualRoughness; in2: coat weight, sheen roughness, film weight, anisotropy strength;
 // in3: L, sheen E; in4: alpha and eta of what is seen through, its share.
-const char* const sampledBody = R"(
-  Surface s = makeSurface(vec3(0.0, 0.0, 1.0), in0.xyz, vec3(0.9, 0.5, 0.1), in0.w, in1.w, 1.0);
-  s.dielectricF90 = 0.8;
-  s.dielectricF0 = vec3(0.05, 0.1, 0.2) * 0.8;
-  s.dfg = vec3(0.7, 0.1, 0.0);
+const std::string sampledBody = R"(
+  vec3 V = in0.xyz, baseColor = vec3(0.9, 0.5, 0.1);
+  float metallic = in0.w, perceptualRoughness = in1.w;
+  vec4 layers = in2, dfg = vec4(0.7, 0.1, 0.9, 0.05);
+  vec2 sheenAlbedo = in3.ww;
+)" + std::string(layeredSurfaceText) +
+                                R"(
   s.diffuseShare = 1.0 - in4.z - 0.2;
-  s.grain.T = vec3(1.0, 0.0, 0.0);
-  s.grain.B = vec3(0.0, 1.0, 0.0);
-  s.grain.alpha = alphaFromAnisotropy(s.alpha, in2.w);
-  setFilm(s, in2.z, 1.4, 350.0);
-  s.sheen.color = vec3(0.9, 0.3, 0.5);
-  s.sheen.perceptualRoughness = in2.y;
-  s.sheen.alpha = in2.y * in2.y;
-  s.sheen.albedoV = in3.w;
-  s.sheen.albedoL = in3.w;
-  s.coat.N = vec3(0.28, 0.0, 0.96);
-  s.coat.NoV = clamp(dot(s.coat.N, s.V), minNoV, 1.0);
-  s.coat.weight = in2.x;
-  s.coat.perceptualRoughness = 0.3;
-  s.coat.alpha = 0.09;
-  s.coat.dfg = vec3(0.9, 0.05, 0.0);
   Through t = Through(vec3(0.9, 0.8, 0.7) * in4.z, vec3(0.2, 0.1, 0.05), in4.x, 0.8, in4.y);
   BsdfSample drawn = sampleBsdf(s, t, in1.xyz);
   out0 = vec4(drawn.L, drawn.density);
@@ -296,14 +284,7 @@ struct SampledTwin {
 SampledTwin sampledTwin(CheckVectors in) {
   SampledTwin twin;
   optics::Surface& surface = twin.surface;
-  surface = {{float(0.9), 0.5, float(0.1)}, in[0].w, in[1].w};
-  surface.f90 = float(0.8);
-  surface.f0 = glm::dvec3(float(0.05), float(0.1), float(0.2)) * surface.f90;
-  surface.coloredInterface = true;
-  surface.grain = {in[2].w, {1, 0, 0}};
-  surface.film = {in[2].z, float(1.4), 350};
-  surface.sheen = {{float(0.9), float(0.3), 0.5}, in[2].y};
-  surface.coat = {in[2].x, float(0.3), {float(0.28), 0, float(0.96)}};
+  surface = layeredSurface({float(0.9), 0.5, float(0.1)}, in[0].w, in[1].w, in[2]);
   surface.diffuseShare = 1 - in[4].z - double(0.2f);
   twin.albedos = {{double(0.7f), double(0.1f)}, {double(0.9f), double(0.05f)}, in[3].w, in[3].w, 1};
   twin.through = {glm::dvec3(float(0.9), float(0.8), float(0.7)) * in[4].z,
@@ -314,15 +295,10 @@ SampledTwin sampledTwin(CheckVectors in) {
 }
 
 Check checkWhole() {
-  Check check{
-      "sampleBsdf, bsdfDensity",
-      {{"bsdf_sampling.glsl"},
-       sampledBody,
-       5,
-       2,
-       {{"HAS_DIELECTRIC_SPECULAR"}, {"HAS_CLEARCOAT"}, {"HAS_SHEEN"}, {"HAS_ANISOTROPY"}, {"HAS_IRIDESCENCE"}}},
-      {"V.x", "V.y", "V.z", "metallic", "u.x", "u.y", "u.z", "perceptualRoughness", "coat", "sheenRoughness", "film",
-       "anisotropy", "L.x", "L.y", "L.z", "sheen E", "alpha", "eta", "share"}};
+  Check check{"sampleBsdf, bsdfDensity",
+              {{"bsdf_sampling.glsl"}, sampledBody, 5, 2, allLayers},
+              {"V.x", "V.y", "V.z", "metallic", "u.x", "u.y", "u.z", "perceptualRoughness", "coat", "sheenRoughness",
+               "film", "anisotropy", "L.x", "L.y", "L.z", "sheen E", "alpha", "eta", "share"}};
   uint32_t i = 0;
   for (const double NoV : {1.0, 0.6, 0.1})
     for (const double NoL : {1.0, 0.4, -0.3, -0.9})

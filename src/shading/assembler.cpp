@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 
+#include "shading/choices.hpp"
 #include "shading/embedded_shaders.hpp"
 
 namespace facet::shading {
@@ -72,7 +73,7 @@ std::string lineDirective(int line, int file) {
 
 Result<void> expand(Assembly& assembly, const std::string& path, const std::string& includedFrom) {
   if (isOpen(assembly, path)) return fail("shaders/" + path, includedFrom, "is included from itself");
-  const std::optional<std::string> text = assembly.reader(path);
+  const std::optional<std::string> text = path == choicesChunk ? choicesText() : assembly.reader(path);
   if (!text) return fail("shaders/" + path, includedFrom, "there is no such shader file");
 
   assembly.open.push_back(path);

@@ -5,7 +5,8 @@
 // directives so that the compiler's messages can be traced to chunk and line.
 //   #include "layers/coat.glsl" if HAS_CLEARCOAT
 // is that chunk where the define is among those given, else layers/coat_none.glsl, which has the same functions:
-// callers need no #ifdef, and what a draw lacks is not even parsed.
+// callers need no #ifdef, and what a draw lacks is not even parsed. "choices.glsl" is made of the rows of choices
+// (shading/choices.hpp).
 
 #include <filesystem>
 #include <functional>

@@ -9,8 +9,6 @@ namespace facet::shading {
 
 namespace {
 
-static_assert(static_cast<int>(optics::usualLookUp) == 6, "shaders/image_light.glsl has the same default");
-
 bool hasDielectric(const scene::Material& m) {
   return m.specularGlossiness || m.metallicFactor < 1 || m.metallicRoughness;
 }

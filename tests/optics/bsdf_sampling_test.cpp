@@ -3,75 +3,17 @@
 #include <catch2/catch.hpp>
 #include <numeric>
 
-#include "optics/energy.hpp"
 #include "support/chi_squared.hpp"
+#include "support/sampled_surfaces.hpp"
 
 using namespace facet;
 using namespace facet::optics;
-
-namespace {
-
-const glm::dvec3 sampledN = glm::normalize(glm::dvec3(0.3, -0.5, 0.7));
-
-glm::dvec3 viewAt(double NoV) {
-  const double sine = std::sqrt((1 - NoV) * (1 + NoV));
-  return frameAround(sampledN) * glm::dvec3(sine * std::cos(0.4), sine * std::sin(0.4), NoV);
-}
-glm::dvec3 tangent() { return frameAround(sampledN)[0]; }
-
-struct Made {
-  const char* name;
-  Surface surface;
-  Through through = {};
-};
-
-std::vector<Made> surfaces() {
-  std::vector<Made> all = {
-      {"white metal", {.baseColor = glm::dvec3(1), .metallic = 1, .perceptualRoughness = 0.5}},
-      {"white dielectric", {.baseColor = glm::dvec3(1), .metallic = 0, .perceptualRoughness = 0.4}},
-      {"white half metal", {.baseColor = glm::dvec3(1), .metallic = 0.5, .perceptualRoughness = 0.7}},
-      {"coloured", {.baseColor = {0.8, 0.4, 0.1}, .metallic = 0.3, .perceptualRoughness = 0.5}},
-  };
-  Made coated{"white below a coat", {.baseColor = glm::dvec3(1), .metallic = 0.5, .perceptualRoughness = 0.6}};
-  coated.surface.coat = {1, 0.5, sampledN};
-  all.push_back(coated);
-  Made layered{"all layers", {.baseColor = {0.9, 0.5, 0.2}, .metallic = 0.4, .perceptualRoughness = 0.6}};
-  layered.surface.grain = {0.6, tangent()};
-  layered.surface.film = {0.7, 1.4, 350};
-  layered.surface.sheen = {{0.9, 0.3, 0.5}, 0.5};
-  layered.surface.coat = {0.6, 0.4, glm::normalize(sampledN + 0.2 * tangent())};
-  all.push_back(layered);
-  Made thin{"thin glass", {.baseColor = glm::dvec3(1), .metallic = 0, .perceptualRoughness = 0.5, .diffuseShare = 0}};
-  thin.through = {.share = glm::dvec3(0.7), .diffuse = glm::dvec3(0.3), .alpha = 0.25};
-  all.push_back(thin);
-  Made solid = thin;
-  solid.name = "refracting";
-  solid.through = {.share = {0.9, 0.7, 0.5}, .alpha = 0.25, .eta = 1.5};
-  all.push_back(solid);
-  return all;
-}
-
-struct At {
-  glm::dvec3 V;
-  Albedos albedos;
-  Through through;
-  LobeChances chances;
-};
-At prepare(const Made& made, double NoV) {
-  At at{viewAt(NoV), {}, made.through, {}};
-  at.albedos = albedosOf(made.surface, sampledN, at.V, at.V);  // sheen's E at L: as at V
-  const Dfg dfg = integrateDfg(NoV, at.through.alpha);
-  at.through.albedo = dfg.A + dfg.B;
-  at.chances = lobeChances(made.surface, at.albedos, at.through, NoV);
-  return at;
-}
-
-}  // namespace
+using namespace facet::test;
 
 TEST_CASE("BSDF samples follow their density, chi squared, significance 0.1 %") {
-  for (const Made& made : surfaces())
+  for (const SampledSurface& made : sampledSurfaces())
     for (const double NoV : {0.3, 0.9}) {
-      const At at = prepare(made, NoV);
+      const SampledView at = sampledView(made, NoV);
       CHECK(std::accumulate(at.chances.begin(), at.chances.end(), 0.0) == Approx(1).epsilon(1e-12));
       const auto sample = [&](const glm::dvec3& u, glm::dvec3& L) {
         const BsdfSample drawn = sampleBsdf(made.surface, at.through, at.chances, sampledN, at.V, u);
@@ -91,9 +33,9 @@ TEST_CASE("BSDF samples follow their density, chi squared, significance 0.1 %") 
 TEST_CASE("BSDF: the white furnace by sampling") {
   // The other way: the same value by points that are even over the sphere.
   constexpr uint32_t count = 1 << 15;
-  for (const Made& made : surfaces())
+  for (const SampledSurface& made : sampledSurfaces())
     for (const double NoV : {0.3, 0.9}) {
-      const At at = prepare(made, NoV);
+      const SampledView at = sampledView(made, NoV);
       glm::dvec3 sampled(0), even(0);
       double largest = 0;
       for (uint32_t i = 0; i < count; ++i) {
