@@ -53,7 +53,8 @@ PATHS_CONST workActive = 0u;   // paths under way
 PATHS_CONST workNext = 1u;     // of those that go on
 PATHS_CONST workLights = 2u;   // lights to be seen from surfaces
 PATHS_CONST workTurn = 3u;     // surfaces after which the two lists of active paths have changed places
-PATHS_CONST workClasses = 4u;  // first of the classes' counters: number, first in the sorted list, placed so far
+PATHS_CONST workRays = 4u;     // that have been traced so far, two words
+PATHS_CONST workClasses = 6u;  // first of the classes' counters: number, first in the sorted list, placed so far
 // Lists behind them, each as long as there are paths: active, next (they take turns), sorted by class, lights.
 PATHS_CONST workLists = 4u;
 

@@ -11,6 +11,12 @@ void setGroups(uint which, uint count) {
   groups[3u * which + 2u] = 1u;
 }
 
+void countRays(uint count) {
+  uint carry;
+  work[workRays] = uaddCarry(work[workRays], count, carry);
+  work[workRays + 1u] += carry;
+}
+
 void main() {
 #if STEP == 0
   work[workActive] = work[workNext];
@@ -19,6 +25,7 @@ void main() {
   work[workLights] = 0u;
   for (uint i = 0u; i < pathsShared.classes; ++i) work[workClasses + 3u * i] = 0u;
   setGroups(groupsActive, work[workActive]);
+  countRays(work[workActive]);
 #elif STEP == 1
   uint first = 0u;
   for (uint i = 0u; i < pathsShared.classes; ++i) {
@@ -30,5 +37,6 @@ void main() {
   }
 #else
   setGroups(groupsLights, work[workLights]);
+  countRays(work[workLights]);
 #endif
 }

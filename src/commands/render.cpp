@@ -102,6 +102,12 @@ nlohmann::ordered_json statsJson(const Job& job, const frame::Session& session, 
                   {"draws", s.frame.draws},
                   {"instances", s.frame.instances},
                   {"triangles", s.frame.triangles}};
+  if (s.traced)
+    out["paths"] = {{"bounces", job.settings.quality.bounces},
+                    {"rays", s.frame.rays},
+                    {"triangles", s.traced->triangles},
+                    {"bytes", s.traced->bytes},
+                    {"treesMs", s.traced->buildMs}};
   if (s.comparison)
     out["brdfComparison"] = {
         {"rms", s.comparison->rms}, {"share", s.comparison->share}, {"largest", s.comparison->largest}};

@@ -34,16 +34,18 @@ const scene::BuiltinScene* builtinOf(const std::string& source) {
 
 }  // namespace
 
-bool tracesPaths(const Look& look) { return look.transport == Transport::paths && look.channel.empty(); }
+bool tracesPaths(const PictureSettings& settings) {
+  return settings.quality.transport == Transport::paths && settings.look.channel.empty();
+}
 
 bool converges(const PictureSettings& settings) {
   const Quality& quality = settings.quality;
-  return quality.maxError.has_value() || quality.samples > convergedAbove || tracesPaths(settings.look);
+  return quality.maxError.has_value() || quality.samples > convergedAbove || tracesPaths(settings);
 }
 
 PictureSettings movingSettings(const PictureSettings& settings) {
   PictureSettings moving = settings;
-  moving.look.transport = Transport::direct;
+  moving.quality.transport = Transport::direct;
   moving.quality.samples = std::min(settings.quality.samples, convergedAbove);
   moving.quality.maxError.reset();
   return moving;
@@ -61,7 +63,7 @@ DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment) {
   else if (settings.look.models.imageLight == optics::ImageLight::automatic && converging)
     options.features.imageLightSamples = convergedLightSamples;
   options.features.models = settings.look.models;
-  if (tracesPaths(settings.look)) {  // occlusion textures would count twice
+  if (tracesPaths(settings)) {  // occlusion textures would count twice
     options.features.paths = true;
     options.features.imageLightSamples = 0;
     options.features.occlusion = false;

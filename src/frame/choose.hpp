@@ -18,7 +18,7 @@ namespace facet::frame {
 // sum's tables, so that its specular part converges to the true integral, not to the approximation.
 inline constexpr int convergedAbove = 4;
 // Of the shaded picture, not of a channel.
-bool tracesPaths(const Look& look);
+bool tracesPaths(const PictureSettings& settings);
 bool converges(const PictureSettings& settings);
 inline constexpr int convergedLightSamples = 4;  // environment samples per draw
 inline constexpr int onceLightSamples = 32;      // the same where there is but one draw

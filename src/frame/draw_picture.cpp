@@ -112,6 +112,7 @@ void add(FrameStatistics& sum, FrameStatistics band) {
   sum.instances += band.instances;
   sum.triangles += band.triangles;
   sum.culled += band.culled;
+  sum.rays += band.rays;
 }
 
 // All bands; each goes to `read` when it is drawn.
@@ -147,7 +148,7 @@ Targets pictureTargets(const PictureSettings& settings, const gl::ContextInfo& c
 }  // namespace
 
 Targets createTargets(const PictureSettings& settings, const gl::ContextInfo& context, int rows) {
-  const bool gather = settings.quality.samples > convergedAbove || tracesPaths(settings.look);
+  const bool gather = settings.quality.samples > convergedAbove || tracesPaths(settings);
   return createTargets(settings.frame.width, rows > 0 ? rows : settings.frame.height,
                        gather ? 1 : std::min(settings.quality.samples, context.maxSamples), gather);
 }
@@ -221,6 +222,8 @@ Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& 
     statistics.frameMs.push_back(drawn->milliseconds);
     stages.mark("repeated frames");
   }
+  if (drawable.paths)
+    statistics.traced = {drawable.paths->triangleCount, drawable.paths->bytes(), drawable.paths->buildMs};
   statistics.textureBytes = gpu.textureBytes();
   statistics.geometryBytes = gpu.geometryBytes();
   statistics.tableBytes = drawable.environment->tables.bytes();

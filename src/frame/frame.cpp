@@ -169,14 +169,6 @@ Result<void> drawTransmitting(const FrameInput& in, const VisibleDraws& visible,
   return drawSorted(in, visible.transmitting, false, programs, statistics);
 }
 
-// The table, or the model that was fitted to it.
-void bindMeasured(const FrameInput& in) {
-  if (in.list.features.measured == shading::Measured::none) return;
-  const gl::Buffer* buffer = in.measured;
-  if ((in.fitted || in.list.features.measuredFitted) && in.fittedModel) buffer = in.fittedModel;
-  if (buffer) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::measuredBinding, buffer->id());
-}
-
 void clearTargets(const FrameInput& in, const Targets& targets) {
   glm::vec4 clear(0, 0, 0, 1);
   // A colour is put behind the finished picture, so that neither exposure nor tone mapping changes it.
@@ -188,6 +180,13 @@ void clearTargets(const FrameInput& in, const Targets& targets) {
 }
 
 }  // namespace
+
+void bindMeasured(const FrameInput& in) {
+  if (in.list.features.measured == shading::Measured::none) return;
+  const gl::Buffer* buffer = in.measured;
+  if ((in.fitted || in.list.features.measuredFitted) && in.fittedModel) buffer = in.fittedModel;
+  if (buffer) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::measuredBinding, buffer->id());
+}
 
 layout::FrameUniforms frameUniforms(const FrameInput& in, int draw, int draws, const glm::dvec2& offsetPixels) {
   const scene::View& view = in.view;

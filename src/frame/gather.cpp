@@ -104,12 +104,21 @@ namespace {
 
 Result<void> gatherPaths(const FrameInput& in, const Targets& targets, Gathering& gathering, int64_t rows,
                          ProgramStore& programs) {
-  if (gathering.statistics.passes.empty()) gathering.statistics.passes.emplace_back("paths");
+  if (gathering.statistics.passes.empty()) {
+    gathering.statistics.passes.emplace_back("paths");
+    if (comparing(in)) gathering.statistics.passes.emplace_back("all again, of the fitted model");
+  }
+  const float share = 1.0f / static_cast<float>(gathering.draws());
   while (rows > 0 && !gathering.complete()) {
     const int band = static_cast<int>(std::min<int64_t>(rows, targets.height - gathering.rows));
-    const float share = 1.0f / static_cast<float>(gathering.draws());
-    Result<void> traced =
-        tracePaths(in, targets, gathering.paths, gathering.done, gathering.rows, band, share, programs);
+    FrameInput fitted = in;
+    fitted.fitted = true;
+    Result<void> traced;
+    if (comparing(in))
+      traced =
+          tracePaths(fitted, {gathering.rows, band, targets.fitted, share}, gathering.paths, gathering.done, programs);
+    if (traced)
+      traced = tracePaths(in, {gathering.rows, band, targets.sum, share}, gathering.paths, gathering.done, programs);
     if (!traced) return traced;
     rows -= band;
     gathering.rows += band;
@@ -223,6 +232,7 @@ Result<FrameStatistics> drawFrame(const FrameInput& in, const Targets& targets, 
   }
   FrameStatistics& statistics = gathering.statistics;
   if (targets.sum) statistics.passes.push_back("gather x " + std::to_string(gathering.draws()));
+  statistics.rays = tracedRays(gathering.paths);
   statistics.passes.emplace_back("display");
   if (Result<void> result = drawDisplay(in, targets, gathering, targets, programs); !result)
     return tl::unexpected(result.error());

@@ -333,7 +333,8 @@ bool isOnGpu(const scene::Model& model, const DrawList& part, const GpuScene& gp
 
 bool uploadScene(GpuScene& gpu, const scene::Model& model, const DrawList& list, const KeepGoing& keepGoing) {
   bool whole = true;
-  forEachDraw(list, [&](const Draw& draw) { whole = whole && uploadPrimitive(gpu, draw, keepGoing); });
+  if (!list.features.paths)  // rays meet triangles of their own
+    forEachDraw(list, [&](const Draw& draw) { whole = whole && uploadPrimitive(gpu, draw, keepGoing); });
   if (!whole) return false;
   if (!gpu.placeholder)
     gpu.placeholder = uploadTexture(io::placeholderImage(), {.image = -1, .srgb = true, .channels = 0b0111}, true);

@@ -25,6 +25,11 @@ std::vector<std::string> leftOut(const scene::Model& model, const frame::Picture
   if (!computed(statistics, "DFG")) out.emplace_back("no DFG table computed: nothing is lit, or it was there already");
   if (!computed(statistics, "LD layers"))
     out.emplace_back("no environment filtered: nothing reflects one, or it was there already");
+  if (statistics.traced) {
+    out.emplace_back("no draws, no vertex buffers: rays meet everything");
+    return out;
+  }
+  out.emplace_back("no trees for rays: light is not traced");
   for (const char* pass : {"sky", "blend", "resolve"})
     if (std::ranges::find(statistics.frame.passes, pass) == statistics.frame.passes.end())
       out.push_back(std::string("no ") + pass + " pass");

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "scene/geometry.hpp"
+
 namespace facet::frame {
 
 namespace {
@@ -14,7 +16,11 @@ void noteUnlit(const DrawList& list, const ibl::Needs& needs, Notes& notes) {
   const auto lit = [](const Draw& draw) { return !shading::usesFeature(draw.key, shading::Feature::unlit); };
   const bool anyLit =
       std::ranges::any_of(list.classes(), [&](const auto* draws) { return std::ranges::any_of(*draws, lit); });
-  if (anyLit && !needs.irradiance && !needs.cube && list.lights.empty() && list.features.channel == 0)
+  const bool glows = list.features.paths && std::ranges::any_of(list.materials, [](const scene::Material& m) {
+                       return m.emissiveFactor * m.emissiveStrength != glm::vec3(0);
+                     });
+  const bool environment = needs.irradiance || needs.cube || needs.texels;
+  if (anyLit && !environment && !glows && list.lights.empty() && list.features.channel == 0)
     notes.push_back(
         {Note::Severity::warning, "",
          "nothing lights the scene: it has no lights and there is no environment; choose one, or the demo lights",
@@ -36,14 +42,14 @@ void noteModels(const DrawList& list, Notes& notes) {
           "the distribution of normals and the masking term change nothing: they are for point, spot and directional "
           "lights, and none shines",
           Setting::models);
-    else if (list.features.environment)
+    else if (list.features.environment && !list.features.paths)
       warn(
           "the distribution of normals and the masking term are for point, spot and directional lights: GGX reflects "
           "the environment",
           Setting::models);
   }
   if (models.fresnel == optics::FresnelModel::schlick) return;
-  const bool sampled = list.features.imageLightSamples != 0;
+  const bool sampled = list.features.imageLightSamples != 0 || list.features.paths;
   if (!any([](const Draw& d) { return d.key.fresnel != 0; }))
     warn(
         "the Fresnel term changes nothing: exact is for dielectrics and for metals whose index is known, f82 for the "
@@ -75,6 +81,18 @@ void noteMeasured(const DrawList& list, Notes& notes) {
          " draws have no tangents: the BRDF's azimuths begin at their level direction");
 }
 
+// What rays do not meet.
+void notePaths(const DrawList& list, Notes& notes) {
+  size_t thin = 0;
+  for (const std::vector<Draw>* draws : list.classes())
+    thin += static_cast<size_t>(
+        std::ranges::count_if(*draws, [](const Draw& d) { return !scene::hasTriangles(d.primitive->topology); }));
+  if (thin > 0)
+    notes.push_back({Note::Severity::warning, "",
+                     "path tracing: " + std::to_string(thin) +
+                         " draws of lines or points are missing, because rays do not meet them"});
+}
+
 }  // namespace
 
 Notes listNotes(const DrawList& list, const ibl::Needs& needs) {
@@ -84,6 +102,7 @@ Notes listNotes(const DrawList& list, const ibl::Needs& needs) {
     noteMeasured(list, notes);
   else
     noteModels(list, notes);
+  if (list.features.paths) notePaths(list, notes);
   return notes;
 }
 

@@ -42,7 +42,8 @@ std::vector<Define> missDefines(const FrameInput& in) {
 }
 
 std::vector<Define> classDefines(const FrameInput& in, const PathClass& shaded) {
-  std::vector<Define> defines = shading::variantDefines(shaded.key);
+  std::vector<Define> defines =
+      shading::variantDefines(in.fitted ? shading::fittedKey(shaded.key, in.list.features.models.diffuse) : shaded.key);
   if (!in.paths->list.scene.placements.empty()) defines.push_back({"RAY_PLACEMENTS"});
   if (in.paths->list.media) defines.push_back({"SCENE_MEDIA"});
   return defines;
@@ -77,6 +78,8 @@ void makeRoom(PathWork& work, size_t paths, size_t classes) {
   work.states = gl::Buffer(paths * sizeof(layout::PathState), "paths");
   work.work = gl::Buffer((layout::workClasses + 3 * classes + layout::workLists * paths) * sizeof(uint32_t),
                          "lists of paths", true);
+  const std::array<uint32_t, 2> none = {0, 0};
+  work.work.update(std::as_bytes(std::span(none)), layout::workRays * sizeof(uint32_t));
   work.groups = gl::Buffer((layout::groupsClasses + classes) * 3 * sizeof(uint32_t), "groups of paths");
 }
 
@@ -192,6 +195,7 @@ void bindScene(const FrameInput& in, const PathWork& work) {
   if (scene.placements.texture) scene.placements.texture.bind(layout::rayPlacementsUnit);
   bindSceneBuffers(scene.buffers);
   bindTables(in.tables);
+  bindMeasured(in);
   if (in.tables.background) in.tables.background.bind(layout::equirectUnit);
   if (in.tables.texels) in.tables.texels.bind(layout::environmentTexelsUnit);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::instanceBinding, scene.instances.id());
@@ -276,28 +280,33 @@ std::vector<ProgramGetter> neededPathPrograms(const FrameInput& in, shading::Pro
   return out;
 }
 
-Result<void> tracePaths(const FrameInput& in, const Targets& targets, PathWork& work, int number, int firstRow,
-                        int rows, float share, ProgramStore& store) {
+Result<void> tracePaths(const FrameInput& in, const PathRows& rows, PathWork& work, int number, ProgramStore& store) {
   const Result<Programs> programs = pathPrograms(in, store);
   if (!programs) return tl::unexpected(programs.error());
   const int width = in.settings.frame.width;
-  rows = std::min(rows, in.settings.frame.height - in.firstRow - firstRow);
-  const int atOnce = static_cast<int>(std::clamp<int64_t>(mostPaths / width, 1, std::max(rows, 1)));
-  const size_t classes = in.paths->list.classes.size() + 1;
-  makeRoom(work, static_cast<size_t>(atOnce) * static_cast<size_t>(width), classes);
+  const int count = std::min(rows.count, in.settings.frame.height - in.firstRow - rows.first);
+  const int atOnce = static_cast<int>(std::clamp<int64_t>(mostPaths / width, 1, std::max(count, 1)));
+  makeRoom(work, static_cast<size_t>(atOnce) * static_cast<size_t>(width), in.paths->list.classes.size() + 1);
   const gl::Buffer frame = gl::Buffer::of(std::vector{frameUniforms(in, number, 1, glm::dvec2(0))}, "frame");
   glBindBufferBase(GL_UNIFORM_BUFFER, layout::frameBinding, frame.id());
   bindScene(in, work);
   glProgramUniform1ui(programs->miss->id(), layout::pathsClassLocation, layout::missClass);
-  const layout::PathUniforms uniforms = pathUniforms(in, work, number, share);
+  const layout::PathUniforms uniforms = pathUniforms(in, work, number, rows.share);
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
-  glBindImageTexture(0, targets.sum.id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
-  for (int row = 0; row < rows; row += atOnce)
-    traceRows(in, work, *programs, uniforms, firstRow + row, std::min(atOnce, rows - row));
+  glBindImageTexture(0, rows.sum.id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
+  for (int row = 0; row < count; row += atOnce)
+    traceRows(in, work, *programs, uniforms, rows.first + row, std::min(atOnce, count - row));
   for (GLuint unit = 0; unit < layout::materialSlotCount; ++unit) glBindSampler(unit, 0);
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
                   GL_TEXTURE_UPDATE_BARRIER_BIT);
   return {};
+}
+
+uint64_t tracedRays(const PathWork& work) {
+  if (!work.work) return 0;
+  std::array<uint32_t, 2> words{};
+  glGetNamedBufferSubData(work.work.id(), layout::workRays * sizeof(uint32_t), sizeof words, words.data());
+  return words[0] | static_cast<uint64_t>(words[1]) << 32;
 }
 
 }  // namespace facet::frame

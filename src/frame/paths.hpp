@@ -45,10 +45,18 @@ struct PathWork {
   gl::Buffer states, work, groups;
 };
 
-// Rows [firstRow, firstRow + rows) of the targets: sample `number` of each pixel, times `share` onto targets.sum.
-// `work` is kept by the caller for the next rows.
-Result<void> tracePaths(const FrameInput& in, const Targets& targets, PathWork& work, int number, int firstRow,
-                        int rows, float share, shading::ProgramStore& programs);
+// Rows of the targets from the bottom, and what becomes of them: times `share` onto the texture.
+struct PathRows {
+  int first = 0, count = 0;
+  const gl::Texture& sum;  // RGBA32F
+  float share = 1;
+};
+// Sample `number` of each pixel of the rows. `work` is kept by the caller for the next rows.
+Result<void> tracePaths(const FrameInput& in, const PathRows& rows, PathWork& work, int number,
+                        shading::ProgramStore& programs);
+
+// Rays that have been traced with it so far; waits for the GPU.
+uint64_t tracedRays(const PathWork& work);
 
 // All that tracePaths uses.
 using ProgramGetter = std::function<Result<const gl::Program*>()>;

@@ -18,6 +18,13 @@ namespace facet::frame {
 // rows: of the picture that they hold at once; 0: all.
 Targets createTargets(const PictureSettings& settings, const gl::ContextInfo& context, int rows = 0);
 
+// What rays are traced through.
+struct TracedStatistics {
+  int triangles = 0;
+  size_t bytes = 0;
+  double buildMs = 0;  // of its trees
+};
+
 struct PictureStatistics {
   FrameStatistics frame;  // of all bands
   int bands = 1;
@@ -31,6 +38,7 @@ struct PictureStatistics {
   uint64_t nonFinitePixels = 0;  // likewise
   std::vector<double> frameMs;   // the first frame, then the repeated ones; each waited for
   std::optional<ComparisonFigures> comparison;  // of a measured BRDF with the model fitted to it, where both are drawn
+  std::optional<TracedStatistics> traced;       // where paths are
   std::vector<Attempt> attempts;                // with more and more samples; only where an error is to be kept to
 };
 

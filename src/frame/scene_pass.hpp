@@ -7,6 +7,9 @@
 
 namespace facet::frame {
 
+// The measured BRDF's table, or the model that was fitted to it.
+void bindMeasured(const FrameInput& in);
+
 // offsetPixels: of the draw within its pixel.
 layout::FrameUniforms frameUniforms(const FrameInput& in, int draw, int draws, const glm::dvec2& offsetPixels);
 

@@ -92,7 +92,6 @@ struct Look {
   std::string variant;  // KHR_materials_variants: name or index; empty: the file's own materials
   MaterialChoice material;
   Lights lights = Lights::scene;
-  Transport transport = Transport::direct;
   // Models for comparison. Of the environment: diffuse and energy; Fresnel's terms only where it is sampled; the rest
   // is GGX.
   optics::Models models;
@@ -140,6 +139,7 @@ struct Quality {
   // The picture takes as many samples as its estimated error needs (frame/max_error.hpp), and the tables the cheapest
   // methods that keep to it (ibl/choice.hpp): relative, (0, 1]. Above 4, samples is the most that it may take.
   std::optional<double> maxError;
+  Transport transport = Transport::direct;
   int bounces = 16;  // of path-traced light: surfaces that a path leaves at most, [0, 64]; 0: what shines by itself
 
   bool operator==(const Quality&) const = default;

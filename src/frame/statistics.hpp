@@ -13,6 +13,7 @@ struct FrameStatistics {
   int draws = 0;
   uint64_t instances = 0, triangles = 0;
   uint64_t culled = 0;  // instances of draws outside the picture
+  uint64_t rays = 0;    // of path-traced light
   double error = -1;    // estimated (PictureErrors::parts), 1/255; below 0: the targets have no `before`
 };
 

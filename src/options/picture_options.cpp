@@ -411,7 +411,7 @@ constexpr PictureOption optionTable[] = {
      writeNumber<&S::display, &frame::Display::exposureStops>},
     choiceOption<optics::toneMappers, &S::display, &frame::Display::toneMapper>(
         "tonemap", "how radiance becomes what a screen shows"),
-    choiceOption<frame::transports, &S::look, &frame::Look::transport>("light", "how light gets to a surface"),
+    choiceOption<frame::transports, &S::quality, &frame::Quality::transport>("light", "how light gets to a surface"),
     {"bounces", "N", "surfaces that a traced path leaves at most (16)",
      parseNumberInto<0, 64, &S::quality, &frame::Quality::bounces>, writeNumber<&S::quality, &frame::Quality::bounces>},
     {"samples", "N", "samples a pixel (4); above 4 the environment is sampled too, and the picture converges",

@@ -1,10 +1,12 @@
 #include "view/settings_panel.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <iterator>
 #include <span>
 
+#include "frame/choose.hpp"
 #include "ibl/choice.hpp"
 #include "optics/presets.hpp"
 #include "shading/features.hpp"
@@ -236,6 +238,14 @@ void pictureSection(ViewerState& state) {
   chooseEnum("tone mapper", settings.display.toneMapper, optics::toneMappers, usual.display.toneMapper,
              "how radiance becomes what a screen can show");
   channelChoice(settings);
+  chooseEnum("light", settings.quality.transport, frame::transports, usual.quality.transport,
+             "how it gets to a surface while the picture rests");
+  if (settings.quality.transport == frame::Transport::paths) {
+    auto bounces = static_cast<float>(settings.quality.bounces);
+    slider("bounces", bounces, 0, 64, "%.0f", static_cast<float>(usual.quality.bounces),
+           "surfaces that a path leaves at most");
+    settings.quality.bounces = static_cast<int>(std::lround(bounces));
+  }
   samplesChoice(settings);
 }
 
@@ -280,7 +290,8 @@ void accuracySection(ViewerState& state) {
   const RefinementStatus& r = state.refinement;
   const bool shows = r.shown > 0;
   detail("picture",
-         shows ? std::to_string(r.shown) + " samples a pixel, environment sampled"
+         shows ? std::to_string(r.shown) + " samples a pixel, " +
+                     (frame::tracesPaths(state.settings) ? "path traced" : "environment sampled")
                : std::to_string(std::min(state.settings.quality.samples, 4)) + " samples a pixel, light tables");
   if (r.wanted > 0) detail("gathered", std::to_string(r.gathered) + " of " + std::to_string(r.wanted));
   char error[48] = "not known";

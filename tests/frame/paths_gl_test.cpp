@@ -21,7 +21,7 @@ PictureSettings tracedSettings(int width, int height, int samples, const char* e
   PictureSettings settings = test::bareSettings(width, height);
   settings.viewpoint.camera = "0";
   settings.sources.environment = environment;
-  settings.look.transport = frame::Transport::paths;
+  settings.quality.transport = frame::Transport::paths;
   settings.quality.samples = samples;
   settings.quality.bounces = 64;
   return settings;
@@ -248,7 +248,7 @@ TEST_CASE("Paths: a single convex body looks as the sampled picture without visi
     surface.apply(model.model.materials[0]);
     PictureSettings settings = tracedSettings(24, 24, 256, "builtin:studio");
     const glm::dvec3 traced = meanOf(studio.render(model, settings).radiance);
-    settings.look.transport = frame::Transport::direct;
+    settings.quality.transport = frame::Transport::direct;
     const glm::dvec3 sampled = meanOf(studio.render(model, settings).radiance);
     INFO(surface.name);
     // What a sheen leaves for its base hangs on the light's direction, too; distant light takes that of the view alone.
@@ -277,7 +277,7 @@ TEST_CASE("Paths: lights cast shadows, and beside them all is as without", "[gl]
   PictureSettings settings = tracedSettings(40, 40, 16, "none");
   settings.quality.bounces = 1;
   const frame::Picture traced = studio.render(model, settings);
-  settings.look.transport = frame::Transport::direct;
+  settings.quality.transport = frame::Transport::direct;
   const frame::Picture direct = studio.render(model, settings);
   const auto both = [&](int x, int y) {
     return glm::vec2(test::pixel(traced.radiance, x, y).x, test::pixel(direct.radiance, x, y).x);
@@ -345,6 +345,6 @@ TEST_CASE("Paths: the same bytes for the same wish, and none of it where nothing
   const frame::Picture once = studio.render(model, settings), again = studio.render(model, settings);
   CHECK(once.display.data == again.display.data);
   CHECK(once.statistics.frame.passes.front() == "paths");
-  settings.look.transport = frame::Transport::direct;
+  settings.quality.transport = frame::Transport::direct;
   CHECK(studio.render(model, settings).statistics.frame.passes.front() == "opaque");
 }

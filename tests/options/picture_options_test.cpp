@@ -73,7 +73,7 @@ PictureSettings unusual() {
   s.frame.environmentRotationDeg = -0.1f, s.frame.environmentStrength = 1e-3f;
   s.frame.background = frame::Background::color;
   s.frame.backgroundColor = {0.3f, static_cast<float>(linearFromSrgb(7 / 255.0)), 1e-5f};
-  s.look.lights = frame::Lights::demo, s.look.transport = frame::Transport::paths;
+  s.look.lights = frame::Lights::demo, s.quality.transport = frame::Transport::paths;
   s.frame.occlusion = 0;
   s.display.exposureStops = -2.5f;
   s.display.toneMapper = frame::ToneMapper::uncharted2;
