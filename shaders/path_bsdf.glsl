@@ -28,7 +28,7 @@ vec3 evaluatePath(PathBsdf b, vec3 L) {
 #endif
   float NoL = dot(b.s.N, L);
   lightSheen(b.s.sheen, NoL);
-#if ENERGY_MODEL == 3
+#if ENERGY_MODEL == ENERGY_KULLA_CONTY
   vec3 dfgL = lookUpDfg(NoL, b.s.perceptualRoughness);
   b.s.albedoL = dfgL.x + dfgL.y;
 #endif
