@@ -145,7 +145,7 @@ constexpr int furnaceSize = 128, furnaceFrames = 4;
 Result<Table> pictureTable(const ReportInput& input) {
   Table table{"energy-pictures",
               "What the energy models change in a picture",
-              input.model + " under " + input.environment +
+              modelOr(input, usualModel) + " under " + input.environment +
                   " alone and under four point lights alone, 128 x 128, against the automatic choice: mean radiance of "
                   "the strongest channel (relative), RMS difference of the sRGB picture in 1/255. Frame: median of 4.",
               {"light", "model", "samples", "mean", "dRMS", "frame ms"},
@@ -170,8 +170,8 @@ Result<Table> pictureTable(const ReportInput& input) {
       Notes notes;
       Stages stages;
       const int repeat = way.samples > 4 ? 0 : furnaceFrames;
-      Result<frame::Picture> picture =
-          input.session->render(input.model, settings, {.radiance = true, .repeat = repeat}, notes, stages);
+      Result<frame::Picture> picture = input.session->render(modelOr(input, usualModel), settings,
+                                                             {.radiance = true, .repeat = repeat}, notes, stages);
       if (!picture) return tl::unexpected(picture.error());
       if (energy.value == EnergyModel::automatic) usual = *picture;
       const Result<compare::Comparison> c = compare::comparePictures(usual->radiance, picture->radiance, options);

@@ -56,7 +56,8 @@ double median(std::vector<double> values) {
 Result<frame::Picture> draw(const ReportInput& input, const frame::PictureSettings& settings, int repeat) {
   Notes notes;
   Stages stages;
-  return input.session->render(input.model, settings, {.radiance = true, .repeat = repeat}, notes, stages);
+  return input.session->render(modelOr(input, usualModel), settings, {.radiance = true, .repeat = repeat}, notes,
+                               stages);
 }
 
 }  // namespace
@@ -77,8 +78,8 @@ Result<Report> lightPictures(const ReportInput& input) {
   std::snprintf(note, sizeof note,
                 "%s under %s, %d x %d. Error: of the sRGB picture in 1/255 (dRMSE), against %d samples a pixel, which "
                 "moved by %.3f from half as many. Frame: median of %d. * on the Pareto front.",
-                input.model.c_str(), input.environment.c_str(), pictureSize, pictureSize, referenceSamples,
-                moved->displayRmse, timedFrames);
+                modelOr(input, usualModel).c_str(), input.environment.c_str(), pictureSize, pictureSize,
+                referenceSamples, moved->displayRmse, timedFrames);
   Table table{"light-pictures",
               "Pictures by each run-time model",
               note,

@@ -185,7 +185,54 @@ std::string curve(const Plot& plot, const PlotFrame& frame, const Series& series
   return out;
 }
 
-std::string dots(const Plot& plot, const PlotFrame& frame, const Series& series, const std::string& color) {
+struct Box {
+  double left, right, top, bottom;  // [px]
+  bool meets(const Box& o) const { return left < o.right && o.left < right && top < o.bottom && o.top < bottom; }
+};
+
+// Places for words beside their points, clear of each other and of all points where there is room.
+class Labels {
+ public:
+  Labels(const Plot& plot, const PlotFrame& frame) : frame_(frame) {
+    for (const Series& series : plot.series)
+      for (size_t i = 0; series.dots && i < std::min(series.x.size(), series.y.size()); ++i) {
+        if (!shown(series.x[i], plot.x) || !shown(series.y[i], plot.y)) continue;
+        const double x = frame.x(series.x[i], plot.x.logarithmic), y = frame.y(series.y[i], plot.y.logarithmic);
+        taken_.push_back({x - 7, x + 7, y - 7, y + 7});
+      }
+  }
+
+  std::string place(double x, double y, const std::string& words) {
+    const bool right = x > (frame_.left + 3 * frame_.right) / 4;  // there the word stands before its point
+    const double width = 6.2 * static_cast<double>(words.size());
+    const auto boxAt = [&](bool before, double rise) {
+      const double from = before ? x - 8 - width : x + 8;
+      return Box{from, from + width, y - rise - 10, y - rise + 2};
+    };
+    for (const double rise : {6.0, -4.0, 18.0, -16.0, 30.0, -28.0, 42.0, -40.0})
+      for (const bool before : {right, !right}) {
+        const Box box = boxAt(before, rise);
+        const bool inside =
+            box.left > frame_.left && box.right < frame_.right && box.top > frame_.top && box.bottom < frame_.bottom;
+        if (!inside || std::ranges::any_of(taken_, [&](const Box& other) { return other.meets(box); })) continue;
+        taken_.push_back(box);
+        return write(x, y, words, before, rise);
+      }
+    return write(x, y, words, right, 6);
+  }
+
+ private:
+  static std::string write(double x, double y, const std::string& words, bool before, double rise) {
+    return text(before ? x - 8 : x + 8, y - rise, words,
+                std::string("text-anchor=\"") + (before ? "end" : "start") + "\" font-size=\"11\"");
+  }
+
+  const PlotFrame& frame_;
+  std::vector<Box> taken_;
+};
+
+std::string dots(const Plot& plot, const PlotFrame& frame, const Series& series, const std::string& color,
+                 Labels& labels) {
   std::string out;
   for (size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
     const bool ring = std::find(series.marked.begin(), series.marked.end(), i) != series.marked.end();
@@ -198,10 +245,7 @@ std::string dots(const Plot& plot, const PlotFrame& frame, const Series& series,
     out += "<circle " + at + " r=\"3.2\" fill=\"" + color + "\">";
     const std::string where = tickText(series.x[i]) + ", " + tickText(series.y[i]);
     out += "<title>" + escaped((label.empty() ? series.name : label) + ": " + where) + "</title></circle>\n";
-    if (label.empty()) continue;
-    const bool right = x > (frame.left + 3 * frame.right) / 4;  // there the word stands before its point
-    out += text(right ? x - 8 : x + 8, y - 6, label,
-                std::string("text-anchor=\"") + (right ? "end" : "start") + "\" font-size=\"11\"");
+    if (!label.empty()) out += labels.place(x, y, label);
   }
   return out;
 }
@@ -235,10 +279,11 @@ std::string drawn(const Plot& plot, const std::string& clip) {
   out += "<clipPath id=\"" + clip + "\"><rect x=\"" + px(frame.left) + "\" y=\"" + px(frame.top) + "\" width=\"" +
          px(frame.right - frame.left) + "\" height=\"" + px(frame.bottom - frame.top) + "\"/></clipPath>\n";
   std::string curves, points;
+  Labels labels(plot, frame);
   for (size_t i = 0; i < plot.series.size(); ++i) {
     const std::string color = colorOf(plot, i);
     if (plot.series[i].line) curves += curve(plot, frame, plot.series[i], color);
-    points += dots(plot, frame, plot.series[i], color);
+    points += dots(plot, frame, plot.series[i], color, labels);
   }
   out += "<g clip-path=\"url(#" + clip + ")\">\n" + curves + "</g>\n" + points;
   if (curves.empty() && points.empty())

@@ -8,6 +8,7 @@
 #include "report/measured_cost.hpp"
 #include "report/methods.hpp"
 #include "report/models.hpp"
+#include "report/visibility.hpp"
 
 namespace facet::report {
 
@@ -27,6 +28,7 @@ constexpr Topic topics[] = {
      measuredReport},
     {"methods", "what --max-error chooses from: error and cost of each table's methods", true, methodsReport},
     {"ndf", "shadowing terms and energy of GGX, Beckmann and Blinn", false, computed<ndfTables>},
+    {"visibility", "shadows and interreflection: each way of light against converged paths", true, visibilityReport},
 };
 
 }  // namespace

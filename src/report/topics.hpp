@@ -31,11 +31,17 @@ struct Report {
 
 struct ReportInput {
   std::string environment = "builtin:studio";                                    // a file, or "builtin:NAME"
-  std::string model = "builtin:spheres";                                         // drawn where pictures are compared
+  std::string model;                                                             // of pictures; empty: the topic's own
   frame::Session* session = nullptr;                                             // of topics that need OpenGL
   std::string shaderDir;                                                         // empty: the embedded shaders
   std::function<void(const std::string&)> progress = [](const std::string&) {};  // what is measured now
 };
+
+// Of the topics that show materials and light, unless another is asked for.
+inline constexpr const char* usualModel = "builtin:spheres";
+inline std::string modelOr(const ReportInput& input, const char* usual) {
+  return input.model.empty() ? usual : input.model;
+}
 
 // What several parts measure, in their order, in one.
 using ReportPart = Result<Report> (*)(const ReportInput& input);

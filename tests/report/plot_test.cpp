@@ -96,6 +96,38 @@ TEST_CASE("plot: what cannot be drawn parts the line, nothing at all is said") {
   CHECK(single.find("inf") == std::string::npos);
 }
 
+TEST_CASE("plot: words beside points keep clear of each other and of points") {
+  Plot plot{.title = "t", .x = {.from = 0, .to = 10}, .y = {.from = 0, .to = 10}};
+  Series series{.name = "s", .line = false, .dots = true};
+  for (const double x : {5.0, 5.02, 5.1, 5.1, 9.8, 9.9}) {
+    series.x.push_back(x), series.y.push_back(5);
+    series.labels.push_back("a word of some length");
+  }
+  plot.series = {series};
+  const std::string picture = svg(plot);
+  static const std::regex word(
+      R"re(<text x="([0-9.]+)" y="([0-9.]+)" text-anchor="(start|end)" font-size="11">a word)re");
+  struct Word {
+    double left, right, y;
+  };
+  std::vector<Word> words;
+  for (auto i = std::sregex_iterator(picture.begin(), picture.end(), word); i != std::sregex_iterator(); ++i) {
+    const double x = std::stod((*i)[1]), width = 6 * 21;
+    const bool start = (*i)[3] == "start";
+    words.push_back({start ? x : x - width, start ? x + width : x, std::stod((*i)[2])});
+  }
+  REQUIRE(words.size() == 6);
+  const PlotFrame frame = frameOf(plot);
+  for (size_t i = 0; i < words.size(); ++i) {
+    CHECK(words[i].right < frame.right);
+    for (size_t j = 0; j < i; ++j) {
+      const bool apart =
+          words[i].right < words[j].left || words[j].right < words[i].left || std::abs(words[i].y - words[j].y) >= 11;
+      CHECK(apart);
+    }
+  }
+}
+
 TEST_CASE("plot: a range that is given is kept, and what lies outside is cut off") {
   const Plot plot{.title = "t",
                   .x = {.from = 0, .to = 90},
