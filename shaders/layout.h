@@ -189,6 +189,7 @@ struct MeasuredUniforms {
 // In the place of the cells where the model that was fitted to them is drawn; MeasuredUniforms' lobe is its own then.
 struct FittedUniforms {
   vec4 f0;      // rgb; w perceptual roughness, of the diffuse model
+  vec4 f90;     // rgb; w unused
   vec4 albedo;  // rgb; w unused
 };
 
@@ -218,6 +219,6 @@ static_assert(sizeof(Joint) == 3 * 16);
 static_assert(sizeof(MorphWeight) == 8);
 static_assert(sizeof(LightUniforms) == 4 * 16);
 static_assert(sizeof(MeasuredUniforms) == 2 * 16);
-static_assert(sizeof(FittedUniforms) == 2 * 16);
+static_assert(sizeof(FittedUniforms) == 3 * 16);
 }  // namespace facet::layout
 #endif

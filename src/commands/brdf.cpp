@@ -115,7 +115,7 @@ void addDecodings(report::Table& table, const std::string& file) {
 int describeAll(const BrdfArguments& arguments, const Choices& choices, const std::vector<std::string>& files) {
   report::Table contents = report::measuredContents({}), albedo = report::albedoTable(),
                 reciprocity = report::reciprocityTable(), proxies = report::proxyTable(), grid = report::gridTable(),
-                fits = report::fitTable(choices.metric);
+                fits = report::fitTable(choices.metric), fitAlbedo = report::fitAlbedoTable();
   report::Table decodings{.name = "utia-decoding",
                           .title = "Albedo at 30 degrees by the way of reading UTIA's values (--utia-decode)",
                           .note = "",
@@ -145,14 +145,19 @@ int describeAll(const BrdfArguments& arguments, const Choices& choices, const st
     if (!builtin && brdf->kind == optics::MeasuredKind::utia) addDecodings(decodings, file);
     std::vector<optics::BrdfFit> fitted;
     if (arguments.fit) fitted = optics::fitAll(*brdf, choices.metric);
-    if (arguments.fit) report::addFitRows(fits, *brdf, fitted);
-    const auto best =
-        std::min_element(fitted.begin(), fitted.end(), [](const auto& a, const auto& b) { return a.error < b.error; });
-    if (!arguments.plot.empty())
-      report::addSlices(slices, *brdf, files.size() == 1, best == fitted.end() ? nullptr : &*best);
+    const std::vector<bool> best = optics::bestFits(fitted);
+    const auto first = std::ranges::find(best, true);
+    const optics::BrdfFit* chosen = first == best.end() ? nullptr : &fitted[static_cast<size_t>(first - best.begin())];
+    if (chosen) {
+      report::addFitRows(fits, *brdf, fitted);
+      report::addFitAlbedoRows(fitAlbedo, *brdf, *chosen);
+      if (const std::string remark = optics::albedoRemark(*chosen); !remark.empty())
+        log::warning(file + ": of the best fit " + remark + ": GGX with Schlick's Fresnel term is not its shape");
+    }
+    if (!arguments.plot.empty()) report::addSlices(slices, *brdf, files.size() == 1, chosen);
   }
   std::vector<report::Table> tables;
-  for (report::Table* table : {&contents, &albedo, &decodings, &reciprocity, &proxies, &grid, &fits})
+  for (report::Table* table : {&contents, &albedo, &decodings, &reciprocity, &proxies, &grid, &fits, &fitAlbedo})
     if (!table->rows.empty()) tables.push_back(std::move(*table));
   if (tables.empty()) return status;
   if (!arguments.plot.empty()) {
@@ -168,6 +173,8 @@ int runBrdf(const BrdfArguments& arguments) {
   const Result<Choices> choices = choicesOf(arguments);
   if (!choices) return badInput(choices.error());
   if (!arguments.synthesize.empty()) return synthesize(arguments);
+  if (!arguments.plot.empty() && fs::path(arguments.plot).extension() != ".svg")
+    return badInput({arguments.plot, "--plot", "plots are SVG", "end the name in .svg"});
   if (!arguments.output.empty())
     return badInput({{}, "-o", "only --synthesize writes a file there", "--plot writes the slices"});
   if (arguments.files.empty()) {

@@ -32,7 +32,7 @@ std::shared_ptr<const FittedOnGpu> uploadFitted(FittedBrdf fitted) {
   head.lobe = glm::vec4(model.alpha.t, model.alpha.b, std::cos(model.phi), std::sin(model.phi));
   head.table = glm::vec4(optics::cosineChance(lobeOf(model)), 1, 0, 0);
   const layout::FittedUniforms colors{glm::vec4(glm::vec3(model.f0), optics::roughnessOf(model)),
-                                      glm::vec4(glm::vec3(model.albedo), 0)};
+                                      glm::vec4(glm::vec3(model.f90), 0), glm::vec4(glm::vec3(model.albedo), 0)};
   std::vector<std::byte> bytes(sizeof head + sizeof colors);
   std::memcpy(bytes.data(), &head, sizeof head);
   std::memcpy(bytes.data() + sizeof head, &colors, sizeof colors);
@@ -66,6 +66,13 @@ Result<std::shared_ptr<const FittedOnGpu>> findFit(MeasuredStore& store, const M
   if (!fitted) return tl::unexpected(fitted.error());
   keepFit(store, uploadFitted(std::move(*fitted)));
   return store.fits.front();
+}
+
+Notes fitNotes(const FittedBrdf& fitted) {
+  const std::string remark = optics::albedoRemark(fitted.fit);
+  if (remark.empty()) return {};
+  return {
+      {Note::Severity::warning, "", "the model that was fitted to " + fitted.name + " is not its shape: " + remark}};
 }
 
 void setFitted(DrawOptions& options, BrdfCompare compare) {

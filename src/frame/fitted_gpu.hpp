@@ -19,6 +19,8 @@ std::shared_ptr<const FittedOnGpu> keptFit(MeasuredStore& store, const MeasuredS
 void keepFit(MeasuredStore& store, std::shared_ptr<const FittedOnGpu> made);
 Result<std::shared_ptr<const FittedOnGpu>> findFit(MeasuredStore& store, const MeasuredSource& source,
                                                    optics::DiffuseModel diffuse);
+// A warning where it reflects more or less than the table by optics::toldAlbedoError.
+Notes fitNotes(const FittedBrdf& fitted);
 
 // The fitted model in the table's place, or beside it, as the settings have it.
 void setFitted(DrawOptions& options, BrdfCompare compare);

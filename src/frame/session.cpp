@@ -3,6 +3,7 @@
 #include <malloc.h>
 
 #include <algorithm>
+#include <iterator>
 #include <thread>
 
 #include "frame/settings.hpp"
@@ -54,7 +55,9 @@ Supply supplyAtOnce(Shelf& shelf, shading::ProgramStore& programs, Notes& notes)
   supply.environment = [&](const std::string& source) { return findEnvironment(shelf, source, notes); };
   supply.measured = [&](const MeasuredSource& source) { return findMeasured(shelf.measured, source, notes); };
   supply.fitted = [&](const MeasuredSource& source, optics::DiffuseModel diffuse) {
-    return findFit(shelf.measured, source, diffuse);
+    auto fit = findFit(shelf.measured, source, diffuse);
+    if (fit) std::ranges::move(fitNotes((*fit)->fitted), std::back_inserter(notes));
+    return fit;
   };
   supply.images = [&](LoadedScene& scene, const std::vector<bool>& missing) {
     return decodeSome(scene, missing, notes);

@@ -136,6 +136,16 @@ glm::dvec3 utiaDirection(const glm::dvec2& position) {
   return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
 }
 
+double merlPairs(int x, int y) {
+  const HalfDifference a = merlAngles({x + 0.5, y + 0.5, 0});
+  return std::cos(a.thetaD) * std::sin(a.thetaD) * std::sin(a.thetaH) * (x + 0.5);
+}
+
+double utiaSolidAngle(int theta) {
+  const double from = std::max(theta - 0.5, 0.0), to = theta == utiaThetaSteps - 1 ? 6 : theta + 0.5;
+  return std::cos(from * 15 * degree) - std::cos(to * 15 * degree);
+}
+
 glm::dvec3 measuredBrdf(const MeasuredBrdf& brdf, const glm::dvec3& V, const glm::dvec3& L, LookUp lookUp) {
   if (!(V.z > 0 && L.z > 0)) return glm::dvec3(0);
   return brdf.kind == MeasuredKind::merl ? merlValue(brdf, V, L, lookUp) : utiaValue(brdf, V, L, lookUp);

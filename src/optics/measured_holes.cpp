@@ -145,23 +145,12 @@ Guess guessAt(const Grid& grid, const std::vector<glm::vec3>& values, const Plac
   return {};
 }
 
-// What the light of a cell's pairs counts in the bihemispherical reflectance: NoV NoL and the measure of the pairs, up
-// to a factor that all cells have.
+// What the light of a cell's pairs counts in the bihemispherical reflectance, up to a common factor.
 double weightOf(const MeasuredBrdf& brdf, const Place& p) {
-  if (brdf.kind == MeasuredKind::utia) {
-    // int cos over the ring of 15 degrees around an entry: half a ring at the normal, all that is left at the last.
-    const auto ring = [](int k) {
-      const double from = std::max(k - 0.5, 0.0) * 15 * degree,
-                   to = (k == utiaThetaSteps - 1 ? 6 : k + 0.5) * 15 * degree;
-      return std::pow(std::sin(to), 2) - std::pow(std::sin(from), 2);
-    };
-    return ring(p[0]) * ring(p[2]);
-  }
-  // dV dL = 4 cos(theta_d) sin(theta_d) sin(theta_h) d(theta_d) d(theta_h) d(phi_d) d(phi_h); d(theta_h) ~ x dx.
-  const HalfDifference a = merlAngles({p[0] + 0.5, p[1] + 0.5, p[2] + 0.5});
-  const Directions pair = directionsFrom(a);
-  return std::max(pair.V.z, 0.0) * std::max(pair.L.z, 0.0) * std::cos(a.thetaD) * std::sin(a.thetaD) *
-         std::sin(a.thetaH) * (p[0] + 0.5);
+  const Directions pair = centreOf(brdf, p);
+  const double cosines = std::max(pair.V.z, 0.0) * std::max(pair.L.z, 0.0);
+  return cosines *
+         (brdf.kind == MeasuredKind::utia ? utiaSolidAngle(p[0]) * utiaSolidAngle(p[2]) : merlPairs(p[0], p[1]));
 }
 
 // tan(theta_h), tan(theta_d) and |cos(phi_d)| where cells begin.

@@ -272,8 +272,10 @@ double pdfProxy(const MeasuredProxy& proxy, const glm::dvec3& V, const glm::dvec
   return cosine * L.z / pi + (1 - cosine) * lobe;
 }
 
-glm::dvec3 measuredAlbedo(const MeasuredBrdf& brdf, const MeasuredProxy& proxy, const glm::dvec3& V, LookUp lookUp,
-                          uint32_t n) {
+namespace {
+
+template <class Value>
+glm::dvec3 albedoOf(const MeasuredProxy& proxy, const glm::dvec3& V, uint32_t n, const Value& value) {
   glm::dvec3 sum{0};
   for (uint32_t i = 0; i < n; ++i) {
     const glm::dvec2 u = hammersley(i, n);
@@ -281,9 +283,20 @@ glm::dvec3 measuredAlbedo(const MeasuredBrdf& brdf, const MeasuredProxy& proxy, 
     const double choice = std::fmod((i + 0.5) * 0.6180339887498949, 1.0);
     const glm::dvec3 L = sampleProxy(proxy, V, u, choice);
     const double pdf = pdfProxy(proxy, V, L);
-    if (pdf > 0) sum += measuredBrdf(brdf, V, L, lookUp) * (L.z / pdf);
+    if (pdf > 0) sum += value(L) * (L.z / pdf);
   }
   return sum / static_cast<double>(n);
+}
+
+}  // namespace
+
+glm::dvec3 measuredAlbedo(const MeasuredBrdf& brdf, const MeasuredProxy& proxy, const glm::dvec3& V, LookUp lookUp,
+                          uint32_t n) {
+  return albedoOf(proxy, V, n, [&](const glm::dvec3& L) { return measuredBrdf(brdf, V, L, lookUp); });
+}
+
+glm::dvec3 analyticAlbedo(const AnalyticBrdf& brdf, const MeasuredProxy& proxy, const glm::dvec3& V, uint32_t n) {
+  return albedoOf(proxy, V, n, [&](const glm::dvec3& L) { return analyticBrdf(brdf, V, L); });
 }
 
 }  // namespace facet::optics

@@ -8,6 +8,7 @@
 
 #include "optics/anisotropy.hpp"
 #include "optics/measured.hpp"
+#include "optics/synthetic_brdf.hpp"
 
 namespace facet::optics {
 
@@ -34,8 +35,10 @@ double cosineChance(const MeasuredProxy& proxy);
 glm::dvec3 sampleProxy(const MeasuredProxy& proxy, const glm::dvec3& V, const glm::dvec2& u, double choice);
 double pdfProxy(const MeasuredProxy& proxy, const glm::dvec3& V, const glm::dvec3& L);  // [1/sr], 0 below the horizon
 
-// int f NoL dL of the table, by n samples of the proxy (Hammersley): with 4096 off by about 1e-3 where the proxy fits.
+// int f NoL dL of the table or of a formula, by the same n samples of the proxy (Hammersley): with 4096 off by about
+// 1e-3 where the proxy fits.
 glm::dvec3 measuredAlbedo(const MeasuredBrdf& brdf, const MeasuredProxy& proxy, const glm::dvec3& V, LookUp lookUp,
                           uint32_t n = 4096);
+glm::dvec3 analyticAlbedo(const AnalyticBrdf& brdf, const MeasuredProxy& proxy, const glm::dvec3& V, uint32_t n = 4096);
 
 }  // namespace facet::optics

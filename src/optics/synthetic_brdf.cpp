@@ -20,7 +20,8 @@ constexpr AnalyticBrdf plastic(double roughness, const glm::dvec3& albedo) {
 }
 constexpr glm::dvec3 grey(0.8), gold(0.95, 0.73, 0.35), red(0.5, 0.1, 0.05), blue(0.1, 0.2, 0.5);
 
-constexpr AnalyticBrdf lambertOnly{.f0 = glm::dvec3(0), .albedo = glm::dvec3(0.5, 0.4, 0.3), .alpha = {1, 1}};
+constexpr AnalyticBrdf lambertOnly{
+    .f0 = glm::dvec3(0), .f90 = glm::dvec3(0), .albedo = glm::dvec3(0.5, 0.4, 0.3), .alpha = {1, 1}};
 
 constexpr SyntheticBrdf table[] = {
     {"lambert", "matte, albedo 0.5 0.4 0.3", MeasuredKind::merl, lambertOnly},
@@ -68,8 +69,8 @@ glm::dvec3 analyticBrdf(const AnalyticBrdf& brdf, const glm::dvec3& V, const glm
   glm::dvec3 result{0};
   if (brdf.albedo != glm::dvec3(0))
     result = diffuseTerm(brdf.diffuse, {angles.NoV, angles.NoL, glm::dot(V, L)}, roughnessOf(brdf), brdf.albedo);
-  if (brdf.f0 == glm::dvec3(0)) return result;
-  const glm::dvec3 F = F_Schlick(angles.VoH, brdf.f0, 1);
+  if (brdf.f0 == glm::dvec3(0) && brdf.f90 == glm::dvec3(0)) return result;
+  const glm::dvec3 F = glm::mix(brdf.f0, brdf.f90, schlickWeight(angles.VoH));
   if (brdf.alpha.t == brdf.alpha.b) {
     const double alpha = brdf.alpha.t;
     return result + F * (D_GGX(angles, alpha) * V_SmithGGXCorrelated(angles.NoV, angles.NoL, alpha));

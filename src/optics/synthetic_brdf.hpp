@@ -12,9 +12,9 @@
 
 namespace facet::optics {
 
-// GGX with Schlick's Fresnel term (f90 = 1 unless f0 is black) over a diffuse model: D V F + albedo Fd [1/sr].
+// GGX with Schlick's Fresnel term over a diffuse model: D V F + albedo Fd [1/sr].
 struct AnalyticBrdf {
-  glm::dvec3 f0{0.04};
+  glm::dvec3 f0{0.04}, f90{1};  // reflectance facing and grazing, by channel
   glm::dvec3 albedo{0};
   AnisotropicAlpha alpha = {};
   double phi = 0;  // of the direction of alpha.t, from the tangent [rad]

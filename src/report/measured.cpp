@@ -133,8 +133,9 @@ Table reciprocityTable() {
   return {.name = "reciprocity",
           .title = "Reciprocity: f(V, L) against f(L, V)",
           .note =
-              "Over 1e5 fixed pairs within 75 degrees, interpolated: the root of the mean square of their relative "
-              "difference, and the largest. MERL's 180 steps of phi_d make every table reciprocal.",
+              "Over 1e5 fixed pairs within 75 degrees, interpolated: the root of the mean square of the relative "
+              "difference |f(V, L) - f(L, V)| over the mean of both, of luminance, from 0 (equal) to 2 (one of them "
+              "is black), and the largest. MERL's 180 steps of phi_d make every table reciprocal.",
           .columns = {"name", "RMS", "largest"},
           .rows = {}};
 }
@@ -142,11 +143,10 @@ Table reciprocityTable() {
 void addReciprocityRow(Table& table, const MeasuredBrdf& brdf) {
   double sum = 0, largest = 0;
   size_t count = 0;
-  for (const optics::Directions& pair : optics::testPairs()) {
+  for (const optics::Directions& pair : optics::testPairs()) {  // both black: equal
     const double there = optics::luminance(optics::measuredBrdf(brdf, pair.V, pair.L, LookUp::interpolated));
     const double back = optics::luminance(optics::measuredBrdf(brdf, pair.L, pair.V, LookUp::interpolated));
-    if (there + back <= 0) continue;
-    const double off = 2 * std::abs(there - back) / (there + back);
+    const double off = there + back > 0 ? 2 * std::abs(there - back) / (there + back) : 0;
     sum += off * off;
     largest = std::max(largest, off);
     ++count;
@@ -187,26 +187,54 @@ void addGridRow(Table& table, const MeasuredBrdf& brdf, const optics::AnalyticBr
 
 Table fitTable(optics::FitMetric metric) {
   const bool log = metric == optics::FitMetric::log;
-  return {.name = "fit",
-          .title = "GGX with Schlick's Fresnel term over each diffuse model, fitted",
-          .note = std::string("Error: root mean square of the difference of ") +
-                  (log ? "ln(1 + f NoL)" : "the cube roots of f NoL") +
-                  " over samples of the grid and channels, both directions within 75 degrees. Roughness is glTF's "
-                  "perceptual one of the smaller alpha, anisotropy KHR_materials_anisotropy's strength.",
-          .columns = {"name", "diffuse model", "error", "roughness", "anisotropy", "azimuth [degrees]", "f0 red",
-                      "f0 green", "f0 blue", "albedo red", "albedo green", "albedo blue", "best"},
-          .rows = {}};
+  return {
+      .name = "fit",
+      .title = "GGX with Schlick's Fresnel term over each diffuse model, fitted",
+      .note = std::string("Error: root mean square of the difference of ") +
+              (log ? "ln(1 + f NoL)" : "the cube roots of f NoL") +
+              " over samples of the grid and channels, both directions within 75 degrees; what a ring of directions "
+              "reflects weighs besides. Albedo error: the largest of the directional albedo, relative (to 0.01 at "
+              "least), over 0 to 75 degrees and channels. Roughness is glTF's perceptual one of the smaller alpha, "
+              "anisotropy KHR_materials_anisotropy's strength.",
+      .columns = {"name", "diffuse model", "error", "albedo error", "roughness", "anisotropy", "azimuth [degrees]",
+                  "f0 red", "f0 green", "f0 blue", "f90 red", "f90 green", "f90 blue", "albedo red", "albedo green",
+                  "albedo blue", "best"},
+      .rows = {}};
 }
 
 void addFitRows(Table& table, const MeasuredBrdf& brdf, const std::vector<optics::BrdfFit>& fits) {
-  const auto best =
-      std::min_element(fits.begin(), fits.end(), [](const auto& a, const auto& b) { return a.error < b.error; });
-  for (const optics::BrdfFit& fit : fits) {
+  const std::vector<bool> best = optics::bestFits(fits);
+  const bool equals = std::ranges::count(best, true) > 1;
+  for (size_t i = 0; i < fits.size(); ++i) {
+    const optics::BrdfFit& fit = fits[i];
     const optics::AnalyticBrdf& m = fit.model;
     const double strength = optics::anisotropyStrength(m.alpha);
     table.rows.push_back({brdf.name, std::string(rowOf(optics::diffuseModels, m.diffuse).word), fit.error,
-                          std::sqrt(m.alpha.b), strength, strength > 0 ? m.phi / degree : 0, m.f0.x, m.f0.y, m.f0.z,
-                          m.albedo.x, m.albedo.y, m.albedo.z, std::string(&fit == &*best ? "best" : "")});
+                          fit.albedoError, std::sqrt(m.alpha.b), strength, strength > 0 ? m.phi / degree : 0, m.f0.x,
+                          m.f0.y, m.f0.z, m.albedo.x, m.albedo.y, m.albedo.z,
+                          std::string(!best[i] ? ""
+                                      : equals ? "equally good"
+                                               : "best")});
+  }
+}
+
+Table fitAlbedoTable() {
+  return {.name = "fit-albedo",
+          .title = "Directional albedo of the best fit beside the table's",
+          .note =
+              "Of a beam from that polar angle, by the same 4096 directions. Off: the largest difference over the "
+              "channels, relative to the table's (to 0.01 at least).",
+          .columns = {"name", "diffuse model", "angle [degrees]", "table red", "table green", "table blue", "fit red",
+                      "fit green", "fit blue", "off"},
+          .rows = {}};
+}
+
+void addFitAlbedoRows(Table& table, const MeasuredBrdf& brdf, const optics::BrdfFit& fit) {
+  const std::string model(rowOf(optics::diffuseModels, fit.model.diffuse).word);
+  for (size_t i = 0; i < fit.albedo.size(); ++i) {
+    const glm::dvec3 &t = fit.albedo[i].table, &m = fit.albedo[i].model;
+    table.rows.push_back(
+        {brdf.name, model, optics::fitAlbedoAngles[i], t.x, t.y, t.z, m.x, m.y, m.z, fit.albedo[i].off()});
   }
 }
 

@@ -33,6 +33,10 @@ void addGridRow(Table& table, const optics::MeasuredBrdf& brdf, const optics::An
 Table fitTable(optics::FitMetric metric);
 void addFitRows(Table& table, const optics::MeasuredBrdf& brdf, const std::vector<optics::BrdfFit>& fits);
 
+// Directional albedo of a fit beside the table's.
+Table fitAlbedoTable();
+void addFitAlbedoRows(Table& table, const optics::MeasuredBrdf& brdf, const optics::BrdfFit& fit);
+
 // Three slices: theta_h, theta_d (both at phi_d = 90 degrees) and light in the plane of view at 45 degrees, f_r on a
 // logarithmic axis, the zone past 75 degrees marked. Of one BRDF red, green and blue, and the best of the fits dashed;
 // of several their luminance.

@@ -109,8 +109,11 @@ std::vector<Detail> fitDetails(const frame::FittedBrdf& fitted) {
     details.push_back({"anisotropy", number("%.3f", optics::anisotropyStrength(model.alpha))});
   }
   details.push_back({"f0", rgb(model.f0)});
+  details.push_back({"f90", rgb(model.f90)});
   details.push_back({"albedo", rgb(model.albedo)});
   details.push_back({"fit error", number("%.4f, RMS of ln(1 + f cos)", fitted.fit.error)});
+  details.push_back({"albedo error", number("%.1f %%", 100 * fitted.fit.albedoError) +
+                                         number(" at %.0f\xc2\xb0", fitted.fit.albedoErrorAngle)});
   details.push_back({"took", milliseconds(fitted.fitMs) + ", beside the window"});
   return details;
 }

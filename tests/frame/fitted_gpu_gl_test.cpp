@@ -33,7 +33,9 @@ TEST_CASE("A fitted model on the GPU is what it is in double precision", "[gl]")
       {.f0 = {0.04, 0.04, 0.04}, .albedo = {0.5, 0.5, 0.4}, .alpha = {0.05, 0.02}, .phi = 2, .diffuse = frostbite},
       {.f0 = {0.1, 0.1, 0.1}, .albedo = {1, 0.9, 0.8}, .alpha = {1, 1}, .diffuse = orenNayar},
       {.f0 = {0.2, 0.1, 0.1}, .albedo = {0.3, 0.9, 0.8}, .alpha = {0.5, 0.4}, .phi = 3, .diffuse = eon},
-      {.f0 = {0, 0, 0}, .albedo = {0.3, 0.9, 0.8}, .alpha = {0.3, 0.3}, .diffuse = callOfDuty}};
+      {.f0 = {0, 0, 0}, .f90 = {0, 0, 0}, .albedo = {0.3, 0.9, 0.8}, .alpha = {0.3, 0.3}, .diffuse = callOfDuty},
+      {.f0 = {0.4, 0.3, 0.1}, .f90 = {0.5, 0, 0.1}, .albedo = {0.2, 0, 0.1}, .alpha = {0.15, 0.15}},
+      {.f0 = {0, 0, 0}, .f90 = {0.5, 0.2, 0.1}, .alpha = {0.4, 0.4}}};
   const std::vector<optics::Directions> pairs = optics::testPairs(5000);
   std::vector<glm::vec4> inputs;
   for (const optics::Directions& pair : pairs) {

@@ -32,9 +32,12 @@ TEST_CASE("fit of a measured BRDF: a synthetic one gives its parameters back") {
       CHECK(fit.model.alpha.t == Approx(truth.alpha.t).epsilon(1e-3));
       for (int c = 0; c < 3; ++c) {
         CHECK(fit.model.f0[c] == Approx(truth.f0[c]).margin(1e-3));
+        CHECK(fit.model.f90[c] == Approx(1).margin(2e-3));
         CHECK(fit.model.albedo[c] == Approx(truth.albedo[c]).margin(1e-3));
       }
       CHECK(fit.error < 1e-3);
+      CHECK(fit.albedoError < 0.02);  // the grid's, which look-ups have
+      CHECK(albedoRemark(fit).empty());
       CHECK(fitError(fit.model, fitSamples(brdf), metric) == Approx(fit.error).epsilon(1e-3).margin(1e-7));
     }
   }
@@ -52,6 +55,46 @@ TEST_CASE("fit of a measured BRDF: the diffuse model that made it fits best, EON
   CHECK(eon.model.albedo.z == Approx(0.1).margin(1e-3));
   for (const BrdfFit& fit : fits) CHECK(eon.error <= fit.error);
   CHECK(fits[0].error > 10 * eon.error);
+}
+
+TEST_CASE("fit of a measured BRDF: energy weighs, and what it is off by is told") {
+  // Ward 1992 in MERL's cells: no Fresnel term, a lobe without GGX' tail, less reflected of grazing light.
+  MeasuredBrdf ward{.name = "ward", .values = {}, .counts = {}};
+  const glm::dvec3 specular(0.4, 0.3, 0.1), diffuse(0.2, 0.1, 0.05);
+  const double alpha2 = 0.15 * 0.15;
+  for (int x = 0; x < merlThetaSteps; ++x)
+    for (int y = 0; y < merlThetaSteps; ++y)
+      for (int z = 0; z < merlPhiSteps; ++z) {
+        const Directions pair = directionsFrom(merlAngles({x + 0.5, y + 0.5, z + 0.5}));
+        const double above = std::min(pair.V.z, pair.L.z), cosine = glm::normalize(pair.V + pair.L).z;
+        const double lobe = std::exp((1 - 1 / (cosine * cosine)) / alpha2) /
+                            (4 * pi * alpha2 * std::sqrt(std::max(pair.V.z * pair.L.z, 1e-12)));
+        ward.values.emplace_back(above > 1e-6 ? glm::vec3(lobe * specular + diffuse / pi) : glm::vec3(missingValue));
+      }
+  for (const FitMetric metric : {FitMetric::log, FitMetric::cubeRoot}) {
+    const BrdfFit fit = fitOf(ward, DiffuseModel::lambert, metric);
+    for (size_t i = 0; i < fit.albedo.size(); ++i) {
+      const auto& [table, model] = fit.albedo[i];
+      INFO(fitAlbedoAngles[i] << ": " << table.x << " " << table.y << " " << table.z << " fit " << model.x << " "
+                              << model.y << " " << model.z);
+      // The table's as the formula has it: at the normal nearly specular + diffuse.
+      if (i == 0) CHECK(table.z == Approx(0.144).margin(1e-3));
+      CHECK(fit.albedo[i].off() < 0.4);
+      if (fitAlbedoAngles[i] <= 60) CHECK(fit.albedo[i].off() < 0.2);
+      // The colour of gold stays: blue to red as in the table.
+      CHECK(model.z / model.x == Approx(table.z / table.x).epsilon(0.05));
+    }
+    CHECK(fit.albedoErrorAngle == 75);
+    CHECK(fit.albedoError == fit.albedo.back().off());
+    CHECK(albedoRemark(fit).find("% at 75 degrees") != std::string::npos);
+  }
+}
+
+TEST_CASE("fit of a measured BRDF: a metal leaves nothing to the diffuse models, so that all are equally good") {
+  const std::vector<BrdfFit> fits = fitAll(builtin("ggx-0.35"), FitMetric::log);
+  CHECK(bestFits(fits) == std::vector<bool>(6, true));
+  const std::vector<BrdfFit> plastic = fitAll(builtin("plastic-0.5"), FitMetric::log);
+  CHECK(bestFits(plastic) == std::vector<bool>{true, false, false, false, false, false});
 }
 
 TEST_CASE("fit of a measured BRDF: both alphas of an anisotropic one and their azimuth") {

@@ -16,7 +16,7 @@ namespace {
 
 // A file of UTIA's kind: the same in all directions.
 std::vector<uint8_t> matte(const glm::dvec3& albedo) {
-  const optics::AnalyticBrdf formula{.f0 = glm::dvec3(0), .albedo = albedo, .alpha = {1, 1}};
+  const optics::AnalyticBrdf formula{.f0 = glm::dvec3(0), .f90 = glm::dvec3(0), .albedo = albedo, .alpha = {1, 1}};
   return io::encodeUtia(optics::makeMeasured(formula, optics::MeasuredKind::utia, "matte"));
 }
 
