@@ -36,13 +36,24 @@ Result<std::vector<const report::Topic*>> chosenTopics(const std::string& wanted
   return fail({}, inQuotes(wanted), "there is no such topic", suggestion(wanted, names));
 }
 
-// Of what goes to the terminal or into one file: by --format, else by the file's ending. Null: -o is a folder.
+// Of what goes to the terminal or into one file: by --format, else by the file's ending. Null: -o is a folder, because
+// it is one, or ends in a slash, or has no ending.
 Result<const TableFormat*> chosenFormat(const ReportArguments& arguments) {
-  if (!arguments.format.empty() || arguments.output.empty()) return tableFormat(arguments.format);
-  const std::string extension = std::filesystem::path(arguments.output).extension().string();
+  if (arguments.output.empty()) return tableFormat(arguments.format);
+  const std::filesystem::path path(arguments.output);
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error) || !path.has_filename()) {
+    if (arguments.format.empty()) return nullptr;
+    return fail(arguments.output, "--format", "a folder gets all formats", "leave --format out, or name a file");
+  }
+  if (!arguments.format.empty()) return tableFormat(arguments.format);
+  const std::string extension = path.extension().string();
+  if (extension.empty()) return nullptr;
   for (const TableFormat& format : tableFormats())
     if (extension == format.extension) return &format;
-  return nullptr;
+  return fail(arguments.output, "-o", "a report is no " + extension + " file",
+              extension == ".svg" ? "name a folder: it gets the plots as SVG beside the tables"
+                                  : "end it in .md, .csv or .json, or name a folder");
 }
 
 // report.md with the plots below the tables, report.csv, report.json, a file for each plot.
@@ -110,8 +121,10 @@ std::function<int()> addReport(CLI::App& app) {
       ->type_name("MODEL");
   app.add_option("--format", arguments->format, "markdown, csv or json (by the file's ending, else markdown)")
       ->type_name("NAME");
-  app.add_option("-o,--output", arguments->output,
-                 "a file (.md, .csv, .json) in the place of the terminal, or a folder for all of them and the plots")
+  app.add_option(
+         "-o,--output", arguments->output,
+         "a file (.md, .csv, .json) in the place of the terminal; a name without ending is a folder for all of them "
+         "and the plots")
       ->type_name("PATH");
   app.add_option("--shader-dir", arguments->shaderDir, "read the shaders from here")->type_name("DIR");
   return [arguments] { return runReport(*arguments); };

@@ -5,6 +5,7 @@
 
 #include "optics/fresnel.hpp"
 #include "optics/ndf.hpp"
+#include "optics/quadrature.hpp"
 
 namespace facet::optics {
 
@@ -37,26 +38,42 @@ double visibilityOf(NormalDistribution distribution, Masking masking, const Angl
   return V_BeckmannRational(angles.NoV, angles.NoL, alpha);
 }
 
-double lobeAlbedo(NormalDistribution distribution, Masking masking, double NoV, double alpha) {
-  // int D V 4 VoH NoL dH, as dL = 4 VoH dH; tan(theta of H) = alpha tan(w): the lobe's width is the unit.
-  constexpr int rings = 400, sectors = 200;
+// int D V (1 - Fc) 4 VoH NoL dH and the same with Fc, as dL = 4 VoH dH; tan(theta of H) = alpha tan(w): the lobe's
+// width is the unit. L is above the horizon for all azimuths while theta_h < (90 - theta_v) / 2, for some until
+// (90 + theta_v) / 2: the pieces between which the integrand is smooth.
+Dfg lobeDfg(NormalDistribution distribution, Masking masking, double NoV, double alpha) {
   const glm::dvec3 V(std::sqrt((1 - NoV) * (1 + NoV)), 0, NoV);
-  double sum = 0;
-  for (int i = 0; i < rings; ++i) {
-    const double w = (i + 0.5) / rings * pi / 2, slope = alpha * std::tan(w);
+  const auto overAzimuth = [&](double w) {
+    const double slope = alpha * std::tan(w);
     const double NoH = 1 / std::sqrt(1 + slope * slope), sine = slope * NoH;
     const double density = alpha / (std::cos(w) * std::cos(w)) * NoH * NoH * sine;  // of dH by dw dphi
-    for (int j = 0; j < sectors; ++j) {
-      const double phi = (j + 0.5) / sectors * pi;
+    const auto f = [&](double phi) {
       const glm::dvec3 H(sine * std::cos(phi), sine * std::sin(phi), NoH);
       const double VoH = glm::dot(V, H), NoL = 2 * VoH * NoH - NoV;
-      if (VoH <= 0 || NoL <= 0) continue;
+      if (VoH <= 0 || NoL <= 0) return glm::dvec2(0);
       const Angles angles{H, NoV, NoL, NoH, VoH, sine * sine};
-      sum += distributionOf(distribution, angles, alpha) * visibilityOf(distribution, masking, angles, alpha) * 4 *
-             VoH * NoL * density;
-    }
-  }
-  return sum * (pi / 2 / rings) * (2 * pi / sectors);
+      const double value = distributionOf(distribution, angles, alpha) *
+                           visibilityOf(distribution, masking, angles, alpha) * 4 * VoH * NoL;
+      const double Fc = schlickWeight(VoH);
+      return glm::dvec2(value * (1 - Fc), value * Fc);
+    };
+    // NoL = 0 where VoH = NoV / (2 NoH).
+    const double across = V.x * sine, last = (NoV / (2 * NoH) - NoV * NoH) / std::max(across, smallestCosine);
+    const double end = across > 0 ? std::acos(std::clamp(last, -1.0, 1.0)) : NoH * NoH > 0.5 ? pi : 0;
+    const double tolerance = 1e-8 / std::max(density, 1e-6);
+    return 2 * density * integrateAdaptive<glm::dvec2>(f, 0, end, tolerance, 10);
+  };
+  const double thetaV = std::atan2(V.x, V.z);
+  const auto wOf = [&](double theta) { return std::atan(std::tan(std::min(theta, pi / 2 - 1e-9)) / alpha); };
+  const double whole = wOf((pi / 2 - thetaV) / 2), none = wOf((pi / 2 + thetaV) / 2);
+  const glm::dvec2 sum = integrateAdaptive<glm::dvec2>(overAzimuth, 0, whole, 1e-8, 12) +
+                         integrateAdaptive<glm::dvec2>(overAzimuth, whole, none, 1e-8, 12);
+  return {sum.x, sum.y};
+}
+
+double lobeAlbedo(NormalDistribution distribution, Masking masking, double NoV, double alpha) {
+  const Dfg dfg = lobeDfg(distribution, masking, NoV, alpha);
+  return dfg.A + dfg.B;
 }
 
 glm::dvec3 fresnelDielectric(FresnelModel model, double VoH, const glm::dvec3& f0, double f90) {

@@ -74,8 +74,10 @@ double distributionOf(NormalDistribution distribution, const Angles& angles, dou
 //   cavity       V-cavities, for any distribution.
 double visibilityOf(NormalDistribution distribution, Masking masking, const Angles& angles, double alpha);
 
-// Directional albedo of the lobe where every facet reflects all (F = 1), by quadrature (about 1e-3; V-cavities, which
-// have kinks, 3e-3). alpha >= 0.03, NoV > 0.
+// A and B of the lobe (energy.hpp: integrateDfg is GGX with Smith's term), by adaptive quadrature: about 1e-6,
+// V-cavities, which have kinks, 1e-5. alpha >= 0.01, NoV > 0. And their sum, the albedo where every facet reflects all
+// (F = 1).
+Dfg lobeDfg(NormalDistribution distribution, Masking masking, double NoV, double alpha);
 double lobeAlbedo(NormalDistribution distribution, Masking masking, double NoV, double alpha);
 
 // Of a dielectric of reflectance f0 at normal incidence and f90 at the horizon (the weight of KHR_materials_specular).

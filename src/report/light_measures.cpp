@@ -169,7 +169,7 @@ Result<LdMeasure> measureLd(const Measured& m, const ibl::Method& method, const 
 
 // ---- DFG ------------------------------------------------------------------------------------------------------------
 
-DfgTruth dfgTruth() {
+DfgTruth dfgTruth(optics::Masking masking) {
   DfgTruth truth;
   constexpr uint32_t count = 300;
   for (uint32_t i = 0; i < count; ++i) {
@@ -179,7 +179,11 @@ DfgTruth dfgTruth() {
   truth.values.resize(count);
   parallelFor(count, [&](size_t i) {
     const double r = static_cast<double>(truth.inputs[i].y);
-    const optics::Dfg dfg = optics::integrateDfg(static_cast<double>(truth.inputs[i].x), r * r, 1e-6);
+    const double NoV = static_cast<double>(truth.inputs[i].x);
+    const optics::Dfg dfg =
+        masking == optics::Masking::smith
+            ? optics::integrateDfg(NoV, r * r, 1e-6)
+            : optics::lobeDfg(optics::NormalDistribution::ggx, masking, std::max(NoV, 1e-9), std::max(r * r, 0.01));
     truth.values[i] = {dfg.A, dfg.B};
   });
   return truth;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "ibl/tables.hpp"
+#include "optics/models.hpp"
 #include "report/topics.hpp"
 #include "scene/sun.hpp"
 #include "selftest/error_figures.hpp"
@@ -75,7 +76,7 @@ struct DfgTruth {
   std::vector<glm::vec4> inputs;  // NoV = u^2, perceptual roughness
   std::vector<glm::dvec2> values;
 };
-DfgTruth dfgTruth();
+DfgTruth dfgTruth(optics::Masking masking = optics::Masking::smith);  // of GGX; approximate: alpha from 0.01 on
 struct DfgError {
   double most = 0, everywhere = 0, rms = 0;  // of A and B; most: for NoV from 0.02 on
   double dielectric = 0;                     // of 0.04 A + B, relative; likewise

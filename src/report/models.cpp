@@ -83,7 +83,30 @@ Table metalFresnelTable() {
 
 // ---- Diffuse --------------------------------------------------------------------------------------------------------
 
-const std::vector<double> viewCosines = {1e-3, 0.05, 0.1, 0.2, 0.35, 0.5, 0.7, 0.85, 1};
+const std::vector<double> viewCosines = {1e-6, 0.05, 0.1, 0.2, 0.35, 0.5, 0.7, 0.85, 1};
+
+// Where f over [0, 1] is least, by more than its quadrature's noise: of 17 places from the normal on, denser towards
+// the horizon, then by golden section between the two beside it. The ends count.
+Largest least(const std::function<double(double cosine)>& f) {
+  constexpr int steps = 16;
+  constexpr double noise = 2e-7, golden = 0.3819660112501051;
+  const auto cosine = [](double u) { return u * u; };
+  double best = 1e300, at = steps;
+  for (int i = steps; i >= 0; --i)
+    if (const double value = f(cosine(static_cast<double>(i) / steps)); value < best - noise) best = value, at = i;
+  double low = std::max(at - 1, 0.0) / steps, high = std::min(at + 1, double(steps)) / steps, u = at / steps;
+  for (int i = 0; i < 24; ++i) {
+    const double next = u - low > high - u ? u - golden * (u - low) : u + golden * (high - u);
+    const double value = f(cosine(next));
+    if (value < best - noise) {
+      (next < u ? high : low) = u;
+      best = value, u = next;
+    } else {
+      (next < u ? low : high) = next;
+    }
+  }
+  return {best, cosine(u)};
+}
 
 // int f NoL over the half of the sky around V's side (sign 1) or away from it (-1), over half of its irradiance.
 double halfSky(optics::DiffuseModel model, double NoV, double r, double sign) {
@@ -113,17 +136,14 @@ Table diffuseTable() {
               {}};
   for (const auto& [model, word, name, note] : optics::diffuseModels)
     for (const double r : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-      Largest least{1e9, 0}, most{0, 0};
+      const auto albedo = [&](double NoV) { return optics::diffuseAlbedo(model, NoV, r); };
+      const Largest lowest = least(albedo), highest = least([&](double NoV) { return -albedo(NoV); });
       double halfError = 0;
-      for (const double NoV : viewCosines) {
-        const double albedo = optics::diffuseAlbedo(model, NoV, r);
-        if (albedo < least.value) least = {albedo, NoV};
-        if (albedo > most.value) most = {albedo, NoV};
+      for (const double NoV : viewCosines)
         for (const double sign : {1.0, -1.0})
-          halfError = std::max(halfError, std::abs(halfSky(model, NoV, r, sign) / albedo - 1));
-      }
+          halfError = std::max(halfError, std::abs(halfSky(model, NoV, r, sign) / albedo(NoV) - 1));
       table.rows.push_back(
-          {std::string(name), r, least.value, degrees(least.at), most.value, degrees(most.at), halfError});
+          {std::string(name), r, lowest.value, degrees(lowest.at), -highest.value, degrees(highest.at), halfError});
       if (model == optics::DiffuseModel::lambert) break;  // roughness does not enter
     }
   return table;

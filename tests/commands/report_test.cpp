@@ -1,4 +1,5 @@
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -22,6 +23,25 @@ TEST_CASE("facet report: a topic as Markdown, CSV, JSON, to a file, what is wron
   CHECK(json.text.empty());
   std::ifstream stream(file);
   CHECK(nlohmann::json::parse(stream)["tables"].size() == 2);
+  // A file by its ending, a folder without one; nothing is made of what is neither.
+  CHECK(test::runFacet({"report", "fresnel", "-o", folder.file("a.csv")}).status == 0);
+  CHECK(test::runShell("head -c 21 " + folder.file("a.csv")).text == "# fresnel-dielectric:");
+  CHECK(test::runFacet({"report", "fresnel", "-o", folder.file("all")}).status == 0);
+  CHECK(std::filesystem::exists(folder.file("all/report.json")));
+  CHECK(test::runFacet({"report", "fresnel", "-o", folder.file("v1.2/")}).status == 0);
+  CHECK(std::filesystem::exists(folder.file("v1.2/report.md")));
+  CHECK(test::runFacet({"report", "fresnel", "-o", folder.file("v1.2")}).status == 0);  // is a folder by now
+  for (const char* name : {"f.svg", "f.txt", "f.CSV"}) {
+    const test::Outcome refused = test::runFacet({"report", "fresnel", "-o", folder.file(name)});
+    CHECK(refused.status == 2);
+    CHECK(refused.text.find("a report is no ." + std::string(name).substr(2) + " file") != std::string::npos);
+    CHECK_FALSE(std::filesystem::exists(folder.file(name)));
+  }
+  CHECK(test::runFacet({"report", "fresnel", "--format", "csv", "-o", folder.file("f.txt")}).status == 0);
+  CHECK(std::filesystem::is_regular_file(folder.file("f.txt")));
+  CHECK(test::runFacet({"report", "fresnel", "--format", "csv", "-o", folder.file("all")}).status == 2);
+  CHECK(test::runFacet({"brdf", "builtin:lambert", "--plot", folder.file("p.png")}).status == 2);
+  CHECK_FALSE(std::filesystem::exists(folder.file("p.png")));
   const test::Outcome topic = test::runFacet({"report", "fresnal"});
   CHECK(topic.status == 2);
   CHECK(topic.text.find("'fresnal': there is no such topic") != std::string::npos);

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "optics/diffuse.hpp"
+#include "optics/energy.hpp"
+
 using namespace facet;
 using report::Table;
 
@@ -49,9 +52,23 @@ TEST_CASE("Report: Schlick's error grows away from ior 1.5, and F82-tint halves 
 }
 
 TEST_CASE("Report: energy of the diffuse models") {
+  constexpr auto burley = optics::DiffuseModel::burley;
   const Table table = report::diffuseTables().at(0);
   CHECK(at(table, rowOf(table, "Lambert", 0), "least") == Approx(1).margin(1e-6));
   CHECK(at(table, rowOf(table, "Lambert", 0), "half sky") < 1e-6);
+  // At the horizon itself, not at the last of a row of angles.
+  CHECK(at(table, rowOf(table, "Frostbite", 0), "least") == Approx(0).margin(1e-6));
+  CHECK(at(table, rowOf(table, "Frostbite", 0), "least at degrees") == Approx(90));
+  CHECK(at(table, rowOf(table, "Burley", 0), "least") == Approx(optics::diffuseAlbedo(burley, 0, 0)).margin(1e-6));
+  CHECK(at(table, rowOf(table, "Burley", 0), "least") == Approx(0.4881).margin(1e-4));
+  for (size_t i = 0; i < table.rows.size(); ++i)
+    for (const auto& [model, word, name, note] : optics::diffuseModels)
+      if (std::get<std::string>(table.rows[i][0]) == name)
+        for (const double NoV : {0.0, 0.01, 0.033, 0.3, 0.62, 0.93}) {
+          const double albedo = optics::diffuseAlbedo(model, NoV, at(table, i, "roughness"));
+          CHECK(albedo >= at(table, i, "least") - 2e-7);
+          CHECK(albedo <= at(table, i, "most") + 2e-7);
+        }
   CHECK(at(table, rowOf(table, "Burley", 1), "most") == Approx(1.56).margin(0.01));
   CHECK(at(table, rowOf(table, "Frostbite", 1), "most") == Approx(1.03).margin(0.01));
   CHECK(at(table, rowOf(table, "EON", 1), "least") == Approx(1).margin(1e-5));
@@ -68,7 +85,8 @@ TEST_CASE("Report: shadowing terms, and what lobes return") {
   CHECK(at(tables[0], tables[0].rows.size() - 1, "GGX") == Approx(0).margin(1e-12));  // alpha = 1: none
   const Table& lobes = tables[1];
   CHECK(lobes.rows.size() == 8 * 4);
-  CHECK(at(lobes, rowOf(lobes, "GGX", 0.2), "0 degrees") == Approx(0.999).margin(2e-3));
+  const optics::Dfg sharp = optics::integrateDfg(1, 0.04);
+  CHECK(at(lobes, rowOf(lobes, "GGX", 0.2), "0 degrees") == Approx(sharp.A + sharp.B).margin(1e-6));
   CHECK(at(lobes, rowOf(lobes, "GGX", 1), "0 degrees") < at(lobes, rowOf(lobes, "Beckmann", 1), "0 degrees"));
 }
 
