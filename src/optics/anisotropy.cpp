@@ -75,21 +75,20 @@ double pdfVisibleGGXAnisotropic(const glm::dvec3& V, const glm::dvec3& H, const 
   return 2 * VoH * D_GGXAnisotropic(H, alpha) / (v + std::hypot(alpha.t * V.x, alpha.b * V.y, v));
 }
 
-Dfg integrateDfgAnisotropic(const glm::dvec3& V, const AnisotropicAlpha& alpha) {
-  constexpr size_t radii = 48, azimuths = 96;
-  static const Quadrature rule = gaussLegendre(radii);
+Dfg integrateDfgAnisotropic(const glm::dvec3& V, const AnisotropicAlpha& alpha, size_t radii, size_t azimuths) {
+  const Quadrature rule = gaussLegendre(radii);
   const glm::dvec3 view = glm::normalize(glm::dvec3(V.x, V.y, std::max(V.z, 1e-4)));
   Dfg dfg;
   for (size_t i = 0; i < radii; ++i)
     for (size_t j = 0; j < azimuths; ++j) {
       const double rim = 1 - rule.nodes[i];  // radii squeezed towards the rim, where L nears the horizon
-      const glm::dvec3 H =
-          sampleVisibleGGXAnisotropic(view, alpha, {1 - rim * rim, (static_cast<double>(j) + 0.5) / azimuths});
+      const glm::dvec3 H = sampleVisibleGGXAnisotropic(
+          view, alpha, {1 - rim * rim, (static_cast<double>(j) + 0.5) / static_cast<double>(azimuths)});
       const double VoH = glm::dot(view, H);
       const glm::dvec3 L = 2 * VoH * H - view;
       if (L.z <= 0) continue;
       const double visible = V_GGXAnisotropic(view, L, alpha) * 4 * view.z * L.z / G1_GGXAnisotropic(view, alpha);
-      const double share = 2 * rim * rule.weights[i] / azimuths * visible, Fc = schlickWeight(VoH);
+      const double share = 2 * rim * rule.weights[i] / static_cast<double>(azimuths) * visible, Fc = schlickWeight(VoH);
       dfg.A += share * (1 - Fc);
       dfg.B += share * Fc;
     }

@@ -32,7 +32,9 @@ double V_GGXAnisotropic(const glm::dvec3& V, const glm::dvec3& L, const Anisotro
 glm::dvec3 sampleVisibleGGXAnisotropic(const glm::dvec3& V, const AnisotropicAlpha& alpha, const glm::dvec2& u);
 double pdfVisibleGGXAnisotropic(const glm::dvec3& V, const glm::dvec3& H, const AnisotropicAlpha& alpha);
 
-// A and B (energy.hpp) of the lobe at V by quadrature over visible normals; about 1e-3. V.z counts from 1e-4 up.
-Dfg integrateDfgAnisotropic(const glm::dvec3& V, const AnisotropicAlpha& alpha);
+// A and B (energy.hpp) of the lobe at V by quadrature over visible normals; about 1e-3 with that many nodes. V.z counts
+// from 1e-4 up.
+Dfg integrateDfgAnisotropic(const glm::dvec3& V, const AnisotropicAlpha& alpha, size_t radii = 48,
+                            size_t azimuths = 96);
 
 }  // namespace facet::optics

@@ -55,13 +55,15 @@ void judge(const Check& check, CheckVectors in, CheckVectors out, CheckResult& r
 
 std::vector<Check> numericalChecks() {
   std::vector<Check> checks = surfaceChecks();
-  for (auto more : {modelChecks(), choiceChecks(), lobeChecks(), layerChecks(), layeredChecks(), transmittedChecks(),
-                    lightChecks(), samplingChecks(), displayChecks(), mappingChecks()})
+  for (auto more :
+       {modelChecks(), choiceChecks(), lobeChecks(), layerChecks(), layeredChecks(), transmittedChecks(), lightChecks(),
+        samplingChecks(), displayChecks(), mappingChecks(), measuredChecks(), lookUpChecks()})
     checks.insert(checks.end(), more.begin(), more.end());
   return checks;
 }
 
 Result<CheckResult> runCheck(const Check& check, const shading::ShaderReader& reader) {
+  const std::shared_ptr<const void> bound = check.bind ? check.bind() : nullptr;
   const Result<std::vector<glm::vec4>> outputs = runProbe(check.probe, check.inputs, reader);
   if (!outputs) return tl::unexpected(outputs.error());
   const std::vector<glm::dvec4> in(check.inputs.begin(), check.inputs.end()), out(outputs->begin(), outputs->end());

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <glm/glm.hpp>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,6 +27,8 @@ struct Check {
   std::vector<glm::vec4> inputs = {};        // probe.inputs for each evaluation
   // What the function should give. Where the shader clamps an argument, the twin gets the clamped one (`clamped`).
   std::function<CheckValues(CheckVectors in)> twin = {};
+  // Textures or buffers that the function reads: made and bound before it runs, and kept until it has.
+  std::function<std::shared_ptr<const void>()> bind = {};
   // What is held against it; none: as many leading components of out0, out1, ... as the twin has values.
   std::function<CheckValues(CheckVectors in, CheckVectors out)> observe = {};
   // error = |got - expected|, divided by max(|expected|, floor) where relative. Allowed: tolerance * conditioning(in).

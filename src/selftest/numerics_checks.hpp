@@ -18,6 +18,8 @@ std::vector<Check> layeredChecks();      // bsdf with all layers, anisotropy's a
 std::vector<Check> transmittedChecks();  // what is seen through glass
 std::vector<Check> lightChecks();        // lights
 std::vector<Check> samplingChecks();     // the lobes' samplers and densities, bsdf_sampling
+std::vector<Check> measuredChecks();     // measured, measured_table, measured_fitted
+std::vector<Check> lookUpChecks();       // dfg_table, sheen_table, image_light_taps
 std::vector<Check> displayChecks();      // color
 std::vector<Check> mappingChecks();      // mapping, environment_layers, zonal
 

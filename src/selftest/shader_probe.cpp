@@ -35,7 +35,21 @@ std::string entryPoint(const Probe& probe) {
   return text + "}\n";
 }
 
+constexpr const char* entryName = "probe.comp.glsl";
+
+Result<shading::AssembledShader> assembleProbe(const Probe& probe, const shading::ShaderReader& reader) {
+  const std::string text = entryPoint(probe);
+  return shading::assemble(entryName, probe.defines, [&](const std::string& path) {
+    return path == entryName ? std::optional(text) : reader(path);
+  });
+}
+
 }  // namespace
+
+std::vector<std::string> probeFiles(const Probe& probe, const shading::ShaderReader& reader) {
+  const Result<shading::AssembledShader> assembled = assembleProbe(probe, reader);
+  return assembled ? assembled->files : std::vector<std::string>{};
+}
 
 Result<std::vector<glm::vec4>> runProbe(const Probe& probe, std::span<const glm::vec4> inputs,
                                         const shading::ShaderReader& reader) {
@@ -47,9 +61,7 @@ Result<std::vector<glm::vec4>> runProbe(const Probe& probe, std::span<const glm:
 Result<TimedProbe> timeProbe(const Probe& probe, std::span<const glm::vec4> inputs, const shading::ShaderReader& reader,
                              int repeat) {
   assert(probe.inputs > 0 && inputs.size() % static_cast<size_t>(probe.inputs) == 0);
-  const std::string entry = "probe.comp.glsl", text = entryPoint(probe);
-  const auto withEntry = [&](const std::string& path) { return path == entry ? std::optional(text) : reader(path); };
-  const Result<shading::AssembledShader> assembled = shading::assemble(entry, probe.defines, withEntry);
+  const Result<shading::AssembledShader> assembled = assembleProbe(probe, reader);
   if (!assembled) return tl::unexpected(assembled.error());
   Result<gl::Program> program = gl::Program::build({{GL_COMPUTE_SHADER, assembled->text}}, "probe");
   if (!program) {

@@ -25,6 +25,9 @@ struct Probe {
 Result<std::vector<glm::vec4>> runProbe(const Probe& probe, std::span<const glm::vec4> inputs,
                                         const shading::ShaderReader& reader);
 
+// The chunks that it is assembled from, of shaders/; none where one is missing.
+std::vector<std::string> probeFiles(const Probe& probe, const shading::ShaderReader& reader);
+
 // The same values, and the least that `repeat` runs of the shader take, each waited for [ms].
 struct TimedProbe {
   std::vector<glm::vec4> values;
