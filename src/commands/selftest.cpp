@@ -9,6 +9,7 @@
 #include "commands/commands.hpp"
 #include "gl/context.hpp"
 #include "selftest/corners.hpp"
+#include "selftest/coverage.hpp"
 #include "selftest/numerics.hpp"
 
 namespace facet::commands {
@@ -22,7 +23,10 @@ struct SelftestArguments {
   std::string shaderDir;
 };
 
-void printJson(const gl::ContextInfo& context, const std::vector<CheckResult>& results, bool passed) {
+using selftest::FunctionCoverage;
+
+void printJson(const gl::ContextInfo& context, const std::vector<CheckResult>& results,
+               const std::vector<FunctionCoverage>& coverage, bool passed) {
   using Json = nlohmann::ordered_json;
   Json checks = Json::array();
   for (const CheckResult& r : results) {
@@ -41,14 +45,46 @@ void printJson(const gl::ContextInfo& context, const std::vector<CheckResult>& r
     if (!r.clamped.empty()) check["clamped"] = r.clamped;
     checks.push_back(check);
   }
+  Json functions = Json::array();
+  for (const FunctionCoverage& entry : coverage) {
+    Json& function = functions.emplace_back(Json{{"file", entry.file}, {"function", entry.function}});
+    function["check"] = entry.check.empty() ? Json() : Json(entry.check);
+    function[entry.check.empty() ? "reason" : "through"] =
+        entry.check.empty() ? Json(entry.reason) : Json(entry.through);
+  }
   const Json out = {
       {"opengl", {{"platform", context.platform}, {"renderer", context.renderer}, {"version", context.version}}},
       {"passed", passed},
-      {"checks", checks}};
+      {"checks", checks},
+      {"functions", functions}};
   std::cout << out.dump(2) << std::endl;
 }
 
-void printTable(const gl::ContextInfo& context, const std::vector<CheckResult>& results) {
+// How many functions are held, and the others by their reasons.
+void printCoverage(const std::vector<FunctionCoverage>& coverage) {
+  const auto named = std::ranges::count_if(coverage, [](const auto& e) { return !e.check.empty() && !e.through; });
+  const auto through = std::ranges::count_if(coverage, [](const auto& e) { return e.through; });
+  std::cout << "\nOf " << coverage.size() << " functions of the shaders " << named << " are held by name, " << through
+            << " through those that call them. Not held are:\n";
+  std::vector<std::string> reasons;
+  for (const FunctionCoverage& entry : coverage)
+    if (entry.check.empty() && std::ranges::find(reasons, entry.reason) == reasons.end())
+      reasons.push_back(entry.reason);
+  for (const std::string& reason : reasons) {
+    std::cout << "  " << (reason.empty() ? "not known why" : reason) << "\n";
+    std::string file;
+    for (const FunctionCoverage& entry : coverage) {
+      if (!entry.check.empty() || entry.reason != reason) continue;
+      if (entry.file != file) std::cout << (file.empty() ? "    " : "\n    ") << entry.file << ":";
+      file = entry.file;
+      std::cout << " " << entry.function;
+    }
+    std::cout << "\n";
+  }
+}
+
+void printTable(const gl::ContextInfo& context, const std::vector<CheckResult>& results,
+                const std::vector<FunctionCoverage>& coverage) {
   std::cout
       << context.renderer << ", OpenGL " << context.version << " (" << context.platform << ")\n"
       << "Shader functions against double precision, tables of awkward environments against what is known of them; the "
@@ -70,6 +106,7 @@ void printTable(const gl::ContextInfo& context, const std::vector<CheckResult>& 
     if (r.nonFinite > 0) std::cout << " First value that is not finite: at " << r.firstNonFinite << ".";
     std::cout << "\n";
   }
+  printCoverage(coverage);
   const auto failed = std::ranges::count_if(results, [](const CheckResult& r) { return !r.passed; });
   std::cout << "\n" << results.size() << " checks, " << failed << " failed" << std::endl;
 }
@@ -82,7 +119,8 @@ int runSelftest(const SelftestArguments& arguments) {
   }
   const shading::ShaderReader reader = shading::shaderReader(arguments.shaderDir);
   std::vector<CheckResult> results;
-  for (const selftest::Check& check : selftest::numericalChecks()) {
+  const std::vector<selftest::Check> checks = selftest::numericalChecks();
+  for (const selftest::Check& check : checks) {
     Result<CheckResult> result = selftest::runCheck(check, reader);
     if (!result) return badInput(result.error());
     results.push_back(std::move(*result));
@@ -92,10 +130,11 @@ int runSelftest(const SelftestArguments& arguments) {
   if (!corners) return badInput(corners.error());
   std::ranges::move(*corners, std::back_inserter(results));
   const bool passed = std::ranges::all_of(results, &CheckResult::passed);
+  const std::vector<FunctionCoverage> coverage = selftest::functionCoverage(checks, reader);
   if (arguments.asJson)
-    printJson(context->info(), results, passed);
+    printJson(context->info(), results, coverage, passed);
   else
-    printTable(context->info(), results);
+    printTable(context->info(), results, coverage);
   return passed ? exitGood : exitFailed;
 }
 

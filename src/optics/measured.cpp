@@ -141,9 +141,9 @@ double merlPairs(int x, int y) {
   return std::cos(a.thetaD) * std::sin(a.thetaD) * std::sin(a.thetaH) * (x + 0.5);
 }
 
-double utiaSolidAngle(int theta) {
+double utiaProjected(int theta) {
   const double from = std::max(theta - 0.5, 0.0), to = theta == utiaThetaSteps - 1 ? 6 : theta + 0.5;
-  return std::cos(from * 15 * degree) - std::cos(to * 15 * degree);
+  return std::pow(std::sin(to * 15 * degree), 2) - std::pow(std::sin(from * 15 * degree), 2);
 }
 
 glm::dvec3 measuredBrdf(const MeasuredBrdf& brdf, const glm::dvec3& V, const glm::dvec3& L, LookUp lookUp) {

@@ -86,11 +86,12 @@ HalfDifference merlAngles(const glm::dvec3& position);
 glm::dvec2 utiaPosition(const glm::dvec3& direction);
 glm::dvec3 utiaDirection(const glm::dvec2& position);
 
-// The measure of the pairs of directions in a cell, dV dL, up to a factor that is the grid's. MERL: 4 cos(theta_d)
-// sin(theta_d) sin(theta_h) d(theta_d) d(theta_h) d(phi_d) d(phi_h) at the centre, d(theta_h) ~ x. UTIA, of a
-// direction: the ring of 15 degrees around an entry, half of one at the normal, all that is left at the last.
+// What a cell's pairs of directions count in integrals over both hemispheres, int NoV NoL dV dL, up to a factor that is
+// the grid's. MERL: 4 cos(theta_d) sin(theta_d) sin(theta_h) d(theta_d) d(theta_h) d(phi_d) d(phi_h) at the centre,
+// d(theta_h) ~ x, without NoV NoL. UTIA, of a direction: int cos over the ring of 15 degrees around an entry, half of
+// one at the normal, all that is left at the last.
 double merlPairs(int x, int y);
-double utiaSolidAngle(int theta);
+double utiaProjected(int theta);
 
 enum class LookUp : uint8_t {
   nearest,       // MERL: the cell that the pair lies in, as the database's own code has it; UTIA: the nearest entry

@@ -303,7 +303,7 @@ std::vector<FitSample> fitSamples(const MeasuredBrdf& brdf) {
     for (int v = 0; v < utiaDirections; v += 2) {
       const auto direction = [](int i) { return utiaDirection({i / utiaPhiSteps, i % utiaPhiSteps}); };
       add(direction(v), direction(l), static_cast<size_t>(l * utiaDirections + v),
-          utiaSolidAngle(v / utiaPhiSteps) * utiaSolidAngle(l / utiaPhiSteps));
+          utiaProjected(v / utiaPhiSteps) * utiaProjected(l / utiaPhiSteps) / (direction(v).z * direction(l).z));
     }
   return samples;
 }

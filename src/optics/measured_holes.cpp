@@ -147,10 +147,9 @@ Guess guessAt(const Grid& grid, const std::vector<glm::vec3>& values, const Plac
 
 // What the light of a cell's pairs counts in the bihemispherical reflectance, up to a common factor.
 double weightOf(const MeasuredBrdf& brdf, const Place& p) {
+  if (brdf.kind == MeasuredKind::utia) return utiaProjected(p[0]) * utiaProjected(p[2]);
   const Directions pair = centreOf(brdf, p);
-  const double cosines = std::max(pair.V.z, 0.0) * std::max(pair.L.z, 0.0);
-  return cosines *
-         (brdf.kind == MeasuredKind::utia ? utiaSolidAngle(p[0]) * utiaSolidAngle(p[2]) : merlPairs(p[0], p[1]));
+  return std::max(pair.V.z, 0.0) * std::max(pair.L.z, 0.0) * merlPairs(p[0], p[1]);
 }
 
 // tan(theta_h), tan(theta_d) and |cos(phi_d)| where cells begin.

@@ -211,7 +211,7 @@ void addFitRows(Table& table, const MeasuredBrdf& brdf, const std::vector<optics
     const double strength = optics::anisotropyStrength(m.alpha);
     table.rows.push_back({brdf.name, std::string(rowOf(optics::diffuseModels, m.diffuse).word), fit.error,
                           fit.albedoError, std::sqrt(m.alpha.b), strength, strength > 0 ? m.phi / degree : 0, m.f0.x,
-                          m.f0.y, m.f0.z, m.albedo.x, m.albedo.y, m.albedo.z,
+                          m.f0.y, m.f0.z, m.f90.x, m.f90.y, m.f90.z, m.albedo.x, m.albedo.y, m.albedo.z,
                           std::string(!best[i] ? ""
                                       : equals ? "equally good"
                                                : "best")});

@@ -316,6 +316,45 @@ Check checkDiscPoint() {
   return check;
 }
 
+Check checkLuminance() {
+  Check check = relativeCheck("luminance", "luminance.glsl", "out0.x = luminance(in0.xyz);", {"r", "g", "b"});
+  check.inputs = grid({0, 1e-6, 0.3, 1, 1e6}, {0, 1e-6, 0.3, 1}, {0, 0.7, 1e4});
+  check.twin = [](CheckVectors in) -> CheckValues { return {optics::luminance(xyzOf(in[0]))}; };
+  allow(check, 4, "three products and their sum");
+  return check;
+}
+
+// in0 texel; in1 exposure, sRGB or not, factor, backdrop's weight; of Reinhard.
+Check checkDisplayed() {
+  Check check = absoluteCheck("displayed", "display.glsl",
+                              "out0 = displayed(in0, vec4(in1.x, 1.0, in1.y, in1.z), vec4(0.2, 0.5, 0.9, in1.w));",
+                              {"r", "g", "b", "a", "exposure", "srgb", "factor", "backdrop"}, 2);
+  for (const double a : {0.0, 0.25, 1.0, 4.0})
+    for (const double srgb : {0.0, 1.0})
+      for (const double backdrop : {0.0, 1.0})
+        for (const double factor : {1.0, 0.25})
+          for (const double exposure : {1.0, 8.0}) {
+            check.inputs.emplace_back(0.7 * a, 0.01 * a, 3 * a, a);
+            check.inputs.emplace_back(exposure, srgb, factor, backdrop);
+          }
+  check.twin = [](CheckVectors in) -> CheckValues {
+    const glm::dvec4 texel = in[0] * in[1].z;
+    const glm::dvec3 behind(double(0.2f), 0.5, double(0.9f));
+    const double a = std::clamp(texel.w, 0.0, 1.0);
+    const glm::dvec3 color = a > 0 ? glm::dvec3(texel) / a : glm::dvec3(0);
+    glm::dvec3 shown = glm::clamp(color, 0.0, 1.0);
+    if (in[1].y > 0.5) shown = optics::toneMap(optics::ToneMapper::reinhard, color * in[1].x);
+    const bool over = in[1].w > 0.5;
+    if (in[1].y > 0.5)
+      shown = optics::encodeSRGB(over ? glm::mix(behind, shown, a) : shown);
+    else if (over)
+      shown = glm::mix(optics::encodeSRGB(behind), shown, a);
+    return {shown.x, shown.y, shown.z, over ? 1 : a};
+  };
+  allow(check, 64, "16 roundings, and pow, whose precision is the driver's");
+  return check;
+}
+
 std::vector<Check> lightChecks() { return {checkDistance(), checkCone(), checkDiscWidth(), checkDiscPoint()}; }
 
 std::vector<Check> displayChecks() {
@@ -323,6 +362,8 @@ std::vector<Check> displayChecks() {
   const char* few = "8 roundings of numbers up to 1";
   const char* limit = "16 roundings of numbers near 1, and radiances above 1e6 count as 1e6, 4e-6 from the limit";
   return {
+      checkLuminance(),
+      checkDisplayed(),
       checkSrgb(),
       checkToneMapper(ToneMapper::none, "toneMap", floatEpsilon, "clamped only"),
       checkToneMapper(ToneMapper::reinhard, "toneReinhard", 8 * floatEpsilon, few),

@@ -67,6 +67,34 @@ Check checkPixelSeed() {
   return check;
 }
 
+// Points of pictures without noise: the R2 sequence in whole numbers of 2^-32, and the spiral of n points.
+Check checkSamplePoint() {
+  Check check = absoluteCheck("samplePoint", "sequence.glsl", "out0.xy = samplePoint(int(in0.x));", {"i"});
+  check.inputs = grid({0, 1, 2, 3, 255, 4095, 65535, 1048575, 16777215});
+  check.twin = [](CheckVectors in) {
+    // Roberts 2018: 1 / g and 1 / g^2, g^3 = g + 1, to 2^-32, from 1/2.
+    const auto at = [&](uint32_t step) {
+      return static_cast<double>(static_cast<uint32_t>(in[0].x) * step + 0x80000000u) / 4294967296.0;
+    };
+    return CheckValues{at(3242174889u), at(2447445414u)};
+  };
+  allow(check, 0.5, "a whole number of 32 bits becomes a float");
+  return check;
+}
+
+Check checkSpiralPoint() {
+  Check check =
+      absoluteCheck("spiralPoint", "sequence.glsl", "out0.xy = spiralPoint(int(in0.x), int(in0.y));", {"i", "n"});
+  for (const double n : {1.0, 4.0, 64.0, 1024.0})
+    for (const double share : {0.0, 0.3, 0.99}) check.inputs.emplace_back(std::floor(share * n), n, 0, 0);
+  check.twin = [](CheckVectors in) {
+    const glm::dvec2 point = optics::spiralPoint(static_cast<uint32_t>(in[0].x), static_cast<uint32_t>(in[0].y));
+    return CheckValues{point.x, point.y};
+  };
+  allow(check, 3, "a quotient; the golden ratio to 2^-32, 1024 times; a whole number of 32 bits becomes a float");
+  return check;
+}
+
 // ---- samplers: in0 V, alpha; in1 u, eta, the second alpha
 // -------------------------------------------------------------
 
@@ -345,8 +373,8 @@ Check checkWhole() {
 
 std::vector<Check> samplingChecks() {
   std::vector<Check> checks = samplerChecks();
-  for (const auto& more :
-       {pairChecks(), std::vector<Check>{checkProxy(), checkWhole(), checkPoints(), checkPixelSeed()}})
+  for (const auto& more : {pairChecks(), std::vector<Check>{checkProxy(), checkWhole(), checkPoints(), checkPixelSeed(),
+                                                            checkSamplePoint(), checkSpiralPoint()}})
     checks.insert(checks.end(), more.begin(), more.end());
   return checks;
 }

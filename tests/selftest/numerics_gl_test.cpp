@@ -117,6 +117,7 @@ TWIN("evaluateBsdf of all layers")
 TWIN("evaluateBsdf of all layers, Burley, exact Fresnel")
 TWIN("evaluateBsdf of all layers, Kulla and Conty")
 TWIN("dfgAnisotropic")
+TWIN("dfgAnisotropic, against the integral")
 TWIN("transmittedAlpha")
 TWIN("transmittedLobe")
 TWIN("behindVariance")
@@ -141,8 +142,12 @@ TWIN("sampleProxy, pdfProxy")
 TWIN("sampleBsdf, bsdfDensity")
 TWIN("owenSobol2")
 TWIN("pixelSeed")
+TWIN("samplePoint")
+TWIN("spiralPoint")
 TWIN("distanceAttenuation")
 TWIN("coneAttenuation")
+TWIN("luminance")
+TWIN("displayed")
 TWIN("encodeSrgb")
 TWIN("toneMap")
 TWIN("toneReinhard")
@@ -160,8 +165,22 @@ TWIN("frameAround")
 TWIN("findLdLayer")
 TWIN("spreadCosine")
 TWIN("spreadZonalKernel")
+TWIN("arcTangent")
+TWIN("halfDifference")
+TWIN("merlPosition")
+TWIN("utiaPosition")
+TWIN("heldAxis, wrappedAxis")
+TWIN("lookUpMeasured, MERL")
+TWIN("lookUpMeasured, MERL, nearest")
+TWIN("lookUpMeasured, UTIA")
+TWIN("lookUpMeasured, UTIA, nearest")
+TWIN("lookUpDfg")
+TWIN("lookUpSheenAlbedo")
+TWIN("lookUpTap, 1 of 1")
+TWIN("lookUpTap, 2 of 2")
+TWIN("lookUpTap, 3 of 3")
 
-TEST_CASE("Twin: the cases above are the whole table") { CHECK(selftest::numericalChecks().size() == 125); }
+TEST_CASE("Twin: the cases above are the whole table") { CHECK(selftest::numericalChecks().size() == 144); }
 
 TEST_CASE("A check sees a wrong function, and counts what is not finite") {
   selftest::Check check{
@@ -190,11 +209,15 @@ TEST_CASE("facet selftest: table, JSON, exit status") {
   const test::Outcome table = test::runFacet({"selftest"});
   INFO(table.text);
   CHECK(table.status == 0);
-  CHECK_THAT(table.text, Catch::Contains("D_GGX") && Catch::Contains("137 checks, 0 failed"));
+  CHECK_THAT(table.text, Catch::Contains("D_GGX") && Catch::Contains("156 checks, 0 failed"));
   const auto json = nlohmann::json::parse(test::runFacet({"--log-level", "error", "selftest", "--json"}).text);
   CHECK(json["passed"] == true);
-  CHECK(json["checks"].size() == 137);
+  CHECK(json["checks"].size() == 156);
   CHECK(json["checks"][0]["function"] == "D_GGX");
+  CHECK_THAT(table.text, Catch::Contains("functions of the shaders") && Catch::Contains("Not held are:") &&
+                             Catch::Contains("passes/picture_error.comp.glsl: displayedPart main pixelErrors"));
+  for (const auto& entry : json["functions"])
+    CHECK((entry["check"].is_string() ? entry.contains("through") : entry["reason"] != ""));
 
   // A folder with one broken chunk: the failure is named and the exit status says so.
   const test::TemporaryFolder folder;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "shading/embedded_shaders.hpp"
+#include "shading/functions.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace facet;
@@ -159,29 +160,14 @@ TEST_CASE("Shader reader: embedded files, and a folder in their place") {
 
 namespace {
 
-// By name of function, all overloads of it: what it calls. Macros count as callers of what they hold, under "#define".
+// By name of function, all overloads of it: what it names. Macros are callers of what they hold, under "#define".
 std::map<std::string, std::set<std::string>> callsOfShaders(std::set<std::string>& entries) {
-  static const std::regex head(R"re((?:^|\n)\w+ (\w+)\([^;{}]*\) \{)re"), call(R"re((\w+)\()re"),
-      comment(R"re(//[^\n]*)re"), macro(R"re(#define (?:[^\n]*\\\n)*[^\n]*)re");
   std::map<std::string, std::set<std::string>> calls;
-  const auto add = [&](const std::string& caller, const std::string& body) {
-    for (auto it = std::sregex_iterator(body.begin(), body.end(), call); it != std::sregex_iterator(); ++it)
-      calls[caller].insert((*it)[1].str());
-  };
-  for (const shading::EmbeddedShader& file : shading::embeddedShaders()) {
-    const std::string text = std::regex_replace(std::string(file.text), comment, "");
-    for (auto it = std::sregex_iterator(text.begin(), text.end(), macro); it != std::sregex_iterator(); ++it)
-      add("#define", it->str());
-    for (auto it = std::sregex_iterator(text.begin(), text.end(), head); it != std::sregex_iterator(); ++it) {
-      size_t at = static_cast<size_t>(it->position() + it->length());
-      const size_t first = at;
-      for (int depth = 1; depth > 0 && at < text.size(); ++at) depth += text[at] == '{' ? 1 : text[at] == '}' ? -1 : 0;
-      const std::string name = (*it)[1].str();
-      calls[name];
-      add(name, text.substr(first, at - first));
-      // ggxValue: what stands beside its sample and density for the tests of these.
-      if (name == "main" || name == "ggxValue") entries.insert(name);
-    }
+  for (const shading::ShaderFunction& function : shading::shaderFunctions()) {
+    calls[function.macro ? "#define" : function.name].insert(function.words.begin(), function.words.end());
+    if (function.macro) continue;
+    // ggxValue: what stands beside its sample and density for the tests of these.
+    if (function.name == "main" || function.name == "ggxValue") entries.insert(function.name);
   }
   return calls;
 }
