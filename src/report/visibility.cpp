@@ -138,13 +138,14 @@ std::string visibilityNote(const VisibilityMeasure& m, const ReportInput& input,
                            int samples) {
   char figures[1024];
   std::snprintf(figures, sizeof figures,
-                "%d x %d, %s, %s. Error: of the sRGB picture in 1/255 (dRMSE), of mean FLIP and of mean radiance, over "
-                "what the model covers, against %d samples a pixel of paths with %d bounces; the last row is that "
-                "picture with its own noise. Two such pictures differ by %.2f, their mean radiance by %.1g %% "
-                "(estimated from halves): 'at floor' are errors that cannot be told from that. Few bounces are traced "
-                "with the reference's own samples, few samples compared with its others. Rays: of all samples, the "
-                "camera's among them. Time: of a frame, and its ratio to converged pictures without visibility; %d "
-                "triangles in trees took %.0f ms aside; spread: over %d frames.",
+                "%d x %d, %s, %s. Error: of the sRGB picture in 1/255 (dRMSE), of mean FLIP and of mean radiance,"
+                " over what the model covers, against %d samples a pixel of paths with %d bounces; the last row "
+                "is that picture with its own noise. Two such pictures differ by %.2f, their mean radiance by "
+                "%.1g %% (estimated from halves): 'at floor' are errors that cannot be told from that. Few "
+                "bounces are traced with the reference's own samples, so that their error is at most what is "
+                "said; few samples are compared with its others. Rays: of all samples, the camera's among them. "
+                "Time: of a frame, and its ratio to converged pictures without visibility; %d triangles in trees "
+                "took %.0f ms aside; spread: over %d frames.",
                 tracedSize, tracedSize, input.session->context().renderer.c_str(), today().c_str(), samples, allBounces,
                 m.floor.rms, 100 * m.floor.bias, m.traced.triangles, m.traced.buildMs, quickFrames);
   return model + " under " + input.environment + ", " + figures + " * on the Pareto front.";
