@@ -47,9 +47,17 @@ void clipRange(int texel, float origin, float inverse, inout vec4 near, inout ve
     uint c = children.a; children.a = children.b; children.b = c; \
   }
 
+#define RAY_LATER(a) \
+  if (near.a < 3e38) { \
+    entries[size] = near.a; \
+    stack[size++] = children.a; \
+  }
+
 // True where the ray meets a triangle between `from` and hit.distance [lengths of direction]; any: whichever.
 bool walkRay(vec3 origin, vec3 direction, float from, bool any, inout RayHit hit) {
   uint stack[rayStackSize];
+  float entries[rayStackSize];  // where the ray enters them: what is behind the nearest triangle by then is not looked at
+  entries[0] = 0.0;
   stack[0] = 0u;
   int size = 1;
   vec3 o = origin, d = direction, inverse = inverseDirection(direction);
@@ -67,7 +75,9 @@ bool walkRay(vec3 origin, vec3 direction, float from, bool any, inout RayHit hit
       below = -1;
     }
 #endif
-    uint at = stack[--size];
+    --size;
+    if (entries[size] >= hit.distance) continue;
+    uint at = stack[size];
     if ((at & rayLeaf) == 0u) {
       int texel = int(at * rayNodeTexels);
       vec4 near = vec4(from), far = vec4(hit.distance);
@@ -82,10 +92,10 @@ bool walkRay(vec3 origin, vec3 direction, float from, bool any, inout RayHit hit
       RAY_ORDER(x, z)
       RAY_ORDER(y, w)
       RAY_ORDER(y, z)
-      if (near.w < 3e38) stack[size++] = children.w;
-      if (near.z < 3e38) stack[size++] = children.z;
-      if (near.y < 3e38) stack[size++] = children.y;
-      if (near.x < 3e38) stack[size++] = children.x;
+      RAY_LATER(w)
+      RAY_LATER(z)
+      RAY_LATER(y)
+      RAY_LATER(x)
       continue;
     }
 #ifdef RAY_PLACEMENTS
@@ -100,6 +110,7 @@ bool walkRay(vec3 origin, vec3 direction, float from, bool any, inout RayHit hit
       inverse = inverseDirection(d);
       instance = where.y;
       below = size;
+      entries[size] = 0.0;
       stack[size++] = where.x;
       continue;
     }

@@ -110,6 +110,34 @@ TEST_CASE("refinement: glass, blending, an odd number of samples and a coloured 
   CHECK((viewer.display().data == studio.render(model, settings).display.data));
 }
 
+TEST_CASE("refinement: traced light, with glass, blending and lamps, and back to the unblocked one", "[gl]") {
+  const test::TemporaryFolder folder;
+  const std::string file = folder.write("glass.glb", glassScene().glb());
+  Viewer viewer;
+  frame::PictureSettings& settings = viewer.state.settings;
+  settings.quality.samples = 3;
+  settings.sources.environment = "builtin:sky";  // its sun is a light of its own for the other pictures
+  settings.look.lights = frame::Lights::demo;
+  viewer.load(file);
+  viewer.converge();
+  const io::Pixels direct = viewer.display();
+  CHECK_FALSE(viewer.viewport.shown.paths);
+  test::Studio studio;
+  io::LoadedModel model = test::loadBuilt(glassScene());
+  model.model.name = file;
+  settings.quality.transport = frame::Transport::paths;
+  for (const int bounces : {0, 16}) {
+    settings.quality.bounces = bounces;
+    viewer.converge();
+    CHECK(viewer.state.refinement.shown == 3);
+    CHECK((viewer.display().data == studio.render(model, settings).display.data));
+    CHECK((viewer.display().data != direct.data));
+  }
+  settings.quality.transport = frame::Transport::direct;
+  viewer.converge();
+  CHECK((viewer.display().data == direct.data));
+}
+
 TEST_CASE("refinement: any change starts with the cheap picture, and few samples end there", "[gl]") {
   Viewer viewer;
   viewer.state.settings.quality.samples = 4;
