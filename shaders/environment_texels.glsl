@@ -1,4 +1,4 @@
-// Directions of an environment, drawn by how much its texels radiate: a table of their shares of all light, halved along
+// Directions of an environment, drawn by how much its texels radiate: a table of their shares, halved along
 // both axes from level to level until one is left. A texel of the texture holds the shares of four (upper left, upper
 // right, lower left, lower right). Within a texel of the table all directions are alike. The twin is
 // src/optics/environment_texels.cpp.

@@ -21,7 +21,7 @@ vec3 unitOr(vec3 v, vec3 otherwise) {
 
 PathSurface pathSurface(PathState p) {
   RayTriangle t = rayTriangle(p.triangle);
-  uint primitive = t.primitive & ~rayHoled;
+  uint primitive = t.primitive & rayPrimitiveMask;
   Instance instance = instances[t.instance == rayOfPlacement ? p.instance : t.instance];
   mat3 normalFromLocal =
       mat3(instance.normalFromLocal[0].xyz, instance.normalFromLocal[1].xyz, instance.normalFromLocal[2].xyz);
@@ -41,7 +41,7 @@ PathSurface pathSurface(PathState p) {
     position = (instance.worldFromLocal * vec4(position, 1.0)).xyz;
     facing = normalFromLocal * facing;
   } else {
-    facing *= handedness;  // corners in the world wind the other way round where the node is mirrored
+    facing *= handedness;
   }
   at.rounding = max(extent.x, max(extent.y, extent.z)) * 2e-6;
   vec3 towards = -p.direction.xyz;

@@ -53,8 +53,9 @@ void clipRange(int texel, float origin, float inverse, inout vec4 near, inout ve
     stack[size++] = children.a; \
   }
 
-// True where the ray meets a triangle between `from` and hit.distance [lengths of direction]; any: whichever.
-bool walkRay(vec3 origin, vec3 direction, float from, bool any, inout RayHit hit) {
+// True where the ray meets a triangle between `from` and hit.distance [lengths of direction]; any: whichever. camera:
+// backs of what has one side only are not there.
+bool walkRay(vec3 origin, vec3 direction, float from, bool any, bool camera, inout RayHit hit) {
   uint stack[rayStackSize];
   float entries[rayStackSize];  // where the ray enters them: what is behind the nearest triangle by then is not looked at
   entries[0] = 0.0;
@@ -125,7 +126,9 @@ bool walkRay(vec3 origin, vec3 direction, float from, bool any, inout RayHit hit
       vec3 q = cross(s, t.edge1);
       float v = dot(d, q) * scale, distance = dot(t.edge2, q) * scale;
       bool met = determinant != 0.0 && u >= 0.0 && v >= 0.0 && u + v <= 1.0 && distance > from && distance < hit.distance;
-      if (met && (t.primitive & rayHoled) != 0u) met = stopsRay(t.primitive & ~rayHoled, t.triangle, vec2(u, v));
+      if (met && camera && (t.primitive & rayOneSided) != 0u)
+        met = (determinant > 0.0) != ((t.primitive & rayMirrored) != 0u);
+      if (met && (t.primitive & rayHoled) != 0u) met = stopsRay(t.primitive & rayPrimitiveMask, t.triangle, vec2(u, v));
       if (!met) continue;
       found = true;
       hit.triangle = i;

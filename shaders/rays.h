@@ -26,8 +26,12 @@ RAYS_CONST rayNodeTexels = 7u;       // least x, greatest x, least y, greatest y
 RAYS_CONST rayTriangleTexels = 3u;   // corner and RayTriangle.primitive; edges to the other two, .triangle and .instance
 RAYS_CONST rayPlacementTexels = 4u;  // rows of meshFromWorld; root, instance, 0, 0
 
-// Of RayTriangle.primitive: its material may let a ray pass.
+// Of RayTriangle.primitive, above its index: its material may let a ray pass; the camera does not see its back; its
+// corners stand in the world and wind the other way round, because its node is mirrored.
 RAYS_CONST rayHoled = 0x80000000u;
+RAYS_CONST rayOneSided = 0x40000000u;
+RAYS_CONST rayMirrored = 0x20000000u;
+RAYS_CONST rayPrimitiveMask = 0x1fffffffu;
 // Of RayTriangle.instance: that of the placement that was entered.
 RAYS_CONST rayOfPlacement = 0xffffffffu;
 

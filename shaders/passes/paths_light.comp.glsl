@@ -10,6 +10,6 @@ void main() {
   uint path = work[listAt(lightsList, i)];
   holesSeed = ~pathRaySeed(paths[path]);
   RayHit hit = RayHit(rayNone, 0u, paths[path].lightOrigin.w, vec2(0.0));
-  if (!walkRay(paths[path].lightOrigin.xyz, paths[path].lightDirection.xyz, 0.0, true, hit))
+  if (!walkRay(paths[path].lightOrigin.xyz, paths[path].lightDirection.xyz, 0.0, true, false, hit))
     paths[path].radiance.rgb += paths[path].lightRadiance.rgb;
 }

@@ -12,8 +12,8 @@ void main() {
   holesSeed = pathRaySeed(paths[path]);
   RayHit hit = RayHit(rayNone, 0u, 3e38, vec2(0.0));
   uint met = missClass;
-  if (walkRay(paths[path].origin.xyz, paths[path].direction.xyz, paths[path].origin.w, false, hit))
-    met = scenePrimitives[rayTriangle(hit.triangle).primitive & ~rayHoled].shading;
+  if (walkRay(paths[path].origin.xyz, paths[path].direction.xyz, paths[path].origin.w, false, paths[path].direction.w == 0.0, hit))
+    met = scenePrimitives[rayTriangle(hit.triangle).primitive & rayPrimitiveMask].shading;
   paths[path].triangle = hit.triangle;
   paths[path].instance = hit.instance;
   paths[path].distance = hit.distance;

@@ -9,7 +9,7 @@ void main() {
   uint i = gl_GlobalInvocationID.x;
   if (i >= work[workActive]) return;
   uint path = work[listAt(activeList(), i)], triangle = paths[path].triangle, met = missClass;
-  if (triangle != rayNone) met = scenePrimitives[rayTriangle(triangle).primitive & ~rayHoled].shading;
+  if (triangle != rayNone) met = scenePrimitives[rayTriangle(triangle).primitive & rayPrimitiveMask].shading;
   uint at = workClasses + 3u * met;
   work[listAt(sortedList, work[at + 1u] + atomicAdd(work[at + 2u], 1u))] = path;
 }

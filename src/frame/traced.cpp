@@ -140,26 +140,28 @@ class Lister {
       if (deforms(draw)) {
         const auto world = static_cast<uint32_t>(list_.instances.size() + (draw.mirrored ? 1 : 0));
         const scene::Primitive& moved = out_.deformed.emplace_back(deformed(list_, draw, instance));
-        appendTriangles(single_.triangles, moved, partOf(draw, &moved) | holed(draw), world, nullptr);
+        appendTriangles(single_.triangles, moved, partOf(draw, &moved) | flags(draw, true), world, nullptr);
         continue;
       }
       const uint32_t part = known(draw);
       const glm::dmat4 world(instance.worldFromLocal);
       if (uses_[draw.primitive] == 1 || uses_[draw.primitive] * triangles <= mostCopied ||
           glm::determinant(glm::dmat3(world)) == 0) {
-        appendTriangles(single_.triangles, *draw.primitive, part | holed(draw), i, &world);
+        appendTriangles(single_.triangles, *draw.primitive, part | flags(draw, true), i, &world);
         continue;
       }
       rays::TracedMesh& mesh = shared_[draw.primitive];
       if (mesh.triangles.empty())
-        appendTriangles(mesh.triangles, *draw.primitive, part | holed(draw), layout::rayOfPlacement, nullptr);
+        appendTriangles(mesh.triangles, *draw.primitive, part | flags(draw, false), layout::rayOfPlacement, nullptr);
       mesh.places.push_back({world, i});
     }
   }
 
-  uint32_t holed(const Draw& draw) const {
+  // inWorld: its corners.
+  uint32_t flags(const Draw& draw, bool inWorld) const {
     const bool opaque = list_.materials[static_cast<size_t>(draw.material)].alphaMode == scene::AlphaMode::opaque;
-    return opaque ? 0 : layout::rayHoled;
+    return (opaque ? 0 : layout::rayHoled) | (draw.doubleSided ? 0 : layout::rayOneSided) |
+           (draw.mirrored && inWorld ? layout::rayMirrored : 0);
   }
 
   // Of a rigid primitive, which stands once however often it is drawn.

@@ -65,6 +65,15 @@ std::vector<double> texelLight(const Environment& e, const TexelTable& table) {
   return light;
 }
 
+// Karlik et al. 2019, "MIS Compensation": directions that are no brighter than the mean are left to the lobes.
+void withoutMean(std::vector<double>& light, const TexelTable& table) {
+  const double mean = std::accumulate(light.begin(), light.end(), 0.0) / (4 * pi);
+  for (size_t i = 0; i < light.size(); ++i) {
+    const int row = static_cast<int>(i / static_cast<size_t>(table.width));
+    light[i] = std::max(light[i] - mean * equirectTexelSolidAngle(row, table.width, table.height), 0.0);
+  }
+}
+
 bool takeSecond(double first, double second, double& u) {
   const double share = first + second > 0 ? first / (first + second) : 0.5;
   const bool taken = u >= share;
@@ -85,6 +94,7 @@ TexelTable texelTable(const Environment& environment, int largest) {
   while (table.width < environment.width && table.width < largest) table.width *= 2;
   table.height = table.width / 2;
   std::vector<double> light = texelLight(environment, table);
+  withoutMean(light, table);
   double sum = std::accumulate(light.begin(), light.end(), 0.0);
   if (!(sum > 0)) {
     for (size_t i = 0; i < light.size(); ++i)

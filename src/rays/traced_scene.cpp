@@ -212,7 +212,7 @@ std::optional<Hit> walk(const TracedScene& scene, const Ray& ray) {
       glm::vec2 weights;
       if (!crosses(t, local, ray.from, to, distance, weights)) continue;
       to = distance;
-      found = Hit{t.primitive & ~layout::rayHoled, t.triangle,
+      found = Hit{t.primitive & layout::rayPrimitiveMask, t.triangle,
                   t.instance == layout::rayOfPlacement ? instance : t.instance, distance, weights};
       if (any) return found;
     }

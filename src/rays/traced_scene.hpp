@@ -13,7 +13,7 @@ namespace facet::rays {
 // As the shader reads it. Corners in the space of their tree.
 struct Triangle {
   glm::vec3 corner = glm::vec3(0);
-  uint32_t primitive = 0;  // with layout::rayHoled where its material may let a ray pass
+  uint32_t primitive = 0;  // its index, with layout::rayHoled, rayOneSided, rayMirrored
   glm::vec3 edge1 = glm::vec3(0);
   uint32_t triangle = 0;  // of the primitive
   glm::vec3 edge2 = glm::vec3(0);
@@ -59,12 +59,12 @@ struct Ray {
 };
 
 struct Hit {
-  uint32_t primitive = 0, triangle = 0, instance = 0;  // primitive without its flag
+  uint32_t primitive = 0, triangle = 0, instance = 0;  // primitive without its flags
   float distance = 0;
   glm::vec2 weights = glm::vec2(0);  // of the second and third corner
 };
 
-// The nearest triangle, from either side (Moeller and Trumbore 1997).
+// The nearest triangle, from either side whatever its flags (Moeller and Trumbore 1997).
 std::optional<Hit> meet(const TracedScene& scene, const Ray& ray);
 // Any triangle.
 bool isBlocked(const TracedScene& scene, const Ray& ray);

@@ -83,8 +83,8 @@ void main() {
   uint i = gl_GlobalInvocationID.x;
   if (i >= uint(raysIn.length())) return;
   RayHit hit = RayHit(rayNone, 0u, raysIn[i].direction.w, vec2(0.0)), any = hit;
-  bool met = walkRay(raysIn[i].origin.xyz, raysIn[i].direction.xyz, raysIn[i].origin.w, false, hit);
-  bool blocked = walkRay(raysIn[i].origin.xyz, raysIn[i].direction.xyz, raysIn[i].origin.w, true, any);
+  bool met = walkRay(raysIn[i].origin.xyz, raysIn[i].direction.xyz, raysIn[i].origin.w, false, false, hit);
+  bool blocked = walkRay(raysIn[i].origin.xyz, raysIn[i].direction.xyz, raysIn[i].origin.w, true, false, any);
   uint triangle = met ? rayTriangle(hit.triangle).triangle : 0u;
   hits[i].met = uvec4(met ? 1u : 0u, blocked ? 1u : 0u, triangle, hit.instance);
   hits[i].where = vec4(hit.distance, hit.weights, 0.0);
@@ -335,6 +335,80 @@ TEST_CASE("Paths: masks and coverage let through what they leave", "[gl]") {
     CHECK(mixed.x == Approx(double(alpha)).margin(0.01));
     CHECK(mixed.y == Approx(0.5 * (1 - double(alpha))).margin(0.01));
   }
+}
+
+TEST_CASE("Paths: the camera sees no back of what has one side, mirrored or not; light does", "[gl]") {
+  test::Studio studio;
+  const auto render = [&](bool doubleSided, bool mirrored, bool turned) {
+    GltfBuilder builder = emptyScene();
+    nlohmann::json cover = test::unlit({1, 0, 0, 1});
+    cover["doubleSided"] = doubleSided;
+    nlohmann::json place = at(0, 0, 1);
+    place["scale"] = {mirrored ? -1 : 1, 1, 1};
+    if (turned) place["rotation"] = {0, 1, 0, 0};
+    test::addMeshNode(builder, test::addQuad(builder, {-1, -1}, {1, 1}), builder.append("materials", cover), place);
+    test::addOrthographicCamera(builder, 0.5, 0.5);
+    PictureSettings settings = tracedSettings(8, 8, 1, "none");
+    const frame::Picture traced = studio.render(test::loadBuilt(builder), settings);
+    settings.quality.transport = frame::Transport::direct;
+    const frame::Picture drawn = studio.render(test::loadBuilt(builder), settings);
+    CHECK(test::pixel(traced.radiance, 4, 4) == test::pixel(drawn.radiance, 4, 4));
+    return test::pixel(traced.radiance, 4, 4).x;
+  };
+  for (const bool mirrored : {false, true}) {
+    CHECK(render(false, mirrored, false) == 1);
+    CHECK(render(false, mirrored, true) == 0);
+    CHECK(render(true, mirrored, true) == 1);
+  }
+}
+
+TEST_CASE("Paths: skins, morph targets and many instances stand where they are drawn", "[gl]") {
+  // Unlit, so that the silhouette is all.
+  test::Studio studio;
+  GltfBuilder builder = emptyScene();
+  const int red = builder.append("materials", test::unlit({1, 0.2f, 0, 1}));
+  const nlohmann::json ball = test::addSphere(builder, 0.1, 24, 48);
+  const int first = test::addMeshNode(builder, ball, red, at(-1, -1, 0));
+  const int mesh = builder.json["nodes"][size_t(first)]["mesh"];
+  for (int i = 0; i < 60; ++i) {  // too many copies for triangles of their own
+    nlohmann::json node = at(-1 + 0.3 * (i % 8), -1 + 0.3 * (i / 8), 0.2 * (i % 3));
+    node["mesh"] = mesh;
+    node["scale"] = {i % 2 ? -1.5 : 1, 1, 0.5};
+    builder.json["scenes"][0]["nodes"].push_back(builder.append("nodes", node));
+  }
+  test::addOrthographicCamera(builder, 1.5, 1.5);
+  // A sphere that a target moves and stretches, and one that a joint has taken elsewhere.
+  test::addMeshNode(builder, test::addSphere(builder, 0.2, 24, 48), red, at(0.9, 0.6, 0));
+  test::addMeshNode(builder, test::addSphere(builder, 0.2, 24, 48), red, at(0.5, 0.5, 0));
+  io::LoadedModel model = test::loadBuilt(builder);
+  scene::Mesh& morphed = model.model.meshes[model.model.meshes.size() - 2];
+  scene::MorphTarget target;
+  for (const glm::vec3& p : morphed.primitives[0].positions) target.positions.push_back({0.2f - p.x, 2 * p.y, 0});
+  for (const glm::vec3& p : target.positions) target.bounds.add(p);
+  morphed.primitives[0].targets = {target};
+  morphed.weights = {0.7f};
+  scene::Primitive& skinned = model.model.meshes.back().primitives[0];
+  skinned.influences.assign(skinned.positions.size(), {0, 1});
+  skinned.influencesPerVertex = 1;
+  skinned.jointBounds = {skinned.bounds};
+  scene::Node joint;
+  joint.translation = {0.3, 1.1, 0}, joint.scale = {-1, 0.5, 1};
+  model.model.nodes.push_back(joint);
+  const int jointNode = static_cast<int>(model.model.nodes.size()) - 1;
+  model.model.scenes[0].nodes.push_back(jointNode);
+  model.model.skins.push_back({"", {jointNode}, {}});
+  for (scene::Node& node : model.model.nodes)
+    if (node.mesh == static_cast<int>(model.model.meshes.size()) - 1) node.skin = 0;
+  PictureSettings settings = tracedSettings(64, 64, 64, "none");
+  const frame::Picture traced = studio.render(model, settings);
+  REQUIRE(traced.statistics.traced);
+  CHECK(traced.statistics.traced->triangles < 8000);  // once for all
+  settings.quality.transport = frame::Transport::direct;
+  const frame::Picture drawn = studio.render(model, settings);
+  double squares = 0;
+  for (size_t i = 0; i < drawn.radiance.pixels.size(); ++i)
+    squares += std::pow(double(traced.radiance.pixels[i].x - drawn.radiance.pixels[i].x), 2);
+  CHECK(std::sqrt(squares / double(drawn.radiance.pixels.size())) < 0.02);  // edges, by other samples
 }
 
 TEST_CASE("Paths: the same bytes for the same wish, and none of it where nothing is traced", "[gl]") {
