@@ -4,6 +4,7 @@
 #include "material_draw.glsl"
 #endif
 #include "frame.glsl"
+#include "layers/bent.glsl" if TRACES_PATHS
 
 vec4 materialBaseColor(Varyings v) { return material.baseColorFactor * v.color * baseColorTexel(v); }
 
@@ -42,7 +43,8 @@ vec3 normalFromTexel(Varyings v, vec3 texel, float scale, vec3 V) {
   vec3 n = texel * 2.0 - 1.0;
   n.xy *= scale;
   vec3 bitangent = v.tangent.w * cross(v.normal, v.tangent.xyz);
-  return safeNormalize(n.x * v.tangent.xyz + n.y * bitangent + n.z * v.normal, geometryNormal(v, V));
+  vec3 N = safeNormalize(n.x * v.tangent.xyz + n.y * bitangent + n.z * v.normal, geometryNormal(v, V));
+  return standingNormal(N, v, V);
 }
 
 // Shading normal.

@@ -49,6 +49,7 @@ PathSurface pathSurface(PathState p) {
   at.front = dot(at.Ng, towards) >= 0.0;
   if (!at.front) at.Ng = -at.Ng;
   at.v.position = position;
+  at.v.facing = at.Ng;
 #ifdef HAS_NORMAL
   at.v.normal = unitOr(normalFromLocal * at.v.normal, vec3(0.0));
 #ifdef FLAT_NORMALS

@@ -16,6 +16,7 @@ struct SceneHit {
 struct Varyings {
   vec3 position;
   vec3 normal;
+  vec3 facing;  // geometric normal towards the ray, where it is known
   vec4 tangent;
   vec4 color;
   float scale;
@@ -45,6 +46,7 @@ Varyings varyingsAt(SceneHit hit) {
   v.tangent = sceneAttribute(p.tangent, 4u, corners, hit.weights, vec4(0.0));
   v.color = sceneAttribute(p.color, 4u, corners, hit.weights, vec4(1.0));
   v.scale = 1.0;
+  v.facing = v.normal;
   for (int set = 0; set < 8; ++set)
     v.texCoord[set] = sceneAttribute(p.texCoord[set], 2u, corners, hit.weights, vec4(0.0)).xy;
   return v;

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "constants.h"
+#include "optics/bent_normal.hpp"
 #include "optics/bsdf.hpp"
 #include "optics/diffuse.hpp"
 #include "optics/fresnel.hpp"
@@ -127,6 +128,29 @@ Check checkNormalSpread() {
   };
   check.tolerance = 12 * floatEpsilon;
   check.reason = "12 roundings, nothing cancels";
+  return check;
+}
+
+Check checkBentNormal() {
+  Check check{"bentNormal",
+              {{"bent_normal.glsl"}, "out0.xyz = bentNormal(in0.xyz, vec3(0.0, 0.0, 1.0), in1.xyz);", 2},
+              {"N.x", "N.y", "N.z", "-", "V.x", "V.y", "V.z", "-"},
+              {}};
+  const auto direction = [](double theta, double phi) {
+    return glm::vec4(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta), 0);
+  };
+  for (const double normal : {0.0, 0.3, 0.8, 1.3, 1.7, 2.5})
+    for (const double view : {0.0, 0.5, 1.2, 1.5, 1.57})
+      for (const double phi : {0.1, 1.7, 3.0}) {
+        check.inputs.push_back(direction(normal, phi));
+        check.inputs.push_back(direction(view, 0.4));
+      }
+  check.twin = [](CheckVectors in) {
+    const glm::dvec3 N = optics::bentNormal(in[0], {0, 0, 1}, in[1]);
+    return CheckValues{N.x, N.y, N.z};
+  };
+  check.tolerance = 64 * floatEpsilon;
+  check.reason = "the mirror direction cancels near the surface";
   return check;
 }
 
@@ -320,6 +344,7 @@ std::vector<Check> surfaceChecks() {
       checkG1(),
       checkF(),
       checkNormalSpread(),
+      checkBentNormal(),
       checkLambert(),
       energyCheck(
           "singleScatterAlbedo",

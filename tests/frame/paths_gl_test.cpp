@@ -337,7 +337,7 @@ TEST_CASE("Paths: masks and coverage let through what they leave", "[gl]") {
   }
 }
 
-TEST_CASE("Paths: the camera sees no back of what has one side, mirrored or not; light does", "[gl]") {
+TEST_CASE("Paths: the camera sees no back of what has one side, mirrored or not", "[gl]") {
   test::Studio studio;
   const auto render = [&](bool doubleSided, bool mirrored, bool turned) {
     GltfBuilder builder = emptyScene();

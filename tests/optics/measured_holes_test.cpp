@@ -19,7 +19,7 @@ MeasuredBrdf flat(MeasuredKind kind, int phiSteps = merlPhiSteps) {
   return brdf;
 }
 
-MeasuredBrdf builtin(const char* name) {
+MeasuredBrdf builtinBrdf(const char* name) {
   const SyntheticBrdf* found = findSynthetic(name);
   REQUIRE(found != nullptr);
   return makeMeasured(found->formula, found->kind, found->name);
@@ -57,7 +57,7 @@ glm::dvec3 albedoAt(const MeasuredBrdf& brdf, double theta, const MeasuredProxy&
 }  // namespace
 
 TEST_CASE("holes of measured BRDFs: what is below the horizon is none, in either grid") {
-  MeasuredBrdf metal = builtin("ggx-0.35");
+  MeasuredBrdf metal = builtinBrdf("ggx-0.35");
   CHECK(fillHoles(metal) == 0);
   // The formula's tables have all but the cells that reach above with a corner alone.
   CHECK(metal.guess.belowHorizon + metal.guess.acrossHorizon == metal.counts.negative);
@@ -84,7 +84,7 @@ TEST_CASE("holes of measured BRDFs: what is below the horizon is none, in either
     if (pair.V.z <= 0 || pair.L.z <= 0) continue;
     CHECK(measuredBrdf(metal, pair.V, pair.L, LookUp::nearest).x > 0);
   }
-  MeasuredBrdf cloth = builtin("utia-satin");
+  MeasuredBrdf cloth = builtinBrdf("utia-satin");
   CHECK(fillHoles(cloth) == 0);
   CHECK(cloth.guess.belowHorizon + cloth.guess.acrossHorizon + cloth.guess.holes() == 0);
 }
@@ -144,7 +144,7 @@ TEST_CASE("holes of measured BRDFs: reciprocity first, as it was measured") {
 }
 
 TEST_CASE("holes of measured BRDFs: a guess lies between what it was made from, and near it on a smooth lobe") {
-  MeasuredBrdf brdf = builtin("ggx-0.35");
+  MeasuredBrdf brdf = builtinBrdf("ggx-0.35");
   const MeasuredBrdf whole = brdf;
   const auto missing = [](size_t i) { return i / 16200 >= 20 && i / 16200 < 24; };  // 4 of 90 rows of theta_h
   remove(brdf, [&](size_t i) { return missing(i) && whole.values[i].x >= 0; });
@@ -210,11 +210,11 @@ TEST_CASE("holes of measured BRDFs: the guessed share of the light is that of th
 }
 
 TEST_CASE("holes of measured BRDFs: what nothing reaches is counted, not made up") {
-  MeasuredBrdf brdf = builtin("ggx-0.35");
+  MeasuredBrdf brdf = builtinBrdf("ggx-0.35");
   remove(brdf, [](size_t i) { return i / 16200 < 40; });  // the highlight itself
   CHECK(fillHoles(brdf) > 100000);
   // Of the last rows grazing ones are continued from wherever.
-  brdf = builtin("ggx-0.35");
+  brdf = builtinBrdf("ggx-0.35");
   remove(brdf, [](size_t i) { return i / 180 % 90 >= 84; });  // theta_d from 84 degrees on: both directions grazing
   CHECK(fillHoles(brdf) == 0);
   CHECK(brdf.guess.continued > 0);

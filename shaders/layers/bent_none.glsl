@@ -1,0 +1,1 @@
+vec3 standingNormal(vec3 N, Varyings v, vec3 V) { return N; }
