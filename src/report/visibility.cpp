@@ -63,7 +63,9 @@ io::RadianceImage rest(const io::RadianceImage& all, int samples, const io::Radi
   return out;
 }
 
-Result<VisibilityError> visibilityError(const io::RadianceImage& reference, const io::RadianceImage& picture) {
+// Over black: what only covers is the same for all ways of light.
+Result<VisibilityError> visibilityError(const io::RadianceImage& reference, io::RadianceImage picture) {
+  for (size_t i = 0; i < picture.pixels.size(); ++i) picture.pixels[i].a = reference.pixels[i].a;
   const Result<compare::Comparison> c = compare::comparePictures(reference, picture, {.maskFromAlpha = true});
   if (!c) return tl::unexpected(c.error());
   return VisibilityError{c->displayRmse, c->flipMean,
@@ -99,6 +101,10 @@ Result<VisibilityMeasure> measureVisibility(const PictureSettings& settings, con
   if (!first) return tl::unexpected(first.error());
   const Result<Picture> reference = draw(traced(common, samples, allBounces), 0);
   if (!reference) return tl::unexpected(reference.error());
+  if (std::ranges::all_of(reference->radiance.pixels, [](const glm::vec4& p) { return glm::vec3(p) == glm::vec3(0); }))
+    return fail(settings.sources.environment, {},
+                "the model is black: nothing lights it, or it lies outside the picture", "choose another environment",
+                Setting::environment);
   const Result<VisibilityError> halves =
       visibilityError(rest(reference->radiance, samples, first->radiance, half), first->radiance);
   if (!halves) return tl::unexpected(halves.error());

@@ -103,6 +103,29 @@ TEST_CASE("visibility: more bounces come nearer, more samples come nearer, and w
   CHECK(m.traced.triangles > 10000);
 }
 
+TEST_CASE("visibility: what only covers is no error, and a black model is told", "[gl]") {
+  GltfBuilder builder = test::emptyScene();
+  placeSphere(builder, 0.5, builder.append("materials", test::unlit({0.02, 0.02, 0.02, 1})), {});
+  test::addOrthographicCamera(builder, 1, 1);
+  io::LoadedModel model = test::loadBuilt(builder);
+  const report::VisibilityOptions options{.samples = 64, .bounces = {1}, .fewSamples = {4}};
+  const VisibilityMeasure m = measured(model, "builtin:studio", options);
+  INFO(figures(m));
+  const auto relative = [&](size_t row) { return m.rows[row].error.rms / m.rows[0].error.rms; };
+  CHECK(m.rows[0].error.rms < 2);  // a dark body's edge over black
+  CHECK(relative(1) < 0.5);
+  CHECK(m.rows[2].error.rms == 0);
+  model.model.materials[0].baseColorFactor = {0, 0, 0, 1};
+  test::Studio studio;
+  frame::PictureSettings settings = test::bareSettings(24, 24);
+  settings.viewpoint.camera = "0";
+  const auto made = report::measureVisibility(settings, options, [&](const frame::PictureSettings& wanted, int) {
+    return Result<frame::Picture>(studio.render(model, wanted));
+  });
+  REQUIRE_FALSE(made);
+  CHECK(made.error().problem.find("black") != std::string::npos);
+}
+
 TEST_CASE("visibility: paths of few samples are the first of many", "[gl]") {
   test::Studio studio;
   const io::LoadedModel model = test::loadBuiltin("builtin:spheres");
