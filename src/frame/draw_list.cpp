@@ -174,6 +174,14 @@ void sortByProgram(DrawList& list) {
     std::ranges::stable_sort(*draws, {}, [](const Draw& d) { return std::tuple(d.key, d.material); });
 }
 
+// Where nothing is lit there is no light whose way could be traced.
+void tracePathsOnlyOfLight(DrawList& list) {
+  const auto lit = [](const Draw& draw) { return shading::usesFeature(draw.key, shading::Feature::paths); };
+  list.features.paths = list.features.paths && std::ranges::any_of(list.classes(), [&](const std::vector<Draw>* draws) {
+                          return std::ranges::any_of(*draws, lit);
+                        });
+}
+
 constexpr auto sheenLayerRoughness = static_cast<float>(ibl::layers[layout::sheenLayer].perceptualRoughness);
 
 struct RoughnessRange {
@@ -285,6 +293,7 @@ DrawList buildDrawList(const scene::Model& model, int scene, const DrawOptions& 
   for (const auto& [key, placed] : groups)
     addInstances(list, model.meshes[static_cast<size_t>(std::get<0>(key))], placed, firstJoints, options);
   sortByProgram(list);
+  tracePathsOnlyOfLight(list);
   return list;
 }
 
@@ -340,6 +349,7 @@ void setFeatures(DrawList& list, shading::FrameFeatures features) {
       draw.key = shading::variantKey({material, *draw.primitive, list.features, deformation});
     }
   sortByProgram(list);
+  tracePathsOnlyOfLight(list);
 }
 
 }  // namespace facet::frame

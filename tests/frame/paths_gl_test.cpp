@@ -73,6 +73,14 @@ void lambert(scene::Material& m, float albedo) {
   m.metallicFactor = 0, m.perceptualRoughnessFactor = 1, m.specularWeight = 0;
 }
 
+// Shows that colour whatever lights it, and lets through what its alpha says.
+nlohmann::json glowing(const glm::vec4& color, const nlohmann::json& extra = nlohmann::json::object()) {
+  nlohmann::json m = test::material({0, 0, 0, color.w});
+  m["emissiveFactor"] = {color.x, color.y, color.z};
+  m.update(extra);
+  return m;
+}
+
 constexpr const char* rayShader = R"(#include "rays.glsl"
 layout(local_size_x = 64) in;
 struct RayIn { vec4 origin, direction; };
@@ -318,11 +326,11 @@ TEST_CASE("Paths: masks and coverage let through what they leave", "[gl]") {
   test::Studio studio;
   const auto render = [&](const nlohmann::json& extra, float alpha) {
     GltfBuilder builder = emptyScene();
-    nlohmann::json cover = test::unlit({1, 0, 0, alpha}, extra);
+    nlohmann::json cover = glowing({1, 0, 0, alpha}, extra);
     test::addMeshNode(builder, test::addQuad(builder, {-1, -1}, {1, 1}), builder.append("materials", cover),
                       at(0, 0, 1));
     test::addMeshNode(builder, test::addQuad(builder, {-1, -1}, {1, 1}),
-                      builder.append("materials", test::unlit({0, 0.5, 0, 1})));
+                      builder.append("materials", glowing({0, 0.5, 0, 1})));
     test::addOrthographicCamera(builder, 1, 1);
     return meanOf(studio.render(test::loadBuilt(builder), tracedSettings(16, 16, 64, "none")).radiance);
   };
@@ -341,7 +349,7 @@ TEST_CASE("Paths: the camera sees no back of what has one side, mirrored or not"
   test::Studio studio;
   const auto render = [&](bool doubleSided, bool mirrored, bool turned) {
     GltfBuilder builder = emptyScene();
-    nlohmann::json cover = test::unlit({1, 0, 0, 1});
+    nlohmann::json cover = glowing({1, 0, 0, 1});
     cover["doubleSided"] = doubleSided;
     nlohmann::json place = at(0, 0, 1);
     place["scale"] = {mirrored ? -1 : 1, 1, 1};
@@ -363,10 +371,10 @@ TEST_CASE("Paths: the camera sees no back of what has one side, mirrored or not"
 }
 
 TEST_CASE("Paths: skins, morph targets and many instances stand where they are drawn", "[gl]") {
-  // Unlit, so that the silhouette is all.
+  // They shine by themselves, so that the silhouette is all.
   test::Studio studio;
   GltfBuilder builder = emptyScene();
-  const int red = builder.append("materials", test::unlit({1, 0.2f, 0, 1}));
+  const int red = builder.append("materials", glowing({1, 0.2f, 0, 1}));
   const nlohmann::json ball = test::addSphere(builder, 0.1, 24, 48);
   const int first = test::addMeshNode(builder, ball, red, at(-1, -1, 0));
   const int mesh = builder.json["nodes"][size_t(first)]["mesh"];
@@ -421,4 +429,14 @@ TEST_CASE("Paths: the same bytes for the same wish, and none of it where nothing
   CHECK(once.statistics.frame.passes.front() == "paths");
   settings.quality.transport = frame::Transport::direct;
   CHECK(studio.render(model, settings).statistics.frame.passes.front() == "opaque");
+
+  // Nothing is lit: no trees, no rays.
+  GltfBuilder builder = emptyScene();
+  test::addMeshNode(builder, test::addQuad(builder, {-1, -1}, {1, 1}),
+                    builder.append("materials", test::unlit({1, 0.5f, 0, 1})));
+  test::addOrthographicCamera(builder, 0.5, 0.5);
+  const frame::Picture unlit = studio.render(test::loadBuilt(builder), tracedSettings(8, 8, 2));
+  CHECK_FALSE(unlit.statistics.traced);
+  CHECK(unlit.statistics.frame.rays == 0);
+  CHECK(test::pixel(unlit.radiance, 4, 4) == glm::vec4(1, 0.5f, 0, 1));
 }

@@ -4,6 +4,7 @@
 #include "gl/buffer.hpp"
 #include "ibl/layers.hpp"
 #include "layout.h"
+#include "paths.h"
 #include "shading/features.hpp"
 #include "support/gpu.hpp"
 
@@ -50,11 +51,13 @@ std::vector<Member> materialMembers(const std::string& head) {
   return members;
 }
 
-// The mesh program with everything in it that goes together: a measured BRDF takes all other materials' place.
+// The mesh program with everything in it that goes together: a measured BRDF takes all other materials' place, and what
+// is traced is not drawn.
 const gl::Program& fullProgram(shading::ProgramStore& store) {
   shading::VariantKey key;
   for (const shading::FeatureRow& row : shading::featureTable())
-    if (row.role != shading::FeatureRole::measured && row.feature != shading::Feature::unlit)
+    if (row.role != shading::FeatureRole::measured && row.feature != shading::Feature::unlit &&
+        row.feature != shading::Feature::paths)
       key.features |= shading::bitOf(row.feature);
   const auto program = store.render("passes/mesh.vert.glsl", "passes/mesh.frag.glsl", shading::variantDefines(key));
   REQUIRE(program);
@@ -255,4 +258,35 @@ TEST_CASE("The passes' uniforms and work groups are those of the header") {
     CHECK(size[0] == layout::groupSize);
     CHECK(size[1] == layout::groupSize);
   }
+}
+
+TEST_CASE("Paths lie in memory as C++ lays them out") {
+  shading::ProgramStore store = test::makeProgramStore();
+  const auto program = store.compute("passes/paths_begin.comp.glsl");
+  REQUIRE(program);
+  const GLuint id = (*program)->id();
+#define MEMBER(name) \
+  Member { "pathsShared." #name, offsetof(layout::PathUniforms, name) }
+  for (const Member& member : {MEMBER(paths), MEMBER(classes), MEMBER(number), MEMBER(mostVertices), MEMBER(firstRow),
+                               MEMBER(rows), MEMBER(lights), MEMBER(share)}) {
+    INFO(member.name);
+    CHECK(property(id, GL_UNIFORM, member.name, GL_OFFSET) == GLint(member.offset));
+  }
+#undef MEMBER
+  CHECK(property(id, GL_UNIFORM, "pathsShared.origins[0]", GL_OFFSET) == 0);
+  CHECK(property(id, GL_UNIFORM, "pathsShared.directions[0]", GL_OFFSET) ==
+        GLint(offsetof(layout::PathUniforms, directions)));
+  CHECK(property(id, GL_UNIFORM_BLOCK, "PathUniformsBlock", GL_BUFFER_DATA_SIZE) == sizeof(layout::PathUniforms));
+  CHECK(property(id, GL_UNIFORM_BLOCK, "PathUniformsBlock", GL_BUFFER_BINDING) == layout::pathsBinding);
+#define MEMBER(name) \
+  Member { "paths[0]." #name, offsetof(layout::PathState, name) }
+  for (const Member& member :
+       {MEMBER(origin), MEMBER(direction), MEMBER(throughput), MEMBER(radiance), MEMBER(lightOrigin),
+        MEMBER(lightDirection), MEMBER(lightRadiance), MEMBER(triangle), MEMBER(instance), MEMBER(distance),
+        MEMBER(vertices), MEMBER(weights), MEMBER(pixel), MEMBER(media)}) {
+    INFO(member.name);
+    CHECK(property(id, GL_BUFFER_VARIABLE, member.name, GL_OFFSET) == GLint(member.offset));
+  }
+#undef MEMBER
+  CHECK(property(id, GL_BUFFER_VARIABLE, "paths[0].origin", GL_TOP_LEVEL_ARRAY_STRIDE) == sizeof(layout::PathState));
 }
