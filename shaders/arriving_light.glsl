@@ -3,7 +3,7 @@
 #include "lights.glsl"
 #ifdef HAS_ENVIRONMENT
 #include "frame.glsl"
-#include "sequence.glsl"
+#include "pixel_points.glsl"
 #endif
 
 layout(std430, binding = lightBinding) readonly buffer LightBlock { LightUniforms lights[]; };
@@ -17,7 +17,7 @@ vec3 arrivingLight(LightUniforms light, vec3 position, vec3 otherwise, out vec3 
 #ifdef HAS_ENVIRONMENT
   if (isSun(light)) {
     // Each of the gathered draws sees its own part of the disc.
-    if (frame.options.z > 1.5) L = directionInDisc(L, light.cone.x, samplePoint(int(frame.options.y)));
+    if (frame.options.z > 1.5) L = directionInDisc(L, light.cone.x, samplePoint(int(frame.options.y), sunPoints));
     L = worldFromEnvironment(L);
     return light.color.rgb * frame.environmentScale.z;
   }

@@ -1,6 +1,5 @@
-// Distant light by filtered importance sampling at every pixel (Krivanek and Colbert 2008): the specular integral
-// itself, without the split sum. Visible normals (Dupuy and Benyoub 2023) on a golden-ratio lattice; each sample reads
-// a level by the size of its share of the lobe, counting all samples that the pixel will get.
+// Distant light by samples at every pixel: the specular integral itself, without the split sum. Visible normals (Dupuy
+// and Benyoub 2023), and as many samples of the environment's lamps.
 #include "bsdf.glsl"
 #include "lobe_frames.glsl"
 #include "frame.glsl"
@@ -16,29 +15,45 @@ const float leastSampledAlpha = 1e-5;
 // Radiance off the base's lobes after one bounce, with the model's gain.
 vec3 specularSampled(Surface s) {
   LobeFrame at = baseFrame(s);
-  vec3 gainD = dielectricGain(s, distantEnergy), gainM = metalGain(s, distantEnergy);
+  vec3 gainD = dielectricGain(s, distantEnergy) * (1.0 - s.metallic), gainM = metalGain(s, distantEnergy) * s.metallic;
   vec3 specular = vec3(0.0);
   int first = int(frame.options.y) * IMAGE_LIGHT_SAMPLES;
   for (int i = first; i < first + IMAGE_LIGHT_SAMPLES; ++i) {
-    LobeSample drawn = sampleGgx(at.V, baseAlpha(s, leastSampledAlpha), samplePoint(i));
-    if (drawn.weight <= 0.0) continue;
-    vec3 fresnel = mix(dielectricFresnel(s, drawn.VoH) * gainD, metalFresnel(s, drawn.VoH) * gainM, s.metallic);
-    specular += fresnel * drawn.weight * sampledRadiance(at.worldFromLocal * drawn.L, drawn.density);
+    LobeSample drawn = sampleGgx(at.V, baseAlpha(s, leastSampledAlpha), lightPoint(i, basePoints));
+    if (drawn.weight > 0.0) {
+      vec3 fresnel = dielectricFresnel(s, drawn.VoH) * gainD + metalFresnel(s, drawn.VoH) * gainM;
+      specular += fresnel * drawn.weight * sampledRadiance(at.worldFromLocal * drawn.L, drawn.density);
+    }
+    if (!lampsThere()) continue;
+    LampSample lamp = sampleLamps(i, basePoints);
+    vec3 L = lamp.L * at.worldFromLocal;
+    float value = ggxValue(at.V, L, baseAlpha(s, leastSampledAlpha)), VoH = dot(at.V, halfVector(at.V, L));
+    if (value <= 0.0) continue;
+    vec3 fresnel = dielectricFresnel(s, VoH) * gainD + metalFresnel(s, VoH) * gainM;
+    specular += fresnel * lamp.radiance * (value / (lamp.density + ggxDensity(at.V, L, baseAlpha(s, leastSampledAlpha))));
   }
   return specular / float(IMAGE_LIGHT_SAMPLES);
 }
 
 #if ENERGY_MODEL == ENERGY_KULLA_CONTY
+float multipleDifference(Surface s, float NoL) {
+  vec3 dfgL = lookUpDfg(NoL, s.perceptualRoughness);
+  return baseMultipleShape(s, dfgL.x + dfgL.y) - 1.0;
+}
+
 // irradianceAlbedo takes the lobe of further bounces as flat: samples of the difference, whose mean is 0.
 vec3 multipleDetail(Surface s) {
   LobeFrame at = normalFrame(s);
   vec3 sum = vec3(0.0);
   int first = int(frame.options.y) * IMAGE_LIGHT_SAMPLES;
   for (int i = first; i < first + IMAGE_LIGHT_SAMPLES; ++i) {
-    LobeSample drawn = sampleCosine(samplePoint(i));
-    vec3 dfgL = lookUpDfg(drawn.L.z, s.perceptualRoughness);
-    float difference = baseMultipleShape(s, dfgL.x + dfgL.y) - 1.0;
-    sum += difference * sampledRadiance(at.worldFromLocal * drawn.L, drawn.density);
+    LobeSample drawn = sampleCosine(lightPoint(i, multiplePoints));
+    sum += multipleDifference(s, drawn.L.z) * sampledRadiance(at.worldFromLocal * drawn.L, drawn.density);
+    if (!lampsThere()) continue;
+    LampSample lamp = sampleLamps(i, multiplePoints);
+    vec3 L = lamp.L * at.worldFromLocal;
+    if (L.z <= 0.0) continue;
+    sum += multipleDifference(s, L.z) * lamp.radiance * (cosineDensity(L) / (lamp.density + cosineDensity(L)));
   }
   return sum / float(IMAGE_LIGHT_SAMPLES);
 }
@@ -53,9 +68,15 @@ vec3 diffuseDetail(Surface s) {
   vec3 sum = vec3(0.0);
   int first = int(frame.options.y) * IMAGE_LIGHT_SAMPLES;
   for (int i = first; i < first + IMAGE_LIGHT_SAMPLES; ++i) {
-    LobeSample drawn = sampleCosine(samplePoint(i));
+    LobeSample drawn = sampleCosine(lightPoint(i, diffusePoints));
     vec3 f = diffuseTerm(s.baseColor, at.V.z, drawn.L.z, dot(at.V, drawn.L), s.perceptualRoughness);
     sum += (PI * f - returned) * sampledRadiance(at.worldFromLocal * drawn.L, drawn.density);
+    if (!lampsThere()) continue;
+    LampSample lamp = sampleLamps(i, diffusePoints);
+    vec3 L = lamp.L * at.worldFromLocal;
+    if (L.z <= 0.0) continue;
+    f = diffuseTerm(s.baseColor, at.V.z, L.z, dot(at.V, L), s.perceptualRoughness);
+    sum += (PI * f - returned) * lamp.radiance * (cosineDensity(L) / (lamp.density + cosineDensity(L)));
   }
   return sum / float(IMAGE_LIGHT_SAMPLES);
 }

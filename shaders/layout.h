@@ -58,7 +58,7 @@ LAYOUT_CONST mirrorLayersUnit = materialSlotCount + 2;  // LD layers 0 and 1
 LAYOUT_CONST roughLayersUnit = materialSlotCount + 3;   // LD layers 2 and up
 LAYOUT_CONST equirectUnit = materialSlotCount + 4;
 LAYOUT_CONST sourceUnit = materialSlotCount + 5;  // input of a full-screen or compute pass
-LAYOUT_CONST environmentCubeUnit = materialSlotCount + 6;
+LAYOUT_CONST environmentRestUnit = materialSlotCount + 6;  // environment_samples.glsl
 LAYOUT_CONST sheenAlbedoUnit = materialSlotCount + 7;
 LAYOUT_CONST opaqueFrameUnit = materialSlotCount + 8;  // what is behind transmitting surfaces, with mips
 LAYOUT_CONST opaqueDepthUnit = materialSlotCount + 9;  // its depth, with mips
@@ -69,6 +69,8 @@ LAYOUT_CONST rayTrianglesUnit = materialSlotCount + 13;
 LAYOUT_CONST rayPlacementsUnit = materialSlotCount + 14;
 LAYOUT_CONST environmentTexelsUnit = materialSlotCount + 15;
 LAYOUT_CONST rayAlphaUnit = materialSlotCount + 16;
+LAYOUT_CONST lampCubeUnit = materialSlotCount + 17;    // environment_samples.glsl
+LAYOUT_CONST lampPointsUnit = materialSlotCount + 18;
 
 // Compute passes: invocations of a work group along x and y; pixels along the edge of the square that one group sums up.
 LAYOUT_CONST groupSize = 8;
@@ -91,6 +93,7 @@ LAYOUT_CONST cubeTapsLocation = 0;
 LAYOUT_CONST cubeSteepTapsLocation = 1;
 LAYOUT_CONST cubeSteepLocation = 2;
 LAYOUT_CONST cubeFirstFaceLocation = 3;
+LAYOUT_CONST tentFineLevelLocation = 0;
 LAYOUT_CONST blurFirstFaceLocation = 0;
 LAYOUT_CONST layerCubeLocation = 0;  // of passes that write a layer of LD
 LAYOUT_CONST layerFirstFaceLocation = 1;
@@ -129,7 +132,7 @@ struct FrameUniforms {
   vec4 towardsEye;            // orthographic: unit direction to the viewer
   vec4 environmentRotation;   // x cos, y sin of the rotation about +Y
   vec4 environmentScale;      // x: radiance of a stored 1; y: of the background; z: strength
-  vec4 options;               // x: factor on occlusion strength; y: index of the draw among those gathered, z: their number
+  vec4 options;               // x: factor on occlusion strength; y: index of the draw among those of its seed, z: number of all that are gathered; w seed
   vec4 picture;               // x, y size of the whole in pixels; z first row of the target; w pixels per metre, 1 m away
   vec4 distanceFromDepth;     // a, b, c, d: distance along the view's axis = (b - d depth) / (a - c depth)
   vec4 backdrop;              // rgb radiance of a colour put behind the picture later; w 0: there is none

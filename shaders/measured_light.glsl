@@ -24,20 +24,19 @@ vec3 measuredPunctualLight(MeasuredSurface s, vec3 position) {
 #endif
 
 #ifdef HAS_ENVIRONMENT
-// Where this draw has all the samples they lie on a spiral, each reads its own share of the lobe: 64 are off by a third
-// to a half of what as many of the sequence with its wider filter are off by (facet report measured).
 vec3 measuredImageLight(MeasuredSurface s) {
-  bool alone = frame.options.z < 1.5;
-  float gain = alone ? 1.0 : filterGain;
   vec3 sum = vec3(0.0);
   int first = int(frame.options.y) * IMAGE_LIGHT_SAMPLES;
   for (int i = first; i < first + IMAGE_LIGHT_SAMPLES; ++i) {
-    vec2 u = alone ? spiralPoint(i, IMAGE_LIGHT_SAMPLES) : samplePoint(i);
-    vec3 L = sampleProxy(measured.lobe, measured.table.x, s.V, u);
+    vec3 L = sampleProxy(measured.lobe, measured.table.x, s.V, lightPoint(i, basePoints).yx);
+    float pdf = L.z > 0.0 ? pdfProxy(measured.lobe, measured.table.x, s.V, L) : 0.0;
+    if (pdf > 0.0) sum += measuredBrdf(s.V, L) * (L.z / pdf) * sampledRadiance(s.worldFromLocal * L, pdf);
+    if (!lampsThere()) continue;
+    LampSample lamp = sampleLamps(i, basePoints);
+    L = lamp.L * s.worldFromLocal;
     if (L.z <= 0.0) continue;
-    float pdf = pdfProxy(measured.lobe, measured.table.x, s.V, L);
-    if (pdf <= 0.0) continue;
-    sum += measuredBrdf(s.V, L) * (L.z / pdf) * sampledRadiance(s.worldFromLocal * L, pdf, gain);
+    pdf = pdfProxy(measured.lobe, measured.table.x, s.V, L);
+    sum += measuredBrdf(s.V, L) * lamp.radiance * (L.z / (lamp.density + pdf));
   }
   return sum * (frame.environmentScale.x * s.occlusion / float(IMAGE_LIGHT_SAMPLES));
 }

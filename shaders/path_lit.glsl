@@ -7,6 +7,7 @@
 #endif
 #include "path_environment.glsl" if HAS_ENVIRONMENT
 #ifdef HAS_PUNCTUAL_LIGHTS
+#define SAMPLED_PIXEL gl_GlobalInvocationID.xy  // of a light's disc, where there is no fragment
 #include "arriving_light.glsl"
 
 #endif

@@ -31,13 +31,18 @@ uint sobolReverse(uint index) {
   return index ^ ((index & 0xaaaaaaaau) >> 1);
 }
 
-// Point `index` of pair `pair` of the dimensions of a pixel's sequence, in (0, 1)^2: the middle of one of 2^23 steps
-// along each axis. The first 2^k points, and each further 2^k, have one in every box of area 2^-k whose sides are powers
-// of 2. Pairs are sequences of their own, in shuffled order (padding).
-vec2 owenSobol2(uint index, uint pair, uint seed) {
-  uint own = hashedBits(seed ^ (pair * 0x9e3779b9u));
-  uint shuffled = bitfieldReverse(scrambledReverse(bitfieldReverse(index), own));
-  uvec2 point = uvec2(scrambledReverse(shuffled, hashedBits(own + 1u)),
-                      scrambledReverse(sobolReverse(shuffled), hashedBits(own + 2u)));
+uint pairSeed(uint seed, uint pair) { return hashedBits(seed ^ (pair * 0x9e3779b9u)); }
+
+// Point `index` of a sequence, in (0, 1)^2: the middle of one of 2^23 steps along each axis. The first 2^k points, and each
+// further 2^k, have one in every box of area 2^-k whose sides are powers of 2.
+vec2 scrambledSobol2(uint index, uint seed) {
+  uvec2 point = uvec2(scrambledReverse(index, hashedBits(seed + 1u)),
+                      scrambledReverse(sobolReverse(index), hashedBits(seed + 2u)));
   return (vec2(bitfieldReverse(point) >> 9) + 0.5) * (1.0 / 8388608.0);
+}
+
+// The same for the pairs of dimensions of one integral: each is a sequence of its own, in shuffled order (padding).
+vec2 owenSobol2(uint index, uint pair, uint seed) {
+  uint own = pairSeed(seed, pair);
+  return scrambledSobol2(bitfieldReverse(scrambledReverse(bitfieldReverse(index), own)), own);
 }

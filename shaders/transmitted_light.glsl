@@ -5,6 +5,7 @@
 #include "frame.glsl"
 #if defined(HAS_ENVIRONMENT) && defined(IMAGE_LIGHT_SAMPLES)
 #include "lobe_frames.glsl"
+#include "pixel_points.glsl"
 #endif
 #include "material.glsl"
 #include "layers/volume.glsl" if HAS_VOLUME
@@ -78,6 +79,9 @@ float footprintVariance(vec2 pixel) {
 }
 
 #if defined(HAS_ENVIRONMENT) && defined(IMAGE_LIGHT_SAMPLES)
+// A sample reads four times its share of the lobe, as Krivanek and Colbert (2008) advise.
+const float behindGain = 4.0;
+
 // The lobe itself, each sample at the pixel where it meets a plane at the distance of what is behind.
 vec4 behindSampled(Surface s, vec3 from, vec2 pixel, float along, float alpha) {
   LobeFrame at = normalFrame(s);
@@ -87,14 +91,14 @@ vec4 behindSampled(Surface s, vec3 from, vec2 pixel, float along, float alpha) {
   vec4 sum = vec4(0.0);
   float weights = 0.0;
   for (int i = first; i < first + IMAGE_LIGHT_SAMPLES; ++i) {
-    LobeSample drawn = sampleTransmitted(at.V, alpha, samplePoint(i));
+    LobeSample drawn = sampleTransmitted(at.V, alpha, sharedPoint(i, throughPoints));
     vec3 away = at.worldFromLocal * drawn.L;
     float forward = -dot(away, frame.towardsEye.xyz);
-    // No branch: a driver takes one level for each quad of pixels, and those of pixels that are left out are anything.
+    // The same points at all pixels, and no branch: a driver takes one level for each quad of pixels, and those of pixels that are left out are anything.
     float weight = forward > 0.0 ? drawn.weight : 0.0;
     float paths = max(along - start, 0.0) / max(forward, 1e-6);  // length until the plane
     vec2 seen = behindPixel(paths > 1e6 ? vec4(away + from / paths, 1.0 / paths) : vec4(from + away * paths, 1.0), pixel);
-    float variance = perMetre * perMetre * filterGain / (total * drawn.density * 4.0 * PI);
+    float variance = perMetre * perMetre * behindGain / (total * drawn.density * 4.0 * PI);
     sum += weight * behindBlurred(seen, variance);
     weights += weight;
   }

@@ -20,7 +20,7 @@ inline constexpr int convergedAbove = 4;
 // Of the shaded picture, not of a channel.
 bool tracesPaths(const PictureSettings& settings);
 bool converges(const PictureSettings& settings);
-inline constexpr int convergedLightSamples = 4;  // environment samples per draw
+inline constexpr int convergedLightSamples = 2;  // environment samples per draw, of each lobe and of the lamps
 inline constexpr int onceLightSamples = 32;      // the same where there is but one draw
 
 // The settings of the picture that is drawn while something changes: of few samples.

@@ -235,11 +235,11 @@ ibl::Needs DrawList::needs(bool environmentVisible) const {
     for (const Draw& draw : *draws) {
       const bool imageLight = shading::usesFeature(draw.key, shading::Feature::environment) && !features.paths;
       if (shading::isMeasured(draw.key)) {
-        needs.cube |= imageLight;
+        needs.samples |= imageLight;
         continue;
       }
       needs.irradiance |= imageLight;
-      (draw.key.imageLightSamples == 0 ? needs.layers : needs.cube) |= imageLight;
+      (draw.key.imageLightSamples == 0 ? needs.layers : needs.samples) |= imageLight;
       if (imageLight && draw.key.imageLightSamples == 0)
         addLobes(range, materials[static_cast<size_t>(draw.material)], draw.key);
       taps = std::max(taps, shading::imageLightTaps(draw.key));

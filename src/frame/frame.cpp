@@ -282,7 +282,9 @@ void bindTables(const ibl::Tables& tables) {
   if (tables.irradiance) tables.irradiance.bind(layout::irradianceUnit);
   if (tables.mirrorLayers) tables.mirrorLayers.bind(layout::mirrorLayersUnit);
   if (tables.roughLayers) tables.roughLayers.bind(layout::roughLayersUnit);
-  if (tables.cube) tables.cube.bind(layout::environmentCubeUnit);
+  if (tables.rest) tables.rest.bind(layout::environmentRestUnit);
+  if (tables.lamps) tables.lamps.bind(layout::lampCubeUnit);
+  if (tables.lampPoints) tables.lampPoints.bind(layout::lampPointsUnit);
 }
 
 Result<void> preparePrograms(const FrameInput& in, ProgramStore& programs) {

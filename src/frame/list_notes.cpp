@@ -19,7 +19,7 @@ void noteUnlit(const DrawList& list, const ibl::Needs& needs, Notes& notes) {
   const bool glows = list.features.paths && std::ranges::any_of(list.materials, [](const scene::Material& m) {
                        return m.emissiveFactor * m.emissiveStrength != glm::vec3(0);
                      });
-  const bool environment = needs.irradiance || needs.cube || needs.texels;
+  const bool environment = needs.irradiance || needs.samples || needs.texels;
   if (anyLit && !environment && !glows && list.lights.empty() && list.features.channel == 0)
     notes.push_back(
         {Note::Severity::warning, "",

@@ -77,7 +77,7 @@ Result<void> makeList(Drawable& next, const Placement& placement) {
 Result<void> makeTables(Drawable& next, const Supply& supply) {
   const TableInputs& inputs = next.inputs.tables;
   ibl::Needs needs = next.list.needs(inputs.background);
-  needs.cube |= needs.irradiance && inputs.sampled;
+  needs.samples |= needs.irradiance && inputs.sampled;
   chooseMethod(*next.environment, inputs.maxError);
   return supply.tables(*next.environment, needs);
 }

@@ -42,6 +42,8 @@ Transfer transferOf(GLenum format) {
   switch (format) {
     case GL_R32F:
       return {GL_RED, GL_FLOAT, 4};
+    case GL_RG32F:
+      return {GL_RG, GL_FLOAT, 8};
     case GL_RG16F:
       return {GL_RG, GL_HALF_FLOAT, 4};
     case GL_RGBA16F:
@@ -153,6 +155,9 @@ std::vector<Piece> missingPieces(const Tables& tables, const Needs& needs) {
   add("sheen", &Tables::sheen, needs.sheen, false);
   add("irradiance", &Tables::irradiance, needs.irradiance, true);
   add("environment cube", &Tables::cube, needs.cube, true);
+  add("environment without lamps", &Tables::rest, needs.samples, true);
+  add("lamps", &Tables::lamps, needs.samples, true);
+  add("lamp points", &Tables::lampPoints, needs.samples, true);
   if (!needs.layers) return pieces;
   const LayerRange range = layersFor(needs.lowestRoughness, needs.highestRoughness);
   for (int i = range.first; i <= range.last; ++i)

@@ -9,7 +9,8 @@ struct Needs {
   bool layers = false;      // LD, for the split sum
   // Perceptual roughness of the lobes that look LD up: only the layers about it are made.
   float lowestRoughness = 0, highestRoughness = 1;
-  bool cube = false;        // the environment as a cube map with levels, for sampling it per pixel
+  bool cube = false;        // the environment as a cube map with levels
+  bool samples = false;     // rest and lamps, for sampling the environment per pixel
   bool taps = false;        // fitted look-ups
   bool sheen = false;       // a sheen that anything lights
   bool background = false;  // the environment itself is visible

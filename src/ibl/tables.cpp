@@ -7,6 +7,7 @@
 
 #include "gl/timer.hpp"
 #include "ibl/albedo.hpp"
+#include "ibl/lamps.hpp"
 #include "ibl/layers.hpp"
 #include "ibl/taps.hpp"
 #include "optics/environment_texels.hpp"
@@ -99,6 +100,7 @@ size_t bytesOf(const Tables& made, const Scratch& scratch, std::string_view tabl
   if (table == "background") return of(made.background);
   if (table == "texels") return of(made.texels);
   if (table == "LD layers") return of(made.mirrorLayers) + of(made.roughLayers);
+  if (table == "lamps") return of(made.rest) + of(made.lamps) + of(made.lampPoints);
   return 0;  // freed at the end, or counted where it is kept
 }
 
@@ -106,8 +108,8 @@ size_t bytesOf(const Tables& made, const Scratch& scratch, std::string_view tabl
 
 size_t Tables::bytes() const {
   size_t sum = 0;
-  for (const gl::Texture* texture :
-       {&dfg, &sheen, &taps, &irradiance, &mirrorLayers, &roughLayers, &cube, &background, &texels})
+  for (const gl::Texture* texture : {&dfg, &sheen, &taps, &irradiance, &mirrorLayers, &roughLayers, &cube, &rest,
+                                     &lamps, &lampPoints, &background, &texels})
     if (*texture) sum += texture->bytes();
   return sum;
 }
@@ -142,7 +144,8 @@ Precompute planTables(const Tables& tables, const scene::Environment* environmen
   work.keepCube = needs.cube && !tables.cube;
   const std::vector<LayerTarget> targets =
       needs.layers ? missingLayers(tables, made, needs) : std::vector<LayerTarget>();
-  const bool filtered = work.keepIrradiance || work.keepCube || !targets.empty();
+  const bool samples = needs.samples && !(tables.rest && tables.lamps && tables.lampPoints);
+  const bool filtered = work.keepIrradiance || work.keepCube || samples || !targets.empty();
   if (!background && !texels && !filtered) return work;
 
   assert(environment != nullptr && environment->width > 0);
@@ -164,6 +167,7 @@ Precompute planTables(const Tables& tables, const scene::Environment* environmen
     work.scratch->cube = cubeTexture(GL_RGBA32F, mirrorSize, gl::mipLevels(mirrorSize, mirrorSize), "environment cube");
     addCubeSteps(work, programs, method);
   }
+  if (samples) addLampSteps(work.steps, made, work.scratch, programs);
   if (work.keepIrradiance) addIrradianceSteps(work.steps, work.scratch, programs, method);
   if (!targets.empty()) addLayerSteps(work.steps, targets, work.scratch, programs, method);
   return work;
@@ -179,8 +183,9 @@ void finish(Precompute&& work, Tables& tables) {
   Tables& made = *work.made;
   tables.radianceScale = made.radianceScale;
   tables.sun = made.sun;
-  for (gl::Texture Tables::*texture : {&Tables::dfg, &Tables::sheen, &Tables::taps, &Tables::mirrorLayers,
-                                       &Tables::roughLayers, &Tables::background, &Tables::texels})
+  for (gl::Texture Tables::*texture :
+       {&Tables::dfg, &Tables::sheen, &Tables::taps, &Tables::mirrorLayers, &Tables::roughLayers, &Tables::rest,
+        &Tables::lamps, &Tables::lampPoints, &Tables::background, &Tables::texels})
     if (made.*texture) tables.*texture = std::move(made.*texture);
   for (size_t i = 0; i < made.layersMade.size(); ++i) tables.layersMade[i] = tables.layersMade[i] || made.layersMade[i];
   if (work.keepIrradiance) tables.irradiance = std::move(work.scratch->summed[1]);

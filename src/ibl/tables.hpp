@@ -37,6 +37,9 @@ struct Tables {
   gl::Texture roughLayers;   // RGBA16F cube array with levels, the rest
   std::array<bool, layout::ldLayerCount> layersMade = {};
   gl::Texture cube;         // RGBA32F cube with levels; alpha = solid angle
+  gl::Texture rest;         // RGBA32F cube with levels: the environment without lamps (ibl/lamps.hpp)
+  gl::Texture lamps;        // RGBA32F cube: lamps; alpha = density of their samples [1/sr]; 1 x 1 where there are none
+  gl::Texture lampPoints;   // RG32F: LampPoint; 1 x 1 where there are none
   gl::Texture background;   // RGBA16F equirectangular, full resolution
   gl::Texture texels;       // RGBA32F with levels, environment_texels.glsl
   float radianceScale = 1;  // radiance = stored value * radianceScale (a power of two, so that half floats hold it)

@@ -96,7 +96,7 @@ Result<Light> lightOf(const ReportInput& input, shading::ProgramStore& programs)
     light.map = reduced(*environment);
     light.sun = {scene::builtinSunDirection(), sunRadius, optics::irradiance(light.map, {0, 1, 0}).value};
   }
-  if (Result<void> r = ibl::computeTables(light.tables, &light.map, {.cube = true}, programs, {}); !r)
+  if (Result<void> r = ibl::computeTables(light.tables, &light.map, {.samples = true}, programs, {}); !r)
     return tl::unexpected(r.error());
   return light;
 }

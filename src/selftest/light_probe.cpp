@@ -12,15 +12,17 @@ namespace facet::selftest {
 Result<std::vector<glm::vec4>> probeLight(const ibl::Tables& tables, const shading::ShaderReader& reader,
                                           const std::vector<shading::Define>& defines, const std::string& body,
                                           std::span<const glm::vec4> inputs, int width, int outputs,
-                                          const std::vector<std::string>& chunks) {
+                                          const std::vector<std::string>& chunks, const ProbedDraw& draw) {
   layout::FrameUniforms frame{};
   frame.environmentRotation = glm::vec4(1, 0, 0, 0);
   frame.environmentScale = glm::vec4(tables.radianceScale, tables.radianceScale, 1, 0);
-  frame.options = glm::vec4(1, 0, 1, 0);
+  frame.options = glm::vec4(1, draw.index, draw.draws, draw.seed);
   const gl::Buffer uniforms = gl::Buffer::of(std::vector{frame}, "frame");
   glBindBufferBase(GL_UNIFORM_BUFFER, layout::frameBinding, uniforms.id());
   frame::bindTables(tables);
-  return runProbe({chunks, body, width, outputs, defines}, inputs, reader);
+  std::vector<shading::Define> all = defines;
+  all.push_back({"SAMPLED_PIXEL", "uvec2(gl_GlobalInvocationID.x, 0)"});
+  return runProbe({chunks, body, width, outputs, all}, inputs, reader);
 }
 
 std::vector<glm::vec4> readCubeLevel(const gl::Texture& cube, int level) {

@@ -67,21 +67,7 @@ Check checkPixelSeed() {
   return check;
 }
 
-// Points of pictures without noise: the R2 sequence in whole numbers of 2^-32, and the spiral of n points.
-Check checkSamplePoint() {
-  Check check = absoluteCheck("samplePoint", "sequence.glsl", "out0.xy = samplePoint(int(in0.x));", {"i"});
-  check.inputs = grid({0, 1, 2, 3, 255, 4095, 65535, 1048575, 16777215});
-  check.twin = [](CheckVectors in) {
-    // Roberts 2018: 1 / g and 1 / g^2, g^3 = g + 1, to 2^-32, from 1/2.
-    const auto at = [&](uint32_t step) {
-      return static_cast<double>(static_cast<uint32_t>(in[0].x) * step + 0x80000000u) / 4294967296.0;
-    };
-    return CheckValues{at(3242174889u), at(2447445414u)};
-  };
-  allow(check, 0.5, "a whole number of 32 bits becomes a float");
-  return check;
-}
-
+// Points of pictures without noise.
 Check checkSpiralPoint() {
   Check check =
       absoluteCheck("spiralPoint", "sequence.glsl", "out0.xy = spiralPoint(int(in0.x), int(in0.y));", {"i", "n"});
@@ -374,7 +360,7 @@ Check checkWhole() {
 std::vector<Check> samplingChecks() {
   std::vector<Check> checks = samplerChecks();
   for (const auto& more : {pairChecks(), std::vector<Check>{checkProxy(), checkWhole(), checkPoints(), checkPixelSeed(),
-                                                            checkSamplePoint(), checkSpiralPoint()}})
+                                                            checkSpiralPoint()}})
     checks.insert(checks.end(), more.begin(), more.end());
   return checks;
 }

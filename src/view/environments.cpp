@@ -23,8 +23,8 @@ constexpr ibl::Method previewMethod{.cube = ibl::CubeMethod::oneTap,
 
 bool covers(const ibl::Needs& have, const ibl::Needs& wanted) {
   return have.background >= wanted.background && have.irradiance >= wanted.irradiance && have.layers >= wanted.layers &&
-         have.cube >= wanted.cube && have.texels >= wanted.texels && have.lowestRoughness <= wanted.lowestRoughness &&
-         have.highestRoughness >= wanted.highestRoughness;
+         have.cube >= wanted.cube && have.samples >= wanted.samples && have.texels >= wanted.texels &&
+         have.lowestRoughness <= wanted.lowestRoughness && have.highestRoughness >= wanted.highestRoughness;
 }
 
 void logTables(const ibl::Tables& tables) {
@@ -130,7 +130,8 @@ void cancelSharpening(EnvironmentSlot& slot) {
   if (!slot.preview) return;
   slot.preview = false;
   ibl::Tables& tables = slot.tables;
-  for (gl::Texture* texture : {&tables.irradiance, &tables.mirrorLayers, &tables.roughLayers, &tables.cube})
+  for (gl::Texture* texture : {&tables.irradiance, &tables.mirrorLayers, &tables.roughLayers, &tables.cube,
+                               &tables.rest, &tables.lamps, &tables.lampPoints})
     *texture = {};
   if (background) tables.background = {};
   tables.layersMade = {};

@@ -112,12 +112,12 @@ TEST_CASE("Draw list: what the draws need of the tables") {
   CHECK(environment.dfg);
   CHECK(environment.irradiance);
   CHECK(environment.layers);
-  CHECK_FALSE(environment.cube);
+  CHECK_FALSE(environment.samples);
   // Converging pictures sample the environment itself in place of the split sum's layers.
   const ibl::Needs converging = needs({.features = {.environment = true, .imageLightSamples = 4}});
   CHECK(converging.irradiance);
   CHECK_FALSE(converging.layers);
-  CHECK(converging.cube);
+  CHECK(converging.samples);
   CHECK(environment.taps);
   CHECK_FALSE(demo.taps);
   CHECK_FALSE(converging.taps);

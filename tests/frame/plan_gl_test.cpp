@@ -52,7 +52,7 @@ TEST_CASE("Plan: a wish that is fulfilled asks for nothing, another for what it 
   Planned planned;
   CHECK(planned.run().contains("read environment"));
   CHECK(planned.shown.environment->tables.irradiance);
-  CHECK_FALSE(planned.shown.environment->tables.cube);
+  CHECK_FALSE(planned.shown.environment->tables.rest);
   CHECK(planned.run().empty());
 
   planned.wish.display.exposureStops = 2;
@@ -68,9 +68,9 @@ TEST_CASE("Plan: a wish that is fulfilled asks for nothing, another for what it 
   planned.wish.look.channel.clear();
   planned.run();
 
-  planned.wish.quality.samples = 64;  // at rest the environment is sampled: its cube is made by then
+  planned.wish.quality.samples = 64;  // at rest the environment is sampled: its lamps are found by then
   CHECK_FALSE(planned.run().empty());
-  CHECK(planned.shown.environment->tables.cube);
+  CHECK(planned.shown.environment->tables.rest);
 
   const frame::LoadedEnvironment* before = planned.shown.environment;
   planned.wish.sources.environment = "builtin:sky";

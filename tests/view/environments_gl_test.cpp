@@ -120,7 +120,7 @@ TEST_CASE("environments: with time enough there is no preview, the picture at re
   CHECK_FALSE(view::refining(viewer.viewport, viewer.state));
   CHECK(view::atWork(viewer.viewport, viewer.state));
   sharpened(viewer);
-  CHECK(shown(viewer).tables.cube);
+  CHECK(shown(viewer).tables.rest);
   viewer.converge();
   CHECK((viewer.display().data == headless("builtin:spheres", viewer.state.settings).data));
 }

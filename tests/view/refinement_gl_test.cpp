@@ -145,7 +145,7 @@ TEST_CASE("refinement: any change starts with the cheap picture, and few samples
   view::drawViewport(viewer.viewport, viewer.state);
   CHECK_FALSE(view::refining(viewer.viewport, viewer.state));
   CHECK_FALSE(viewer.viewport.refinement.targets.sum);
-  CHECK_FALSE(viewer.viewport.environments.shown->tables.cube);
+  CHECK_FALSE(viewer.viewport.environments.shown->tables.rest);
   CHECK(view::refinementText(viewer.state.refinement).empty());
   const io::Pixels cheap = viewer.display();
 
