@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 #include <thread>
+#include <utility>
 
 #include "frame/settings.hpp"
 #include "frame/user_stores.hpp"
@@ -53,7 +54,10 @@ Result<bool> decodeSome(LoadedScene& scene, const std::vector<bool>& missing, No
 Supply supplyAtOnce(Shelf& shelf, shading::ProgramStore& programs, Notes& notes) {
   Supply supply;
   supply.environment = [&](const std::string& source) { return findEnvironment(shelf, source, notes); };
-  supply.measured = [&](const MeasuredSource& source) { return findMeasured(shelf.measured, source, notes); };
+  supply.measured = [&, told = std::make_shared<bool>(false)](const MeasuredSource& source) {
+    Notes again;  // each step of a plan asks; its notes are told once
+    return findMeasured(shelf.measured, source, std::exchange(*told, true) ? again : notes);
+  };
   supply.fitted = [&](const MeasuredSource& source, optics::DiffuseModel diffuse) {
     auto fit = findFit(shelf.measured, source, diffuse);
     if (fit) std::ranges::move(fitNotes((*fit)->fitted), std::back_inserter(notes));

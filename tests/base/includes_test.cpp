@@ -26,8 +26,9 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"gl", {"base"}},                                       // knows no scene
     {"shading", {"base", "optics", "scene", "gl"}},         // materials -> features -> programs
     {"ibl", {"base", "optics", "scene", "gl", "shading"}},  // an environment's tables: no files, no frame
-    {"frame", {"base", "optics", "scene", "io", "rays", "gl", "shading", "ibl"}},  // reads what a picture's settings name
-    {"compare", {"base", "optics", "io"}},                                 // pictures, not how they came about
+    {"frame",
+     {"base", "optics", "scene", "io", "rays", "gl", "shading", "ibl"}},  // reads what a picture's settings name
+    {"compare", {"base", "optics", "io"}},                                // pictures, not how they came about
     {"selftest", {"base", "optics", "scene", "io", "gl", "shading", "ibl", "frame"}},
     {"report", {"base", "optics", "scene", "io", "gl", "shading", "ibl", "frame", "compare", "selftest"}},
     {"options", {"base", "optics", "io", "shading", "frame"}},  // the words that set what a picture reads
