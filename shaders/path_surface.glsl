@@ -33,7 +33,6 @@ PathSurface pathSurface(PathState p) {
   vec3 position = t.corner + p.weights.x * t.edge1 + p.weights.y * t.edge2;
   vec3 extent = max(max(abs(t.corner), abs(t.corner + t.edge1)), abs(t.corner + t.edge2));
   vec3 facing = cross(t.edge1, t.edge2);
-  float scale = 1.0;
   if (t.instance == rayOfPlacement) {
     mat3 world = mat3(instance.worldFromLocal);
     extent = abs(world[0]) * extent.x + abs(world[1]) * extent.y + abs(world[2]) * extent.z +

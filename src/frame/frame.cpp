@@ -38,12 +38,7 @@ void bindMaterial(const FrameInput& in, const Draw& draw) {
   const scene::Material& material = in.list.materials[index];
   glBindBufferRange(GL_UNIFORM_BUFFER, layout::materialBinding, in.gpu.materials.id(),
                     static_cast<GLintptr>(index * in.gpu.materialStride), sizeof(layout::MaterialUniforms));
-  for (const TextureSlot slot : scene::textureSlots) {
-    if (!shading::samplesSlot({material, *draw.primitive, in.list.features}, slot)) continue;
-    const BoundTexture bound = boundTexture(in.gpu, in.model, material, slot);
-    glBindTextureUnit(static_cast<GLuint>(slot), bound.texture);
-    glBindSampler(static_cast<GLuint>(slot), bound.sampler);
-  }
+  bindTextures(in, material, *draw.primitive);
 }
 
 uint64_t triangleCount(const GpuPrimitive& primitive) {
@@ -180,6 +175,15 @@ void clearTargets(const FrameInput& in, const Targets& targets) {
 }
 
 }  // namespace
+
+void bindTextures(const FrameInput& in, const scene::Material& material, const scene::Primitive& primitive) {
+  for (const TextureSlot slot : scene::textureSlots) {
+    if (!shading::samplesSlot({material, primitive, in.list.features}, slot)) continue;
+    const BoundTexture bound = boundTexture(in.gpu, in.model, material, slot);
+    glBindTextureUnit(static_cast<GLuint>(slot), bound.texture);
+    glBindSampler(static_cast<GLuint>(slot), bound.sampler);
+  }
+}
 
 void bindMeasured(const FrameInput& in) {
   if (in.list.features.measured == shading::Measured::none) return;

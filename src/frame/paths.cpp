@@ -83,16 +83,18 @@ void makeRoom(PathWork& work, size_t paths, size_t classes) {
   work.groups = gl::Buffer((layout::groupsClasses + classes) * 3 * sizeof(uint32_t), "groups of paths");
 }
 
+void barrier() { glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT); }
+
 void dispatch(const gl::Program& program, size_t invocations) {
   glUseProgram(program.id());
-  glDispatchCompute(static_cast<GLuint>((invocations + layout::groupInvocations - 1) / layout::groupInvocations), 1, 1);
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+  glDispatchCompute(static_cast<GLuint>(layout::groupsFor(static_cast<int>(invocations), layout::groupInvocations)), 1,
+                    1);
+  barrier();
 }
 void dispatchCounted(const gl::Program& program, uint32_t group) {
   glUseProgram(program.id());
   glDispatchComputeIndirect(static_cast<GLintptr>(group * 3 * sizeof(uint32_t)));
 }
-void barrier() { glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT); }
 
 // A texture's alpha behind those that are there; its first texel.
 struct Alphas {
@@ -177,13 +179,7 @@ layout::PathUniforms pathUniforms(const FrameInput& in, const PathWork& work, in
 
 void bindClass(const FrameInput& in, const PathClass& shaded) {
   if (shaded.material < 0) return;
-  const scene::Material& material = in.list.materials[static_cast<size_t>(shaded.material)];
-  for (const scene::TextureSlot slot : scene::textureSlots) {
-    if (!shading::samplesSlot({material, *shaded.primitive, in.list.features}, slot)) continue;
-    const BoundTexture bound = boundTexture(in.gpu, in.model, material, slot);
-    glBindTextureUnit(static_cast<GLuint>(slot), bound.texture);
-    glBindSampler(static_cast<GLuint>(slot), bound.sampler);
-  }
+  bindTextures(in, in.list.materials[static_cast<size_t>(shaded.material)], *shaded.primitive);
 }
 
 void bindScene(const FrameInput& in, const PathWork& work) {
