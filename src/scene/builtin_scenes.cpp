@@ -9,6 +9,7 @@
 #include "base/angle.hpp"
 #include "base/parallel.hpp"
 #include "optics/presets.hpp"
+#include "scene/builtin_marbles.hpp"
 #include "scene/glb_writer.hpp"
 #include "scene/shapes.hpp"
 
@@ -16,7 +17,7 @@ namespace facet::scene {
 
 namespace {
 
-const std::array<BuiltinScene, 7> scenes = {{
+const std::array<BuiltinScene, 8> scenes = {{
     {"poster", "a golden trefoil among spheres of many materials", "builtin:studio", {-20, 75, 7.3, {0, 0.82, 0}, 35}},
     {"spheres",
      "roughness (to the right) by metallic (upwards) under four point lights",
@@ -28,6 +29,10 @@ const std::array<BuiltinScene, 7> scenes = {{
      {0, 90, 14, {0, 0, 0}, 45}},
     {"crowd", "100,000 nodes that share one mesh, for measuring", "builtin:studio", {30, 60, 95, {0, 0, 0}, 45}},
     {"palette", "1,000 materials on as many meshes, for measuring", "builtin:studio", {0, 90, 51, {0, 0, 0}, 45}},
+    {"marbles",
+     "100 textured ellipsoids of small triangles, seen from far, for measuring",
+     "builtin:studio",
+     {20, 75, 40, {0, 0, 0}, 45}},
     {"ndf",
      "GGX above, Beckmann, Blinn below; roughness 0.15 to 1 to the right, under one point light",
      "none",
@@ -287,6 +292,7 @@ Result<std::vector<uint8_t>> builtinScene(std::string_view name) {
   if (scene->name == "furnace") return furnace();
   if (scene->name == "crowd") return crowd();
   if (scene->name == "palette") return palette();
+  if (scene->name == "marbles") return marbles();
   if (scene->name == "ndf") return distributions();
   if (scene->name == "metals") return metals();
   return poster();

@@ -19,13 +19,17 @@ int append(nlohmann::json& array, T&& value) {
 }
 
 template <class T>
-int addAccessor(GlbWriter& w, const std::vector<T>& values, int target, int componentType, const char* type) {
+int addView(GlbWriter& w, const std::vector<T>& values) {
   const size_t offset = w.binary.size(), bytes = values.size() * sizeof(T);
   w.binary.resize(offset + (bytes + 3) / 4 * 4);
   std::memcpy(w.binary.data() + offset, values.data(), bytes);
-  const int view =
-      append(w.gltf["bufferViews"],
-             nlohmann::json{{"buffer", 0}, {"byteOffset", offset}, {"byteLength", bytes}, {"target", target}});
+  return append(w.gltf["bufferViews"], nlohmann::json{{"buffer", 0}, {"byteOffset", offset}, {"byteLength", bytes}});
+}
+
+template <class T>
+int addAccessor(GlbWriter& w, const std::vector<T>& values, int target, int componentType, const char* type) {
+  const int view = addView(w, values);
+  w.gltf["bufferViews"][size_t(view)]["target"] = target;
   return append(
       w.gltf["accessors"],
       nlohmann::json{{"bufferView", view}, {"componentType", componentType}, {"count", values.size()}, {"type", type}});
@@ -79,6 +83,12 @@ int addMesh(GlbWriter& w, const std::string& name, nlohmann::json primitive, int
   primitive["material"] = material;
   return append(w.gltf["meshes"],
                 nlohmann::json{{"name", name}, {"primitives", nlohmann::json::array({std::move(primitive)})}});
+}
+
+int addPngTexture(GlbWriter& w, const std::vector<uint8_t>& png) {
+  const int image =
+      append(w.gltf["images"], nlohmann::json{{"bufferView", addView(w, png)}, {"mimeType", "image/png"}});
+  return append(w.gltf["textures"], nlohmann::json{{"source", image}});
 }
 
 int addNode(GlbWriter& w, nlohmann::json node) {

@@ -26,7 +26,8 @@ nlohmann::json addShape(GlbWriter& writer, const Shape& shape);
 int addMaterial(GlbWriter& writer, const std::string& name, const glm::dvec3& baseColor, double metallic,
                 double perceptualRoughness);
 int addMesh(GlbWriter& writer, const std::string& name, nlohmann::json primitive, int material);
-int addNode(GlbWriter& writer, nlohmann::json node);  // also a root of the scene
+int addPngTexture(GlbWriter& writer, const std::vector<uint8_t>& png);  // its image too
+int addNode(GlbWriter& writer, nlohmann::json node);                    // also a root of the scene
 int addPointLight(GlbWriter& writer, const std::string& name, const glm::dvec3& position, double candela);
 
 void useExtension(GlbWriter& writer, const std::string& name);  // in extensionsUsed, once

@@ -183,6 +183,28 @@ TEST_CASE("builtin:crowd and builtin:palette are as large as they say") {
   CHECK(colors.size() == 1000);
 }
 
+TEST_CASE("builtin:marbles: 100 draws, 260,000 triangles, four textures each") {
+  const auto gltf = parse(builtinScene("marbles").value());
+  CHECK(gltf["meshes"].size() == 100);
+  CHECK(gltf["materials"].size() == 100);
+  CHECK(gltf["images"].size() == 32);
+  std::set<std::string> sets;
+  for (const auto& material : gltf["materials"]) {
+    const auto& lobes = material["pbrMetallicRoughness"];
+    const std::set<int> textures = {lobes["baseColorTexture"]["index"], lobes["metallicRoughnessTexture"]["index"],
+                                    material["normalTexture"]["index"], material["emissiveTexture"]["index"]};
+    CHECK(textures.size() == 4);
+    sets.insert(nlohmann::json(textures).dump());
+  }
+  CHECK(sets.size() == 8);
+  const auto& indices = gltf["accessors"][gltf["meshes"][0]["primitives"][0]["indices"].get<size_t>()];
+  CHECK(indices["count"] == 3 * 2600);
+  // The fifth lies within the fourth.
+  const auto &shell = gltf["nodes"][3], &core = gltf["nodes"][4];
+  CHECK(shell["translation"] == core["translation"]);
+  CHECK(core["scale"][1].get<double>() == Approx(0.7 * shell["scale"][1].get<double>()));
+}
+
 TEST_CASE("Built-in scenes are listed with an environment that exists and a camera, unknown names are refused") {
   for (const BuiltinScene& scene : builtinScenes()) {
     CHECK(builtinScene(scene.name).has_value());
