@@ -1,22 +1,8 @@
 // Slots, locations and buffer layouts, read by C++ and by GLSL alike.
-#ifdef __cplusplus
 #pragma once
+#include "both_languages.h"
 
-#include <cstddef>
-#include <cstdint>
-#include <glm/glm.hpp>
-
-namespace facet::layout {
-using glm::mat4;
-using glm::uvec4;
-using glm::vec2;
-using glm::vec3;
-using glm::vec4;
-using uint = uint32_t;
-#define LAYOUT_CONST inline constexpr int
-#else
-#define LAYOUT_CONST const int
-#endif
+LAYOUT_BEGIN
 
 // Vertex attributes.
 LAYOUT_CONST positionLocation = 0;
@@ -197,7 +183,6 @@ struct FittedUniforms {
 };
 
 #ifdef __cplusplus
-#undef LAYOUT_CONST
 // Work groups, or tiles, along an axis.
 constexpr int groupsFor(int size, int perGroup = groupSize) { return (size + perGroup - 1) / perGroup; }
 
@@ -223,5 +208,5 @@ static_assert(sizeof(MorphWeight) == 8);
 static_assert(sizeof(LightUniforms) == 4 * 16);
 static_assert(sizeof(MeasuredUniforms) == 2 * 16);
 static_assert(sizeof(FittedUniforms) == 3 * 16);
-}  // namespace facet::layout
 #endif
+LAYOUT_END

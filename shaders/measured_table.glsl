@@ -2,39 +2,36 @@
 #include "layout.h"
 #include "measured.glsl"
 
-// What a cell is stored as. 0 is what pictures use; the others are there to be compared with (facet report measured).
-#ifndef MEASURED_FORMAT
-#define MEASURED_FORMAT 0
-#endif
-
+// What a cell is stored as: three halves and their unit, or what is there to be compared with (facet report measured):
+// MEASURED_THREE_FLOATS, MEASURED_FOUR_FLOATS, MEASURED_SHARED_EXPONENT.
 layout(std430, binding = measuredBinding) readonly buffer MeasuredBlock {
   MeasuredUniforms measured;
-#if MEASURED_FORMAT == 0
-  uvec2 measuredCells[];  // three halves in units of the fourth; the first is negative where nothing was measured
-#elif MEASURED_FORMAT == 1
-  float measuredCells[];  // three floats, else alike
-#elif MEASURED_FORMAT == 2
+#if defined MEASURED_THREE_FLOATS
+  float measuredCells[];  // the first is negative where nothing was measured
+#elif defined MEASURED_FOUR_FLOATS
   vec4 measuredCells[];  // the same, and one that is not used
-#else
+#elif defined MEASURED_SHARED_EXPONENT
   uint measuredCells[];  // 9, 9 and 9 bits and an exponent of 5 (RGB9_E5); all bits set where nothing was measured
+#else
+  uvec2 measuredCells[];  // three halves in units of the fourth; the first as of floats
 #endif
 };
 
 // rgb, and 1; or nothing.
 vec4 measuredCell(int index) {
-#if MEASURED_FORMAT == 0
-  uvec2 cell = measuredCells[index];
-  vec2 high = unpackHalf2x16(cell.y);
-  vec3 value = vec3(unpackHalf2x16(cell.x), high.x) * high.y;
-#elif MEASURED_FORMAT == 1
+#if defined MEASURED_THREE_FLOATS
   vec3 value = vec3(measuredCells[3 * index], measuredCells[3 * index + 1], measuredCells[3 * index + 2]);
-#elif MEASURED_FORMAT == 2
+#elif defined MEASURED_FOUR_FLOATS
   vec3 value = measuredCells[index].rgb;
-#else
+#elif defined MEASURED_SHARED_EXPONENT
   uint cell = measuredCells[index];
   // 2^(exponent - 15 - 9), put together from its bits.
   float unit = uintBitsToFloat((cell >> 27) + 103u << 23) * measured.table.y;
   vec3 value = cell == 0xffffffffu ? vec3(-1.0) : unit * vec3(cell & 511u, cell >> 9 & 511u, cell >> 18 & 511u);
+#else
+  uvec2 cell = measuredCells[index];
+  vec2 high = unpackHalf2x16(cell.y);
+  vec3 value = vec3(unpackHalf2x16(cell.x), high.x) * high.y;
 #endif
   return value.r < 0.0 ? vec4(0.0) : vec4(value, 1.0);
 }

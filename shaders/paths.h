@@ -1,19 +1,9 @@
 // Paths of light under way: one each pixel at a time, moved on together a surface at a time (src/frame/paths.hpp). Read by
 // C++ and by GLSL alike.
-#ifdef __cplusplus
 #pragma once
+#include "both_languages.h"
 
-#include <cstdint>
-#include <glm/glm.hpp>
-
-namespace facet::layout {
-using glm::vec2;
-using glm::vec4;
-using uint = uint32_t;
-#define PATHS_CONST inline constexpr uint
-#else
-#define PATHS_CONST const uint
-#endif
+LAYOUT_BEGIN
 
 struct PathState {
   vec4 origin;     // xyz where the ray starts; w from which distance on it meets something
@@ -49,29 +39,28 @@ struct PathUniforms {
 };
 
 // Words of the work buffer: how many paths are at what, then lists of their indices.
-PATHS_CONST workActive = 0u;   // paths under way
-PATHS_CONST workNext = 1u;     // of those that go on
-PATHS_CONST workLights = 2u;   // lights to be seen from surfaces
-PATHS_CONST workTurn = 3u;     // surfaces after which the two lists of active paths have changed places
-PATHS_CONST workRays = 4u;     // that have been traced so far, two words
-PATHS_CONST workClasses = 6u;  // first of the classes' counters: number, first in the sorted list, placed so far
+LAYOUT_UINT workActive = 0u;   // paths under way
+LAYOUT_UINT workNext = 1u;     // of those that go on
+LAYOUT_UINT workLights = 2u;   // lights to be seen from surfaces
+LAYOUT_UINT workTurn = 3u;     // surfaces after which the two lists of active paths have changed places
+LAYOUT_UINT workRays = 4u;     // that have been traced so far, two words
+LAYOUT_UINT workClasses = 6u;  // first of the classes' counters: number, first in the sorted list, placed so far
 // Lists behind them, each as long as there are paths: active, next (they take turns), sorted by class, lights.
-PATHS_CONST workLists = 4u;
+LAYOUT_UINT workLists = 4u;
 
 // Work groups of the next dispatches, three words each.
-PATHS_CONST groupsActive = 0u;
-PATHS_CONST groupsLights = 1u;
-PATHS_CONST groupsClasses = 2u;
+LAYOUT_UINT groupsActive = 0u;
+LAYOUT_UINT groupsLights = 1u;
+LAYOUT_UINT groupsClasses = 2u;
 
 // What a ray can meet: nothing, or a surface of a class that is shaded alike.
-PATHS_CONST missClass = 0u;
+LAYOUT_UINT missClass = 0u;
 
 // Texels of the environment's importance at its finest level, along an axis.
-PATHS_CONST texelTableLargest = 2048u;
+LAYOUT_UINT texelTableLargest = 2048u;
 
 #ifdef __cplusplus
-#undef PATHS_CONST
 static_assert(sizeof(PathState) == 9 * 16);
 static_assert(sizeof(PathUniforms) == 8 * 16);
-}  // namespace facet::layout
 #endif
+LAYOUT_END

@@ -1,47 +1,40 @@
 // Trees of boxes around a scene's triangles, as src/rays builds and shaders/rays.glsl walks them. Read by C++ and by GLSL
 // alike.
-#ifdef __cplusplus
 #pragma once
+#include "both_languages.h"
 
-#include <cstdint>
-
-namespace facet::layout {
-using uint = uint32_t;
-#define RAYS_CONST inline constexpr uint
-#else
-#define RAYS_CONST const uint
-#endif
+LAYOUT_BEGIN
 
 // A child of a node: another node by its index, or with rayLeaf a run of triangles (their number less 1 in three bits
 // above their first), or with rayPlacementLeaf too a placement. rayNone: there is none.
-RAYS_CONST rayNone = 0xffffffffu;
-RAYS_CONST rayLeaf = 0x80000000u;
-RAYS_CONST rayPlacementLeaf = 0xc0000000u;
-RAYS_CONST rayCountShift = 27u;
-RAYS_CONST rayFirstMask = 0x07ffffffu;
-RAYS_CONST rayMostInLeaf = 4u;
+LAYOUT_UINT rayNone = 0xffffffffu;
+LAYOUT_UINT rayLeaf = 0x80000000u;
+LAYOUT_UINT rayPlacementLeaf = 0xc0000000u;
+LAYOUT_UINT rayCountShift = 27u;
+LAYOUT_UINT rayFirstMask = 0x07ffffffu;
+LAYOUT_UINT rayMostInLeaf = 4u;
 
 // Texels (four 32-bit words) of each element in its buffer texture.
-RAYS_CONST rayNodeTexels = 7u;       // least x, greatest x, least y, greatest y, least z, greatest z of four boxes; children
-RAYS_CONST rayTriangleTexels = 3u;   // corner and RayTriangle.primitive; edges to the other two, .triangle and .instance
-RAYS_CONST rayPlacementTexels = 4u;  // rows of meshFromWorld; root, instance, 0, 0
+LAYOUT_UINT rayNodeTexels = 7u;       // least x, greatest x, least y, greatest y, least z, greatest z of four boxes; children
+LAYOUT_UINT rayTriangleTexels = 3u;   // corner and RayTriangle.primitive; edges to the other two, .triangle and .instance
+LAYOUT_UINT rayPlacementTexels = 4u;  // rows of meshFromWorld; root, instance, 0, 0
 
 // Of RayTriangle.primitive, above its index: its material may let a ray pass; the camera does not see its back; its
 // corners stand in the world and wind the other way round, because its node is mirrored.
-RAYS_CONST rayHoled = 0x80000000u;
-RAYS_CONST rayOneSided = 0x40000000u;
-RAYS_CONST rayMirrored = 0x20000000u;
-RAYS_CONST rayPrimitiveMask = 0x1fffffffu;
+LAYOUT_UINT rayHoled = 0x80000000u;
+LAYOUT_UINT rayOneSided = 0x40000000u;
+LAYOUT_UINT rayMirrored = 0x20000000u;
+LAYOUT_UINT rayPrimitiveMask = 0x1fffffffu;
 // Of RayTriangle.instance: that of the placement that was entered.
-RAYS_CONST rayOfPlacement = 0xffffffffu;
+LAYOUT_UINT rayOfPlacement = 0xffffffffu;
 
 // Deepest stack of nodes to come: three a level, of both levels.
-RAYS_CONST rayStackSize = 64u;
+LAYOUT_UINT rayStackSize = 64u;
 
 // How a texture goes on beyond its edges.
-RAYS_CONST wrapRepeat = 0u;
-RAYS_CONST wrapMirror = 1u;
-RAYS_CONST wrapClamp = 2u;
+LAYOUT_UINT wrapRepeat = 0u;
+LAYOUT_UINT wrapMirror = 1u;
+LAYOUT_UINT wrapClamp = 2u;
 
 // What of a material lets rays pass: alpha of its base colour's texture, or none (width 0).
 struct RayHoles {
@@ -53,7 +46,6 @@ struct RayHoles {
 };
 
 #ifdef __cplusplus
-#undef RAYS_CONST
 static_assert(sizeof(RayHoles) == 32);
-}  // namespace facet::layout
 #endif
+LAYOUT_END

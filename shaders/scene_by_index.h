@@ -1,24 +1,17 @@
 // Vertex data and materials of all primitives of a scene at once, by index: for shaders that find a surface by
 // themselves, as rays do, instead of being handed varyings. Read by C++ and by GLSL alike.
-#ifdef __cplusplus
 #pragma once
+#include "both_languages.h"
 
-#include <cstdint>
-
-namespace facet::layout {
-using uint = uint32_t;
-#define BY_INDEX_CONST inline constexpr uint
-#else
-#define BY_INDEX_CONST const uint
-#endif
+LAYOUT_BEGIN
 
 // Storage buffers of passes that draw nothing: the bindings of instances and deformations are free there.
-BY_INDEX_CONST scenePrimitivesBinding = 4;
-BY_INDEX_CONST sceneTrianglesBinding = 5;
-BY_INDEX_CONST sceneAttributesBinding = 6;
-BY_INDEX_CONST sceneMaterialsBinding = 7;
+LAYOUT_UINT scenePrimitivesBinding = 4;
+LAYOUT_UINT sceneTrianglesBinding = 5;
+LAYOUT_UINT sceneAttributesBinding = 6;
+LAYOUT_UINT sceneMaterialsBinding = 7;
 
-BY_INDEX_CONST noAttribute = 0xffffffffu;
+LAYOUT_UINT noAttribute = 0xffffffffu;
 
 // Where a primitive's data begin: attributes in floats, triangles in triangles.
 struct ScenePrimitive {
@@ -31,7 +24,6 @@ struct ScenePrimitive {
 };
 
 #ifdef __cplusplus
-#undef BY_INDEX_CONST
 static_assert(sizeof(ScenePrimitive) == 17 * 4);
-}  // namespace facet::layout
 #endif
+LAYOUT_END

@@ -43,10 +43,10 @@ struct Stored {
   gl::Buffer buffer;
 };
 
-// MEASURED_FORMAT is the index.
 struct Format {
   const char* name;
-  double bytes;  // of a cell
+  const char* define;  // of measured_table.glsl; empty: what pictures have
+  double bytes;        // of a cell
   Stored (*store)(const MeasuredBrdf&);
 };
 
@@ -76,10 +76,10 @@ Stored storeSharedExponent(const MeasuredBrdf& brdf) {
   return stored;
 }
 
-constexpr Format formats[] = {{"three halves and a unit (default)", 8, storeHalves},
-                              {"three floats", 12, storeThreeFloats},
-                              {"four floats", 16, storeFourFloats},
-                              {"shared exponent (RGB9_E5)", 4, storeSharedExponent}};
+constexpr Format formats[] = {{"three halves and a unit (default)", "", 8, storeHalves},
+                              {"three floats", "MEASURED_THREE_FLOATS", 12, storeThreeFloats},
+                              {"four floats", "MEASURED_FOUR_FLOATS", 16, storeFourFloats},
+                              {"shared exponent (RGB9_E5)", "MEASURED_SHARED_EXPONENT", 4, storeSharedExponent}};
 
 std::vector<glm::vec4> inputsOf(const std::vector<optics::Directions>& pairs) {
   std::vector<glm::vec4> inputs;
@@ -90,10 +90,10 @@ std::vector<glm::vec4> inputsOf(const std::vector<optics::Directions>& pairs) {
   return inputs;
 }
 
-selftest::Probe lookUpProbe(const MeasuredBrdf& brdf, LookUp lookUp, size_t format) {
+selftest::Probe lookUpProbe(const MeasuredBrdf& brdf, LookUp lookUp, const char* formatDefine) {
   selftest::Probe probe{{"measured_table.glsl"}, "out0.xyz = measuredBrdf(in0.xyz, in1.xyz);", 2, 1};
-  probe.defines = {{brdf.kind == optics::MeasuredKind::merl ? "MERL_BRDF" : "UTIA_BRDF"},
-                   {"MEASURED_FORMAT", std::to_string(format)}};
+  probe.defines = {{brdf.kind == optics::MeasuredKind::merl ? "MERL_BRDF" : "UTIA_BRDF"}};
+  if (*formatDefine != 0) probe.defines.push_back({formatDefine});
   if (lookUp == LookUp::nearest) probe.defines.push_back({"MEASURED_NEAREST"});
   return probe;
 }
@@ -137,7 +137,7 @@ Result<LookUpErrors> lookUpErrors(const MeasuredBrdf& brdf, const optics::Analyt
   const auto onGpu = frame::uploadMeasured(brdf);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::measuredBinding, onGpu->buffer.id());
   const std::vector<glm::vec4> inputs = inputsOf(pairs);
-  const auto got = selftest::runProbe(lookUpProbe(brdf, lookUp, 0), inputs, reader);
+  const auto got = selftest::runProbe(lookUpProbe(brdf, lookUp, ""), inputs, reader);
   if (!got) return tl::unexpected(got.error());
   double arithmetic = 0, grid = 0, total = 0;
   size_t elsewhere = 0;
@@ -204,7 +204,7 @@ Result<Report> measuredFormats(const ReportInput& input) {
       glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::measuredBinding, stored.buffer.id());
       double ns[2];
       for (const LookUp lookUp : {LookUp::interpolated, LookUp::nearest}) {
-        const auto run = selftest::timeProbe(lookUpProbe(brdf, lookUp, f), inputs,
+        const auto run = selftest::timeProbe(lookUpProbe(brdf, lookUp, formats[f].define), inputs,
                                              shading::shaderReader(input.shaderDir), timedRuns);
         if (!run) return tl::unexpected(run.error());
         ns[lookUp == LookUp::nearest] = run->milliseconds * 1e6 / static_cast<double>(pairs.size());

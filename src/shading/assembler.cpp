@@ -89,7 +89,7 @@ Result<void> expand(Assembly& assembly, const std::string& path, const std::stri
     const bool there = include && !list && !isOpen(assembly, *include) && std::ranges::any_of(assembly.branches, has);
     if (!include || there) {
       followBranches(assembly, directive(line));
-      out += there ? "" : line;
+      out += there || line == "#pragma once" ? "" : line;  // what C++ says by it is said by the guard
       out += '\n';
       continue;
     }
