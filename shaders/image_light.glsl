@@ -7,19 +7,39 @@ layout(binding = mirrorLayersUnit) uniform samplerCubeArray mirrorLayers;
 layout(binding = roughLayersUnit) uniform samplerCubeArray roughLayers;
 
 // Cube and level of a layer: 2..4 are 128^2, 5..6 are 64^2, 7..12 are 32^2 (src/ibl/layers.hpp).
-vec3 fetchLd(vec3 d, int layer) {
-  if (layer < ldMirrorLayerCount) return textureLod(mirrorLayers, vec4(d, float(layer)), 0.0).rgb;
+vec3 fetchRoughLayer(vec3 d, int layer) {
   int level = layer < 5 ? 0 : layer < 7 ? 1 : 2;
   int cube = layer < 5 ? layer - 2 : layer < 7 ? layer - 5 : layer - 7;
   return textureLod(roughLayers, vec4(d, float(cube)), float(level)).rgb;
 }
 
-vec3 fetchLd(vec3 d, float perceptualRoughness) {
+vec3 fetchLd(vec3 d, int layer) {
+  if (layer < ldMirrorLayerCount) return textureLod(mirrorLayers, vec4(d, float(layer)), 0.0).rgb;
+  return fetchRoughLayer(d, layer);
+}
+
+// What the mirror layers and what the others have of LD: apart, because software OpenGL runs both sides of a branch,
+// whereas a loop ends where no pixel needs another turn.
+vec3 fetchMirrorLd(vec3 d, float perceptualRoughness) {
   int layer;
   float weight;
   findLdLayer(perceptualRoughness, layer, weight);
-  vec3 low = fetchLd(d, layer);
-  return weight > 0.0 ? mix(low, fetchLd(d, layer + 1), weight) : low;
+  vec3 sum = vec3(0.0);
+  for (int i = layer; i < ldMirrorLayerCount; ++i)
+    sum += (i == layer ? 1.0 - weight : weight) * textureLod(mirrorLayers, vec4(d, float(i)), 0.0).rgb;
+  return sum;
+}
+vec3 fetchRoughLd(vec3 d, float perceptualRoughness) {
+  int layer;
+  float weight;
+  findLdLayer(perceptualRoughness, layer, weight);
+  if (layer + 1 < ldMirrorLayerCount) return vec3(0.0);
+  vec3 sum = weight * fetchRoughLayer(d, layer + 1);
+  if (layer >= ldMirrorLayerCount) sum += (1.0 - weight) * fetchRoughLayer(d, layer);
+  return sum;
+}
+vec3 fetchLd(vec3 d, float perceptualRoughness) {
+  return fetchRoughLd(d, perceptualRoughness) + fetchMirrorLd(d, perceptualRoughness);
 }
 
 // Where a lobe looks on average: the mirror direction's tangential part, shortened by the table's tilt. At alpha = 0 that

@@ -13,9 +13,15 @@ vec3 lookUpTap(int tap, float NoV, float perceptualRoughness) {
 
 vec3 lobeRadiance(vec3 N, vec3 V, float NoV, float perceptualRoughness, vec3 dfg) {
   vec3 sum = vec3(0.0);
+  float narrowest = 1.0;
   for (int i = 0; i < tapCount; ++i) {
     vec3 tap = lookUpTap(i, NoV, perceptualRoughness);
-    sum += tap.z * fetchLd(environmentFromWorld(meanDirection(N, V, tap.x)), tap.y);
+    sum += tap.z * fetchRoughLd(environmentFromWorld(meanDirection(N, V, tap.x)), tap.y);
+    narrowest = min(narrowest, tap.y);
+  }
+  for (int i = narrowest < ldKnot(ldMirrorLayerCount) ? 0 : tapCount; i < tapCount; ++i) {
+    vec3 tap = lookUpTap(i, NoV, perceptualRoughness);
+    sum += tap.z * fetchMirrorLd(environmentFromWorld(meanDirection(N, V, tap.x)), tap.y);
   }
   return sum;
 }

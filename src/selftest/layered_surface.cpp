@@ -24,6 +24,12 @@ const char* const layeredSurfaceText = R"(
   s.coat.alpha = 0.09;
   s.coat.dfg = vec3(dfg.zw, 0.0);
 )";
+const std::vector<std::string> layerNames = {"coat", "sheenRoughness", "film", "anisotropy"};
+std::vector<std::string> aroundLayers(std::vector<std::string> before, const std::vector<std::string>& after) {
+  before.insert(before.end(), layerNames.begin(), layerNames.end());
+  before.insert(before.end(), after.begin(), after.end());
+  return before;
+}
 const std::vector<shading::Define> allLayers = {
     {"HAS_DIELECTRIC_SPECULAR"}, {"HAS_CLEARCOAT"}, {"HAS_SHEEN"}, {"HAS_ANISOTROPY"}, {"HAS_IRIDESCENCE"}};
 

@@ -12,7 +12,7 @@ inline constexpr double floatEpsilon = 0x1p-23;
 std::vector<Check> surfaceChecks();      // microfacet, fresnel, diffuse, energy, bsdf, image_light
 std::vector<Check> modelChecks();        // fresnel (exact), diffuse models, ndf
 std::vector<Check> choiceChecks();       // models: what --diffuse, --fresnel, --ndf, --masking, --energy choose
-std::vector<Check> lobeChecks();         // anisotropy, sheen, iridescence
+std::vector<Check> lobeChecks();         // single lobes and terms of the extensions
 std::vector<Check> layerChecks();        // transmission, layers
 std::vector<Check> layeredChecks();      // bsdf with all layers, anisotropy's albedo
 std::vector<Check> transmittedChecks();  // what is seen through glass
