@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 #include <tuple>
 
 namespace facet::frame {
@@ -67,7 +68,8 @@ std::vector<Seen> seenInstances(const DrawList& list, const Draw& draw, const sc
 struct Sorted {
   Draw draw;
   double depth;
-  double nearest;  // point of the boxes, in the measure of depth()
+  double nearest;    // point of the boxes, in the measure of depth()
+  double group = 0;  // of opaque draws: least hidingDepth of those of the same program and material
 };
 
 std::vector<Sorted> see(const DrawList& list, const std::vector<Draw>& draws, const scene::View& view,
@@ -89,13 +91,26 @@ std::vector<Sorted> see(const DrawList& list, const std::vector<Draw>& draws, co
   return sorted;
 }
 
-// By program and material, nearest first. nearestOfAll: lowered to the nearest point of all boxes, where asked for.
+// Before what lies behind it: by the nearest point, but for boxes around the eye, which say nothing by it.
+double hidingDepth(const Sorted& s) {
+  const double by = s.nearest > 0 ? s.nearest : s.depth;
+  return std::isfinite(by) ? by : std::numeric_limits<double>::infinity();
+}
+
+// By program, then front to back by material, so that what hides others comes first and materials change no more often
+// than there are some. nearestOfAll: lowered to the nearest point of all boxes, where asked for.
 std::vector<Draw> seeOpaque(const DrawList& list, const std::vector<Draw>& draws, const scene::View& view,
                             const std::array<glm::dvec4, 6>& planes, VisibleDraws& visible,
                             double* nearestOfAll = nullptr) {
   std::vector<Sorted> sorted = see(list, draws, view, planes, visible);
-  std::ranges::stable_sort(sorted, {},
-                           [](const Sorted& s) { return std::tuple(s.draw.key, s.draw.material, s.depth); });
+  std::map<std::tuple<shading::VariantKey, int>, double> first;  // of each material's draws
+  for (const Sorted& s : sorted) {
+    const auto [known, added] = first.try_emplace({s.draw.key, s.draw.material}, hidingDepth(s));
+    if (!added) known->second = std::min(known->second, hidingDepth(s));
+  }
+  for (Sorted& s : sorted) s.group = first.at({s.draw.key, s.draw.material});
+  std::ranges::stable_sort(
+      sorted, {}, [](const Sorted& s) { return std::tuple(s.draw.key, s.group, s.draw.material, hidingDepth(s)); });
   std::vector<Draw> out;
   for (const Sorted& s : sorted) {
     out.push_back(s.draw);

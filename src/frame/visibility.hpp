@@ -13,7 +13,7 @@ namespace facet::frame {
 // Draws of instances[firstInstance] and on.
 struct VisibleDraws {
   std::vector<uint32_t> instances;  // indices in DrawList::instances
-  std::vector<Draw> opaque;         // by program, material, nearest first; so are the instances of one draw
+  std::vector<Draw> opaque;         // by program, front to back by material
   std::vector<Draw> transmitting;   // likewise
   std::vector<Draw> blended;        // farthest first
   // The first of `blended` that are drawn before the transmitting ones, because they may shine through: those that are

@@ -95,7 +95,7 @@ TEST_CASE("Visibility: no point within the picture is ever left out") {
   CHECK(inside > 100);
 }
 
-TEST_CASE("Visibility: opaque draws go by program, material and depth, blended ones from behind") {
+TEST_CASE("Visibility: opaque draws go by program, then front to back, blended ones from behind") {
   frame::DrawList list = boxes({{0, 0, 0}, {0, 0, 5}, {0, 0, -5}});
   list.opaque.clear();
   for (uint32_t i = 0; i < 3; ++i) {
@@ -108,9 +108,9 @@ TEST_CASE("Visibility: opaque draws go by program, material and depth, blended o
   const frame::VisibleDraws seen = frame::visibleDraws(list, lookingDown(), {}, 0);
   CHECK(seen.instances == Indices{0, 1, 2, 0, 1, 2});
   REQUIRE(seen.opaque.size() == 3);
-  CHECK(seen.opaque[0].material == 0);
-  CHECK(seen.opaque[1].firstInstance == 1);  // nearest of material 1
-  CHECK(seen.opaque[2].firstInstance == 0);
+  CHECK(seen.opaque[0].firstInstance == 1);  // the nearest, then what has its material
+  CHECK(seen.opaque[1].firstInstance == 0);
+  CHECK(seen.opaque[2].material == 0);
   REQUIRE(seen.blended.size() == 3);
   CHECK(seen.blended[0].firstInstance == 5);
   CHECK(seen.blended[1].firstInstance == 3);
@@ -131,4 +131,22 @@ TEST_CASE("Visibility: blended draws are behind what transmits unless nearer tha
   CHECK(seen.blendedBehind == 2);  // the one within the box too
   list.transmitting.clear();
   CHECK(frame::visibleDraws(list, lookingDown(), {}, 0).blendedBehind == 0);
+}
+
+TEST_CASE("Visibility: a shell is drawn before its core, what surrounds the eye after what it holds") {
+  frame::DrawList list = boxes({{0, 0, 0.2}, {0, 0, 0}, {0, 0, 3}});
+  list.instanceBounds[1] = {glm::dvec3(-2), glm::dvec3(2)};    // around the first, whose centre is nearer
+  list.instanceBounds[2] = {glm::dvec3(-30), glm::dvec3(30)};  // a room
+  list.opaque.clear();
+  for (uint32_t i = 0; i < 3; ++i) {
+    Draw draw;
+    draw.firstInstance = draw.firstBounds = i;
+    draw.material = static_cast<int>(i);
+    list.opaque.push_back(draw);
+  }
+  const frame::VisibleDraws seen = frame::visibleDraws(list, lookingDown(), {}, 0);
+  REQUIRE(seen.opaque.size() == 3);
+  CHECK(seen.opaque[0].material == 1);
+  CHECK(seen.opaque[1].material == 0);
+  CHECK(seen.opaque[2].material == 2);
 }
