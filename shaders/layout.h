@@ -129,7 +129,7 @@ struct SlotUniforms {
   vec3 u;
   float texCoord;  // the set
   vec3 v;
-  float unused;
+  float mostStretch;  // of a pixel's footprint, longer over shorter axis, that is followed (slanted_texture.glsl)
 };
 
 // One material; a uniform block, or an element of an array in a storage buffer.

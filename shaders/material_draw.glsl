@@ -2,6 +2,7 @@
 // and brings `material` (a variable that it fills), Varyings and the texels itself, before it includes material.glsl.
 #include "layout.h"
 #include "tex_coords.glsl"
+#include "slanted_texture.glsl" if SLANTED_TEXTURES
 
 layout(std140, binding = materialBinding) uniform MaterialBlock { MaterialUniforms material; };
 
@@ -17,5 +18,5 @@ struct Varyings {
 };
 
 #define TEXCOORD_OF(v, n) v.texCoord##n
-#define READ_TEXTURE(texture2D, uv) texture(texture2D, uv)
+#define READ_TEXTURE(image, uv, slot) readTexture(image, uv, slot.mostStretch)
 #include "material_texels.glsl"

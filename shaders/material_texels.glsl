@@ -1,5 +1,5 @@
 // <slot>Texel() of each slot of texture_slots.inc. Whoever includes it has Varyings and defines TEXCOORD_OF(v, n) and
-// READ_TEXTURE(texture, uv).
+// READ_TEXTURE(texture, uv, slot's uniforms).
 // EACH_TEXTURE(DO) is DO(slot, unit) for each texture that the draw reads, EACH_ABSENT_TEXTURE(DO) DO(slot, texel) for
 // the others; src/shading/features.cpp defines both.
 #include "layout.h"
@@ -20,7 +20,9 @@ vec2 slotTexCoord(Varyings v, SlotUniforms slot) {
 #ifdef EACH_TEXTURE
 #define PRESENT(slot, unit) \
   layout(binding = unit) uniform sampler2D slot##Texture; \
-  vec4 slot##Texel(Varyings v) { return READ_TEXTURE(slot##Texture, slotTexCoord(v, material.slot##Slot)); }
+  vec4 slot##Texel(Varyings v) { \
+    return READ_TEXTURE(slot##Texture, slotTexCoord(v, material.slot##Slot), material.slot##Slot); \
+  }
 EACH_TEXTURE(PRESENT)
 EACH_ABSENT_TEXTURE(ABSENT)
 #else

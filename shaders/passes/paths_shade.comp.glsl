@@ -3,7 +3,7 @@
 #include "path_class.glsl"
 #include "path_surface.glsl"
 #define TEXCOORD_OF(v, n) v.texCoord[n]
-#define READ_TEXTURE(texture2D, uv) textureLod(texture2D, uv, 0.0)
+#define READ_TEXTURE(image, uv, slot) textureLod(image, uv, 0.0)
 #include "material_texels.glsl"
 #include "path_media.glsl" if SCENE_MEDIA
 #ifndef UNLIT

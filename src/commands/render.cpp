@@ -97,6 +97,9 @@ nlohmann::ordered_json statsJson(const Job& job, const frame::Session& session, 
       methods[parts[static_cast<size_t>(chosen->part)]] = {{"method", chosen->name}, {"error", chosen->error}};
     out["methods"] = methods;
   }
+  const frame::TextureFilter filter =
+      frame::chooseTextureFilter(job.settings.quality.textureFilter, gl::drawsBySoftware());
+  out["textureFilter"] = rowOf(frame::textureFilters, filter).word;
   out["frame"] = {{"passes", s.frame.passes},
                   {"bands", s.bands},
                   {"draws", s.frame.draws},

@@ -117,7 +117,8 @@ std::function<int()> addReport(CLI::App& app) {
   app.add_option("topic", arguments->topic, topics)->type_name("TOPIC");
   app.add_option("--env", arguments->environment, "the environment to measure with (builtin:studio)")->type_name("ENV");
   app.add_option("model,--model", arguments->model,
-                 "the model of the pictures that are compared (builtin:spheres; visibility: builtin:poster)")
+                 "the model of the pictures that are compared (builtin:spheres; frame: builtin:marbles; visibility: "
+                 "builtin:poster)")
       ->type_name("MODEL");
   app.add_option("--format", arguments->format, "markdown, csv or json (by the file's ending, else markdown)")
       ->type_name("NAME");

@@ -51,6 +51,11 @@ PictureSettings movingSettings(const PictureSettings& settings) {
   return moving;
 }
 
+TextureFilter chooseTextureFilter(TextureFilter wish, bool software) {
+  if (wish != TextureFilter::automatic) return wish;
+  return software ? TextureFilter::reads : TextureFilter::hardware;
+}
+
 DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment) {
   DrawOptions options;
   options.features.environment = hasEnvironment && settings.frame.environmentStrength > 0;

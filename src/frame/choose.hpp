@@ -26,6 +26,9 @@ inline constexpr int onceLightSamples = 32;      // the same where there is but 
 // The settings of the picture that is drawn while something changes: of few samples.
 PictureSettings movingSettings(const PictureSettings& settings);
 
+// What the automatic choice means; software: the driver draws by software, where anisotropic filtering is dear.
+TextureFilter chooseTextureFilter(TextureFilter wish, bool software);
+
 // What the settings ask of the draw list, but for the variant, which needs the model, and the measured BRDF.
 DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment);
 

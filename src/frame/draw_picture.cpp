@@ -194,7 +194,7 @@ Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& 
 
   for (int samples = settings.quality.samples; samples > 0;) {
     settings.quality.samples = samples;
-    setTextureDetail(gpu, gatheredDraws(settings, targets), context);
+    setTextureDetail(gpu, gatheredDraws(settings, targets), settings.quality.textureFilter, context);
     std::vector<ComparisonSums> comparison;
     Result<DrawnFrame> drawn = drawBands(input, targets, programs, [&](const FrameInput& band) -> Result<void> {
       stages.mark("first frame");

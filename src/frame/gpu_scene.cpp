@@ -8,7 +8,9 @@
 #include <functional>
 #include <numeric>
 
+#include "frame/choose.hpp"
 #include "frame/gpu_texture.hpp"
+#include "frame/settings.hpp"
 #include "scene/tangents.hpp"
 
 namespace facet::frame {
@@ -239,9 +241,17 @@ bool needsMips(const scene::Model& model, int image) {
   });
 }
 
+// Of a footprint, longer over shorter axis, that slanted textures are read for.
+constexpr float mostStretch = 8;
+// Any other filter is a wish for exactly that filter.
+bool isTrilinear(const scene::Sampler& sampler) {
+  return sampler.magFilter == scene::Filter::linear && sampler.minFilter == scene::Filter::linear &&
+         sampler.mipFilter == scene::MipFilter::linear;
+}
+
 layout::SlotUniforms slotUniforms(const scene::TextureRef& ref) {
   const glm::dmat2x3 rows = glm::transpose(scene::uvFromTexCoord(ref.transform));
-  return {glm::vec3(rows[0]), static_cast<float>(ref.texCoord), glm::vec3(rows[1]), 0};
+  return {glm::vec3(rows[0]), static_cast<float>(ref.texCoord), glm::vec3(rows[1]), 1};
 }
 
 }  // namespace
@@ -266,14 +276,24 @@ layout::MaterialUniforms materialUniforms(const scene::Material& m) {
 
 namespace {
 
-void uploadMaterials(GpuScene& gpu, const DrawList& list) {
+void setStretch(layout::MaterialUniforms& uniforms, const scene::Material& m, const scene::Model& model) {
+  const auto stretchOf = [&](const scene::TextureRef& ref) {
+    return ref && isTrilinear(model.textures[static_cast<size_t>(ref.texture)].sampler) ? mostStretch : 1.0f;
+  };
+#define TEXTURE_SLOT(name, ...) uniforms.name##Slot.mostStretch = stretchOf(m.name);
+#include "texture_slots.inc"
+#undef TEXTURE_SLOT
+}
+
+void uploadMaterials(GpuScene& gpu, const scene::Model& model, const DrawList& list) {
   GLint alignment = 256;
   glGetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &alignment);
   const size_t step = static_cast<size_t>(alignment);
   gpu.materialStride = (sizeof(layout::MaterialUniforms) + step - 1) / step * step;
   std::vector<std::byte> bytes(gpu.materialStride * list.materials.size());
   for (size_t i = 0; i < list.materials.size(); ++i) {
-    const layout::MaterialUniforms uniforms = materialUniforms(list.materials[i]);
+    layout::MaterialUniforms uniforms = materialUniforms(list.materials[i]);
+    setStretch(uniforms, list.materials[i], model);
     std::memcpy(bytes.data() + i * gpu.materialStride, &uniforms, sizeof uniforms);
   }
   gpu.materials = gl::Buffer(bytes, "materials");
@@ -341,7 +361,7 @@ bool uploadScene(GpuScene& gpu, const scene::Model& model, const DrawList& list,
   for (const scene::Texture& texture : model.textures)
     if (samplerFor(gpu, texture.sampler) == 0)
       gpu.samplers.emplace_back(texture.sampler, createSampler(texture.sampler));
-  uploadMaterials(gpu, list);
+  uploadMaterials(gpu, model, list);
   gpu.instances = gl::Buffer::of(list.instances, "instances");
   if (!list.joints.empty()) gpu.joints = gl::Buffer::of(list.joints, "joints");
   if (!list.morphWeights.empty()) gpu.morphWeights = gl::Buffer::of(list.morphWeights, "morph weights");
@@ -373,15 +393,14 @@ bool uploadImages(GpuScene& gpu, const scene::Model& model, const std::vector<Te
   return true;
 }
 
-void setTextureDetail(const GpuScene& gpu, int draws, const gl::ContextInfo& context) {
+void setTextureDetail(const GpuScene& gpu, int draws, TextureFilter filter, const gl::ContextInfo& context) {
+  const bool hardware = draws == 1 && chooseTextureFilter(filter, gl::drawsBySoftware()) == TextureFilter::hardware;
   const float bias = -0.5f * std::log2(static_cast<float>(draws));
   for (const auto& [sampler, object] : gpu.samplers) {
     glSamplerParameterf(object.id(), GL_TEXTURE_LOD_BIAS, bias);
-    // Any filter but trilinear is a wish for exactly that filter.
-    if (sampler.magFilter == scene::Filter::linear && sampler.minFilter == scene::Filter::linear &&
-        sampler.mipFilter == scene::MipFilter::linear)
+    if (isTrilinear(sampler))
       glSamplerParameterf(object.id(), GL_TEXTURE_MAX_ANISOTROPY_EXT,
-                          draws > 1 ? 1 : std::min(8.0f, context.maxAnisotropy));
+                          hardware ? std::min(mostStretch, context.maxAnisotropy) : 1);
   }
 }
 

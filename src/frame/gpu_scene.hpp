@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "frame/draw_list.hpp"
+#include "frame/settings_fwd.hpp"
 #include "gl/buffer.hpp"
 #include "gl/context.hpp"
 #include "gl/texture.hpp"
@@ -110,7 +111,7 @@ bool uploadImages(GpuScene& gpu, const scene::Model& model, const std::vector<Te
 
 // Where a pixel gathers several draws, textures are read at the size of one draw's share of it; the gathering then
 // filters along the footprint, so that anisotropic filtering is left out.
-void setTextureDetail(const GpuScene& gpu, int draws, const gl::ContextInfo& context);
+void setTextureDetail(const GpuScene& gpu, int draws, TextureFilter filter, const gl::ContextInfo& context);
 
 // The texture and sampler names of a material's slot.
 struct BoundTexture {

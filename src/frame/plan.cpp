@@ -5,6 +5,7 @@
 
 #include "frame/list_notes.hpp"
 #include "frame/settings.hpp"
+#include "gl/context.hpp"
 
 namespace facet::frame {
 
@@ -56,6 +57,8 @@ Result<std::optional<PlanInputs>> inputsOf(const Plan& plan, const LoadedScene& 
   const bool lit = chosen.environment != "none";
   PlanInputs inputs;
   inputs.list = listInputs(wish, scene.loaded, chosen.scene, chosen.variant, lit, plan.moving);
+  inputs.list.options.features.textureReads =
+      chooseTextureFilter(wish.quality.textureFilter, gl::drawsBySoftware()) == TextureFilter::reads;
   if (plan.environment) inputs.list.options.sun = plan.environment->sun;
   const Result<bool> measured = supplyMeasured(wish, supply, inputs.list);
   if (!measured) return tl::unexpected(measured.error());

@@ -53,6 +53,15 @@ inline constexpr Choice<Transport> transports[] = {
      "on all ways that there are: shadows, interreflection, refraction; the picture converges with the samples"}};
 static_assert(inOrder(transports));
 
+// How a texture that is seen at a slant is read in pictures of at most 4 samples.
+enum class TextureFilter { automatic, isotropic, reads, hardware };
+inline constexpr Choice<TextureFilter> textureFilters[] = {
+    {TextureFilter::automatic, "auto", "automatic", "reads where the driver draws by software, else hardware"},
+    {TextureFilter::isotropic, "isotropic", "isotropic", "one read, blurred along the shorter axis"},
+    {TextureFilter::reads, "reads", "several reads", "up to four, where a pixel's footprint is stretched"},
+    {TextureFilter::hardware, "hardware", "hardware", "the driver's anisotropic filter, up to 8 to 1"}};
+static_assert(inOrder(textureFilters));
+
 // What is read from outside, besides the model.
 struct Sources {
   std::string bump;         // grey height map for the materials of a built-in scene; empty: none
@@ -139,6 +148,7 @@ struct Quality {
   // The picture takes as many samples as its estimated error needs (frame/max_error.hpp), and the tables the cheapest
   // methods that keep to it (ibl/choice.hpp): relative, (0, 1]. Above 4, samples is the most that it may take.
   std::optional<double> maxError;
+  TextureFilter textureFilter = TextureFilter::automatic;
   Transport transport = Transport::direct;
   int bounces = 16;  // of path-traced light: surfaces that a path leaves at most, [0, 64]; 0: what shines by itself
 

@@ -6,6 +6,7 @@
 namespace facet::frame {
 
 enum class BrdfCompare;
+enum class TextureFilter;
 struct BrdfComparison;
 struct Display;
 struct FrameSettings;

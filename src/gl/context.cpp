@@ -2,6 +2,7 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <atomic>
 
 #include "base/log.hpp"
@@ -92,6 +93,12 @@ Result<ContextInfo> adoptCurrentContext(const std::string& platform, bool debug)
   else
     log::debug(found);
   return info;
+}
+
+bool drawsBySoftware() {
+  const std::string renderer = glString(GL_RENDERER);
+  constexpr const char* names[] = {"llvmpipe", "softpipe", "Software Rasterizer", "SwiftShader", "Basic Render", "SWR"};
+  return std::ranges::any_of(names, [&](const char* name) { return renderer.find(name) != std::string::npos; });
 }
 
 }  // namespace facet::gl

@@ -31,6 +31,9 @@ struct ContextInfo {
 // cube maps, pixel alignment 1) and, with debug, routes KHR_debug messages into the log.
 Result<ContextInfo> adoptCurrentContext(const std::string& platform, bool debug);
 
+// The current context's driver draws on the CPU, as far as its name tells.
+bool drawsBySoftware();
+
 // Number of KHR_debug messages of type error since the process began; tests demand 0.
 int debugErrorCount();
 

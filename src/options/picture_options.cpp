@@ -417,6 +417,8 @@ constexpr PictureOption optionTable[] = {
     {"samples", "N", "samples a pixel (4); above 4 the environment is sampled too, and the picture converges",
      parseNumberInto<1, 4096, &S::quality, &frame::Quality::samples>,
      writeNumber<&S::quality, &frame::Quality::samples>},
+    choiceOption<frame::textureFilters, &S::quality, &frame::Quality::textureFilter>(
+        "texture-filter", "how slanted textures are read in pictures of at most 4 samples"),
     {"max-error", "E",
      "takes as many samples as the picture's estimated error needs, --samples at most (4096): root mean square of what "
      "one sees, 0.01 or 1% of white; light tables keep to it, too (none: as many as --samples says, tables to 1%)",

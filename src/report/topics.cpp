@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "report/energy.hpp"
+#include "report/frame_cost.hpp"
 #include "report/light.hpp"
 #include "report/measured_cost.hpp"
 #include "report/methods.hpp"
@@ -23,6 +24,7 @@ constexpr Topic topics[] = {
     {"fresnel", "Schlick's approximation and F82-tint against Fresnel's equations", false, computed<fresnelTables>},
     {"diffuse", "energy of the diffuse models", false, computed<diffuseTables>},
     {"energy", "what rough lobes return: models of further bounces, for environment and lights", true, energyReport},
+    {"frame", "a frame: error and time of each way of reading slanted textures", true, frameReport},
     {"light", "image-based light: error against run time under --env", true, lightReport},
     {"measured", "measured BRDFs: error against run time of samples and formats, look-ups against formulas", true,
      measuredReport},

@@ -6,6 +6,7 @@
 #include "optics/bent_normal.hpp"
 #include "optics/bsdf.hpp"
 #include "optics/diffuse.hpp"
+#include "optics/footprint.hpp"
 #include "optics/fresnel.hpp"
 #include "optics/normal_spread.hpp"
 #include "optics/quadrature.hpp"
@@ -128,6 +129,33 @@ Check checkNormalSpread() {
   };
   check.tolerance = 12 * floatEpsilon;
   check.reason = "12 roundings, nothing cancels";
+  return check;
+}
+
+Check checkFootprintReads() {
+  Check check{"footprintReads",
+              {{"footprint.glsl"}, "out0.xy = footprintReads(in0.xy, in0.zw, in1.x);", 2},
+              {"dx.u", "dx.v", "dy.u", "dy.v", "most stretch"},
+              {}};
+  // Away from where the number of reads changes. Lengths below a texel, huge ones and such that overflow are among
+  // them.
+  for (const double length : {0.0, 1e-8, 0.4, 1.0, 3.7, 900.0, 1e15})
+    for (const double across : {0.0, 0.06, 0.15, 0.29, 0.7, 1.0})
+      for (const double turn : {0.0, 0.3, 2.0})
+        for (const double most : {1.0, 8.0}) {
+          const glm::dvec2 dx = length * glm::dvec2(std::cos(turn), std::sin(turn));
+          check.inputs.emplace_back(dx.x, dx.y, -across * dx.y, across * dx.x);
+          check.inputs.emplace_back(most, 0, 0, 0);
+          check.inputs.emplace_back(across * dx.x, across * dx.y, -dx.y, dx.x + 0.1 * dx.y);
+          check.inputs.emplace_back(most, 0, 0, 0);
+        }
+  check.twin = [](CheckVectors in) {
+    const glm::dvec4 d(in[0]);
+    const optics::FootprintReads reads = optics::footprintReads({d.x, d.y}, {d.z, d.w}, in[1].x);
+    return CheckValues{reads.count, reads.scale};
+  };
+  check.tolerance = 16 * floatEpsilon;
+  check.reason = "8 roundings, and an area that cancels by half at most";
   return check;
 }
 
@@ -344,6 +372,7 @@ std::vector<Check> surfaceChecks() {
       checkG1(),
       checkF(),
       checkNormalSpread(),
+      checkFootprintReads(),
       checkBentNormal(),
       checkLambert(),
       energyCheck(

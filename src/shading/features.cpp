@@ -149,6 +149,11 @@ bool transformsTexture(const FeatureInput& in) {
   return anySlot(in, [](const TextureRef& ref) { return ref.transform != scene::TextureTransform{}; });
 }
 
+// What is gathered from many draws is sharp without.
+bool readsSlantedTextures(const FeatureInput& in) {
+  return in.frame.textureReads && in.frame.shadedOnce && anySlot(in, [](const TextureRef&) { return true; });
+}
+
 bool readsVertexColor(const FeatureInput& in) { return !in.primitive.colors.empty() && readsBaseColor(in); }
 bool morphsNormals(const FeatureInput& in) {
   return readsNormal(in) && !flatPerPixel(in) && targetsChange(in, &scene::MorphTarget::normals);

@@ -52,6 +52,7 @@ struct FrameFeatures {
   int channel = 0;
   bool paths = false;         // light comes by paths of rays: nothing else is looked up of the environment
   bool shadedOnce = false;    // a pixel, for all of its coverage samples
+  bool textureReads = false;  // where it is: slanted textures are read several times by the shader
   int imageLightSamples = 0;  // 0: split sum from the tables; else environment samples per shaded sample
   optics::Models models = {};
   Measured measured = Measured::none;

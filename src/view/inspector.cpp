@@ -58,7 +58,7 @@ Result<std::optional<glm::vec4>> valueAt(Viewport& viewport, const Inspection& a
   in.firstRow = at.pixel.y & ~1;
   if (Result<void> r = frame::preparePrograms(in, viewport.programs); !r) return tl::unexpected(r.error());
   const frame::Targets targets = frame::createValueTargets(settings.frame.width, 2, GL_RGBA32F);
-  frame::setTextureDetail(in.gpu, 1, viewport.context);
+  frame::setTextureDetail(in.gpu, 1, settings.quality.textureFilter, viewport.context);
   frame::Gathering gathering = frame::beginGathering(in, targets);
   glEnable(GL_SCISSOR_TEST);
   glScissor(at.pixel.x & ~1, 0, 2, 2);

@@ -195,7 +195,8 @@ bool refine(Viewport& viewport, ViewerState& state, const scene::View& view) {
   }
   bool drew = false;
   const frame::FrameInput in = frameInput(viewport, view);
-  frame::setTextureDetail(viewport.scene->gpu, r.gathering->draws(), viewport.context);
+  frame::setTextureDetail(viewport.scene->gpu, r.gathering->draws(), r.settings.quality.textureFilter,
+                          viewport.context);
   if (r.pending) {
     r.pending = false;
     adapt(r);
@@ -210,7 +211,8 @@ bool refine(Viewport& viewport, ViewerState& state, const scene::View& view) {
       const int64_t rows = r.rows;  // the steps know how long they take by now
       begin(viewport, state, view);
       r.rows = rows, r.shown = false;
-      frame::setTextureDetail(viewport.scene->gpu, r.gathering->draws(), viewport.context);
+      frame::setTextureDetail(viewport.scene->gpu, r.gathering->draws(), r.settings.quality.textureFilter,
+                              viewport.context);
     } else if (last) {
       r.ended = true;
       log::debug("picture converged: " + std::to_string(r.gathering->draws()) + " samples");

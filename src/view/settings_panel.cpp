@@ -247,6 +247,8 @@ void pictureSection(ViewerState& state) {
     settings.quality.bounces = static_cast<int>(std::lround(bounces));
   }
   samplesChoice(settings);
+  chooseEnum("texture filter", settings.quality.textureFilter, frame::textureFilters, usual.quality.textureFilter,
+             "how slanted textures are read in pictures of at most 4 samples");
 }
 
 void modelsSection(ViewerState& state) {

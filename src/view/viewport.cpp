@@ -90,7 +90,7 @@ Result<void> drawMoving(Viewport& viewport, ViewerState& state, const scene::Vie
   }
   frame::prepareBehind(targets, viewport.shown.list);
   frame::prepareComparison(targets, viewport.shown.list);
-  frame::setTextureDetail(viewport.scene->gpu, 1, viewport.context);
+  frame::setTextureDetail(viewport.scene->gpu, 1, s.quality.textureFilter, viewport.context);
   const frame::FrameInput input = frame::frameInput(viewport.shown, view, s);
   const auto start = std::chrono::steady_clock::now();
   FrameClock::Slot* slot = viewport.clock.begin();

@@ -78,6 +78,7 @@ PictureSettings unusual() {
   s.display.exposureStops = -2.5f;
   s.display.toneMapper = frame::ToneMapper::uncharted2;
   s.quality.samples = 16, s.quality.bounces = 3;
+  s.quality.textureFilter = frame::TextureFilter::isotropic;
   s.quality.maxError = 0.02;
   s.look.channel = "geometryNormal";
   s.sources.shaderDir = "my $HOME";
@@ -420,5 +421,5 @@ TEST_CASE("every row of a choice is an option's word, comes back as it was given
     REQUIRE_FALSE(wrong);
     CHECK(wrong.error().problem == "'nonsense' is not known");
   }
-  CHECK(choices == 13);
+  CHECK(choices == 14);
 }

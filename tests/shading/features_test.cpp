@@ -278,6 +278,18 @@ TEST_CASE("Models: only what the draw can show enters its key, and the defaults 
   once.environment = once.punctualLights = false;
   CHECK(definesOf(gold, once).count("SPREAD_NORMALS") == 0);
 
+  // Slanted textures are read several times where a pixel is shaded once, and where there are any.
+  once = lit;
+  once.textureReads = true;
+  scene::Material painted = gold;
+  painted.baseColor.texture = 0;
+  CHECK(definesOf(painted, once).count("SLANTED_TEXTURES") == 0);
+  once.shadedOnce = true;
+  CHECK(definesOf(painted, once).count("SLANTED_TEXTURES") == 1);
+  CHECK(definesOf(gold, once).count("SLANTED_TEXTURES") == 0);
+  once.textureReads = false;
+  CHECK(definesOf(painted, once).count("SLANTED_TEXTURES") == 0);
+
   FrameFeatures looked = lit;
   looked.models.imageLight = optics::ImageLight::taps2;
   CHECK(variant(gold, full, looked) == "normals, punctual lights, environment, 2 fitted taps");

@@ -34,7 +34,7 @@ std::vector<Member> materialMembers(const std::string& head) {
     members.push_back({slot + "u", at + offsetof(layout::SlotUniforms, u)});
     members.push_back({slot + "texCoord", at + offsetof(layout::SlotUniforms, texCoord)});
     members.push_back({slot + "v", at + offsetof(layout::SlotUniforms, v)});
-    members.push_back({slot + "unused", at + offsetof(layout::SlotUniforms, unused)});
+    members.push_back({slot + "mostStretch", at + offsetof(layout::SlotUniforms, mostStretch)});
   };
 #define MEMBER(name) members.push_back({head + #name, offsetof(MaterialUniforms, name)});
 #define COPIED(type, name) MEMBER(name)
