@@ -70,7 +70,7 @@ PathTurn turnAt(PathState p, PathSurface at, vec3 baseColor) {
   if (!(most > 0.0) || isinf(most)) return turn;
   if (p.vertices + 1u >= rouletteVertices) {
     float survival = min(most, 0.95);
-    if (owenSobol2(pathsShared.number, 0x10000u + p.vertices, pixelSeed(pathPixel(p), pathsUse)).x >= survival) return turn;
+    if (owenSobol2(pathsShared.number, 0x10000u + p.vertices, pathSeed(p)).x >= survival) return turn;
     throughput /= survival;
   }
 #ifdef HAS_VOLUME

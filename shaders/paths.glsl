@@ -1,6 +1,7 @@
 // The paths under way and the lists of them (paths.h).
 #include "paths.h"
 #include "layout.h"
+#include "frame.glsl"
 #include "sobol.glsl"
 
 layout(std430, binding = computeInputBinding) buffer PathsBlock { PathState paths[]; };
@@ -24,11 +25,12 @@ uvec2 pathPixel(PathState p) { return uvec2(p.pixel & 0xffffu, p.pixel >> 16); }
 // Pairs of numbers in (0, 1)^2 that a sample of a pixel uses: first the pixel's, then four for each surface that is met.
 const uint pixelPair = 0u, lightPair = 1u, lobePair = 2u, choicePair = 3u, lightChoicePair = 4u, pairsOfVertex = 4u;
 const uint pathsUse = 0x70617468u;
+uint pathSeed(PathState p) { return pixelSeed(pathPixel(p), pathsUse ^ uint(frame.options.w)); }
 vec2 pathDraw(PathState p, uint pair) {
-  return owenSobol2(pathsShared.number, pair + (pair == pixelPair ? 0u : p.vertices * pairsOfVertex), pixelSeed(pathPixel(p), pathsUse));
+  return owenSobol2(pathsShared.number, pair + (pair == pixelPair ? 0u : p.vertices * pairsOfVertex), pathSeed(p));
 }
 
 // Of what stops a ray by chance.
 uint pathRaySeed(PathState p) {
-  return hashedBits(p.pixel ^ hashedBits(pathsShared.number ^ hashedBits(p.vertices + 0x72617973u)));
+  return hashedBits(p.pixel ^ hashedBits(pathsShared.number ^ hashedBits((p.vertices + 0x72617973u) ^ (uint(frame.options.w) << 8))));
 }

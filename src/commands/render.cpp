@@ -65,11 +65,13 @@ nlohmann::ordered_json statsJson(const Job& job, const frame::Session& session, 
   if (!s.attempts.empty()) {
     Json attempts = Json::array();
     for (const frame::Attempt& a : s.attempts)
-      attempts.push_back({{"samples", a.samples}, {"error", a.error / 255}, {"ms", a.milliseconds}});
-    out["error"] = {{"wanted", *job.settings.quality.maxError},
-                    {"estimated", s.attempts.back().error / 255},
-                    {"samples", s.attempts.back().samples},
-                    {"attempts", attempts}};
+      attempts.push_back({{"samples", a.samples},
+                          {"likely", a.error.likely / 255},
+                          {"most", a.error.most / 255},
+                          {"ms", a.milliseconds}});
+    out["error"] = {{"wanted", *job.settings.quality.maxError},   {"likely", s.attempts.back().error.likely / 255},
+                    {"most", s.attempts.back().error.most / 255}, {"confidence", frame::errorConfidence},
+                    {"samples", s.attempts.back().samples},       {"attempts", attempts}};
   }
   if (s.frameMs.size() > 1) out["steadyFrameMs"] = steadyFrameMs(s.frameMs);
   out["peakMemoryMB"] = Stages::peakMegabytes();
@@ -153,11 +155,12 @@ std::string tellReached(const Job& job, const frame::Picture& picture, Notes& no
   if (picture.statistics.attempts.empty()) return {};
   const frame::Attempt& last = picture.statistics.attempts.back();
   const std::string samples = std::to_string(last.samples) + " samples";
-  if (last.error / 255 > *job.settings.quality.maxError)
+  const std::string reached = percent(last.error.most / 255);
+  if (last.error.most / 255 > *job.settings.quality.maxError)
     notes.push_back({Note::Severity::warning, "",
-                     "--max-error: after " + samples + " the error is about " + percent(last.error / 255) +
+                     "--max-error: after " + samples + " the error may be up to " + reached +
                          "; give more --samples, or a larger error than " + percent(*job.settings.quality.maxError)});
-  return ": " + samples + ", error about " + percent(last.error / 255);
+  return ": " + samples + ", error up to " + reached;
 }
 
 Result<JobOutcome> runJob(const Job& job, int repeat, bool last, frame::Session& session, Stages stages) {

@@ -113,6 +113,12 @@ void add(FrameStatistics& sum, FrameStatistics band) {
   sum.triangles += band.triangles;
   sum.culled += band.culled;
   sum.rays += band.rays;
+  sum.parts.resize(band.parts.size());
+  for (size_t i = 0; i < band.parts.size(); ++i) {
+    PartDifference& part = sum.parts[i];
+    part.first = band.parts[i].first, part.next = band.parts[i].next;
+    part.squares += band.parts[i].squares, part.fourths += band.parts[i].fourths, part.values += band.parts[i].values;
+  }
 }
 
 // All bands; each goes to `read` when it is drawn.
@@ -120,20 +126,21 @@ using ReadBand = std::function<Result<void>(const FrameInput& band)>;
 Result<DrawnFrame> drawBands(FrameInput in, const Targets& targets, shading::ProgramStore& programs,
                              const ReadBand& read) {
   DrawnFrame frame;
-  double squares = 0;
   for (in.firstRow = 0; in.firstRow < in.settings.frame.height; in.firstRow += targets.height) {
     const auto start = std::chrono::steady_clock::now();
     Result<FrameStatistics> drawn = drawFrame(in, targets, programs);
     if (!drawn) return tl::unexpected(drawn.error());
     glFinish();
     frame.milliseconds += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    const double error = drawn->error;
     add(frame.statistics, std::move(*drawn));
-    squares += error * error * std::min(targets.height, in.settings.frame.height - in.firstRow);
     if (Result<void> r = read ? read(in) : Result<void>(); !r) return tl::unexpected(r.error());
   }
-  if (targets.before) frame.statistics.error = std::sqrt(squares / in.settings.frame.height);
   return frame;
+}
+
+// More than one sample is drawn after the other.
+bool gathers(const PictureSettings& settings) {
+  return settings.quality.samples > convergedAbove || tracesPaths(settings);
 }
 
 // For as many samples as the settings ask for, or for any number while the error decides.
@@ -148,7 +155,7 @@ Targets pictureTargets(const PictureSettings& settings, const gl::ContextInfo& c
 }  // namespace
 
 Targets createTargets(const PictureSettings& settings, const gl::ContextInfo& context, int rows) {
-  const bool gather = settings.quality.samples > convergedAbove || tracesPaths(settings);
+  const bool gather = gathers(settings);
   return createTargets(settings.frame.width, rows > 0 ? rows : settings.frame.height,
                        gather ? 1 : std::min(settings.quality.samples, context.maxSamples), gather);
 }
@@ -185,11 +192,12 @@ Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& 
   const FrameInput input = frameInput(drawable, *view, settings);
   const GpuScene& gpu = drawable.scene->gpu;
   const int rows = std::min(bandRows(settings, list, context), settings.frame.height);
-  Targets targets = pictureTargets(settings, context, rows, asked.quality.maxError.has_value());
+  const bool estimate = asked.quality.maxError || (request.estimate && gathers(settings));
+  Targets targets = pictureTargets(settings, context, rows, estimate);
   prepareBehind(targets, list);
   prepareComparison(targets, list);
   statistics.bands = (settings.frame.height + rows - 1) / rows;
-  if (asked.quality.maxError)
+  if (estimate)
     if (Result<void> r = prepareGatherPrograms(programs); !r) return tl::unexpected(r.error());
 
   for (int samples = settings.quality.samples; samples > 0;) {
@@ -213,8 +221,9 @@ Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& 
     if (!comparison.empty()) statistics.comparison = readComparison(comparison);
     samples = 0;
     if (!asked.quality.maxError) continue;
-    statistics.attempts.push_back({settings.quality.samples, statistics.frame.error, drawn->milliseconds});
-    samples = nextSamples(asked, settings.quality.samples, statistics.frame.error);
+    statistics.attempts.push_back(
+        {settings.quality.samples, errorEstimate(statistics.frame.parts), drawn->milliseconds});
+    samples = nextSamples(asked, statistics.attempts);
   }
   for (int i = 0; i < request.repeat; ++i) {
     const Result<DrawnFrame> drawn = drawBands(input, targets, programs, {});

@@ -210,7 +210,8 @@ layout::FrameUniforms frameUniforms(const FrameInput& in, int draw, int draws, c
   u.environmentRotation = glm::vec4(std::cos(angle), std::sin(angle), 0, 0);
   const float scale = in.tables.radianceScale * in.settings.frame.environmentStrength;
   u.environmentScale = glm::vec4(scale, scale, in.settings.frame.environmentStrength, 0);
-  u.options = glm::vec4(in.settings.frame.occlusion, static_cast<float>(draw), static_cast<float>(draws), 0);
+  u.options = glm::vec4(in.settings.frame.occlusion, static_cast<float>(draw), static_cast<float>(draws),
+                        static_cast<float>(in.settings.quality.seed));
   u.picture = glm::vec4(in.settings.frame.width, in.settings.frame.height, in.firstRow,
                         static_cast<float>(view.clipFromView[1][1] * in.settings.frame.height / 2));
   const glm::dmat4& p = view.clipFromView;

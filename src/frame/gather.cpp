@@ -7,6 +7,7 @@
 #include "frame/display_pass.hpp"
 #include "frame/scene_pass.hpp"
 #include "frame/settings.hpp"
+#include "optics/sobol.hpp"
 
 namespace facet::frame {
 
@@ -21,13 +22,16 @@ Result<const gl::Program*> errorProgram(ProgramStore& programs) {
   return programs.compute("passes/picture_error.comp.glsl");
 }
 
-// Offsets within the pixel: the R2 sequence (Roberts 2018), which fills the square evenly for any count, shifted so
-// that the offsets' mean is the pixel's centre.
-std::vector<glm::dvec2> jitter(int count) {
+// Offsets within the pixel: Owen-scrambled Sobol points, shifted so that their mean is the pixel's centre. All pixels
+// share them, as one draw has one camera; the scrambling makes halves of them disagree as much as their errors are
+// large, which the points of a lattice do not.
+std::vector<glm::dvec2> jitter(int count, int seed) {
+  constexpr uint32_t jitterUse = 0x6a697474;
+  const uint32_t sequence = optics::pixelSeed({0, 0}, jitterUse ^ static_cast<uint32_t>(seed));
   std::vector<glm::dvec2> offsets;
   glm::dvec2 mean(0);
   for (int i = 0; i < count; ++i) {
-    offsets.push_back(glm::fract(0.5 + static_cast<double>(i) * glm::dvec2(0.7548776662466927, 0.5698402909980532)));
+    offsets.push_back(optics::owenSobol2(static_cast<uint32_t>(i), 0, sequence));
     mean += offsets.back() / static_cast<double>(count);
   }
   for (glm::dvec2& offset : offsets) offset -= mean;
@@ -91,7 +95,7 @@ int gatheredDraws(const PictureSettings& settings, const Targets& targets) {
 
 Gathering beginGathering(const FrameInput& in, const Targets& targets) {
   Gathering gathering;
-  gathering.offsets = jitter(gatheredDraws(in.settings, targets));
+  gathering.offsets = jitter(gatheredDraws(in.settings, targets), in.settings.quality.seed);
   gathering.visible = visibleRows(in, targets);
   gathering.visibleBuffer = gl::Buffer::of(gathering.visible.instances, "visible instances");
   const glm::vec4 zero(0);
@@ -191,8 +195,8 @@ Result<ErrorSums> sumErrors(const FrameInput& in, const Targets& targets, const 
   ErrorSums out;
   out.tiles = static_cast<size_t>(columns) * static_cast<size_t>(rows);
   out.values = static_cast<size_t>(targets.width) * static_cast<size_t>(height) * 3;
-  out.share = std::sqrt(before * after) / all;
-  out.sums = gl::Buffer(out.tiles * sizeof(glm::vec2), "errors");
+  out.before = gathering.before, out.after = gathering.done - gathering.before;
+  out.sums = gl::Buffer(out.tiles * sizeof(glm::vec4), "errors");
   glBindImageTexture(0, targets.sum.id(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA32F);
   glBindImageTexture(1, targets.before.id(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA32F);
   glBindImageTexture(2, shown.display.id(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA8);
@@ -205,13 +209,10 @@ Result<ErrorSums> sumErrors(const FrameInput& in, const Targets& targets, const 
 }
 
 PictureErrors readErrors(const ErrorSums& sums) {
-  double parts = 0, shown = 0;
-  for (const glm::vec2& tile : sums.sums.read<glm::vec2>(sums.tiles)) {
-    parts += static_cast<double>(tile.x);
-    shown += static_cast<double>(tile.y);
-  }
-  const auto rms = [&](double sum) { return 255 * std::sqrt(sum / static_cast<double>(sums.values)); };
-  return {sums.share * rms(parts), rms(shown)};
+  glm::dvec4 whole(0);
+  for (const glm::vec4& tile : sums.sums.read<glm::vec4>(sums.tiles)) whole += tile;
+  const double values = static_cast<double>(sums.values);
+  return {{sums.before, sums.after, whole.x, whole.z, values}, 255 * std::sqrt(whole.y / values)};
 }
 
 Result<void> prepareGatherPrograms(ProgramStore& programs) {
@@ -220,27 +221,40 @@ Result<void> prepareGatherPrograms(ProgramStore& programs) {
   return {};
 }
 
+namespace {
+
+// The difference of the draws before the mark and those after it, waited for.
+Result<PartDifference> partDifference(const FrameInput& in, const Targets& targets, const Gathering& gathering,
+                                      ProgramStore& programs) {
+  const Result<ErrorSums> sums = sumErrors(in, targets, gathering, targets, programs);
+  if (!sums) return tl::unexpected(sums.error());
+  return readErrors(*sums).parts;
+}
+
+}  // namespace
+
 Result<FrameStatistics> drawFrame(const FrameInput& in, const Targets& targets, ProgramStore& programs) {
   Gathering gathering = beginGathering(in, targets);
-  // Where the error is wanted, the last estimate is made as a resting window makes it.
+  std::vector<PartDifference> parts;
+  // Where the error is wanted, the last estimates are made as a resting window makes them.
   for (int until = targets.before ? 1 : gathering.draws(); !gathering.complete();
        until = nextEstimate(gathering.done, gathering.draws())) {
     if (targets.before && gathering.done > 0) markBefore(targets, gathering);
     const int64_t rows = static_cast<int64_t>(until - gathering.done) * targets.height;
     if (Result<void> drawn = gatherRows(in, targets, gathering, rows, programs); !drawn)
       return tl::unexpected(drawn.error());
+    if (!targets.before || gathering.before == 0) continue;
+    const Result<PartDifference> part = partDifference(in, targets, gathering, programs);
+    if (!part) return tl::unexpected(part.error());
+    parts.push_back(*part);
   }
   FrameStatistics& statistics = gathering.statistics;
   if (targets.sum) statistics.passes.push_back("gather x " + std::to_string(gathering.draws()));
   statistics.rays = tracedRays(gathering.paths);
+  statistics.parts = std::move(parts);
   statistics.passes.emplace_back("display");
   if (Result<void> result = drawDisplay(in, targets, gathering, targets, programs); !result)
     return tl::unexpected(result.error());
-  if (targets.before) {
-    const Result<ErrorSums> sums = sumErrors(in, targets, gathering, targets, programs);
-    if (!sums) return tl::unexpected(sums.error());
-    statistics.error = readErrors(*sums).parts;
-  }
   return statistics;
 }
 

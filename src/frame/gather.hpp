@@ -41,20 +41,18 @@ float meanScale(const Gathering& gathering);
 Result<void> drawDisplay(const FrameInput& in, const Targets& targets, const Gathering& gathering, const Targets& shown,
                          shading::ProgramStore& programs);
 
-// Root mean squared differences of display pictures over all pixels and colour channels, in 1/255.
 struct PictureErrors {
-  // What the picture of all draws is off by, from the pictures A of its first m draws and B of the other n: were the
-  // draws independent, RMS(A - B) sqrt(m n) / (m + n). They are spread more evenly than that, so it errs on the safe
-  // side (by what factor is in tests/view/refinement_gl_test.cpp). What all draws have in common it does not see.
-  double parts = 0;
-  double shown = 0;  // between what has been gathered and the display picture of `shown`
+  PartDifference parts;  // of the draws before the mark and those after it
+  // Root mean square over all pixels and colour channels of what has been gathered less the display picture of `shown`,
+  // in 1/255.
+  double shown = 0;
 };
 
 // The errors, to be read when the GPU has come so far.
 struct ErrorSums {
   gl::Buffer sums;
   size_t tiles = 0, values = 0;
-  double share = 0;
+  int before = 0, after = 0;  // draws
 };
 
 // After how many draws the error is estimated next: each time twice as many are done, the last time with all. A last

@@ -395,7 +395,10 @@ bool uploadImages(GpuScene& gpu, const scene::Model& model, const std::vector<Te
 
 void setTextureDetail(const GpuScene& gpu, int draws, TextureFilter filter, const gl::ContextInfo& context) {
   const bool hardware = draws == 1 && chooseTextureFilter(filter, gl::drawsBySoftware()) == TextureFilter::hardware;
-  const float bias = -0.5f * std::log2(static_cast<float>(draws));
+  // Of several draws each sees a share of the pixel, and averages none of it: two levels finer than its share, because
+  // a level is chosen by the longer axis of what it sees, and blur is an error that all draws have in common (two of 48
+  // x 48 pixels, 64 samples: 0.32 % for 0.84 % of white, 1.79 % for 1.96 %; three levels gain nothing more).
+  const float bias = draws > 1 ? -0.5f * std::log2(static_cast<float>(draws)) - 2 : 0;
   for (const auto& [sampler, object] : gpu.samplers) {
     glSamplerParameterf(object.id(), GL_TEXTURE_LOD_BIAS, bias);
     if (isTrilinear(sampler))

@@ -50,7 +50,8 @@ struct Picture {
 
 struct PictureRequest {
   bool radiance = false, display = false;
-  int repeat = 0;  // further frames, for timing
+  bool estimate = false;  // of the noise of what converges (FrameStatistics::parts), also without an error to keep to
+  int repeat = 0;         // further frames, for timing
   // Nothing is rendered after this: Session frees in main memory what is on the GPU by then.
   bool last = false;
 };

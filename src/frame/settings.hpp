@@ -142,6 +142,8 @@ struct BrdfComparison {
   bool operator==(const BrdfComparison&) const = default;
 };
 
+inline constexpr int largestSeed = (1 << 24) - 1;  // what a float holds
+
 // How far the picture goes towards the converged one.
 struct Quality {
   int samples = 4;  // a pixel, [1, 4096]; 1: no antialiasing; above 4 the light converges too
@@ -149,6 +151,9 @@ struct Quality {
   // methods that keep to it (ibl/choice.hpp): relative, (0, 1]. Above 4, samples is the most that it may take.
   std::optional<double> maxError;
   TextureFilter textureFilter = TextureFilter::automatic;
+  // Of the numbers that samples are drawn with: pictures of different seeds differ by their noise, which is
+  // independent.
+  int seed = 0;  // [0, largestSeed]
   Transport transport = Transport::direct;
   int bounces = 16;  // of path-traced light: surfaces that a path leaves at most, [0, 64]; 0: what shines by itself
 

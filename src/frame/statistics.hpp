@@ -3,18 +3,40 @@
 // What is told of a frame: no OpenGL.
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace facet::frame {
 
+// How the mean of a picture's first draws differs from that of the next ones: sums of squared differences of display
+// values over all pixels and colour channels, of bands or of the whole.
+struct PartDifference {
+  int first = 0, next = 0;  // draws
+  double squares = 0;
+  double fourths = 0;  // of each pixel's sum over its channels, squared
+  double values = 0;   // pixels times channels
+};
+
+// What a picture is off by: root mean square over its pixels and colour channels in 1/255, before rounding to 8 bits.
+struct ErrorEstimate {
+  double likely = -1;  // below 0: not estimated
+  double most = -1;    // up to which it is, with errorConfidence
+  double rate = 0.5;   // it falls about by N^-rate
+};
+inline constexpr double errorConfidence = 0.95;
+
+// Of a picture whose parts differ like that: the last entry is of all its draws, those before it of fewer and fewer of
+// the first ones. What all draws have in common, and what none has met, they do not know.
+ErrorEstimate errorEstimate(std::span<const PartDifference> parts);
+
 struct FrameStatistics {
   std::vector<std::string> passes;
   int draws = 0;
   uint64_t instances = 0, triangles = 0;
-  uint64_t culled = 0;  // instances of draws outside the picture
-  uint64_t rays = 0;    // of path-traced light
-  double error = -1;    // estimated (PictureErrors::parts), 1/255; below 0: the targets have no `before`
+  uint64_t culled = 0;                // instances of draws outside the picture
+  uint64_t rays = 0;                  // of path-traced light
+  std::vector<PartDifference> parts;  // where the targets have a `before`: see errorEstimate
 };
 
 // How the display pictures of a measured BRDF and of the model fitted to it differ, in 1/255.

@@ -419,6 +419,9 @@ constexpr PictureOption optionTable[] = {
      writeNumber<&S::quality, &frame::Quality::samples>},
     choiceOption<frame::textureFilters, &S::quality, &frame::Quality::textureFilter>(
         "texture-filter", "how slanted textures are read in pictures of at most 4 samples"),
+    {"seed", "N", "of the numbers that samples are drawn with: another one gives independent noise (0)",
+     parseNumberInto<0, frame::largestSeed, &S::quality, &frame::Quality::seed>,
+     writeNumber<&S::quality, &frame::Quality::seed>},
     {"max-error", "E",
      "takes as many samples as the picture's estimated error needs, --samples at most (4096): root mean square of what "
      "one sees, 0.01 or 1% of white; light tables keep to it, too (none: as many as --samples says, tables to 1%)",

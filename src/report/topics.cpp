@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "report/energy.hpp"
+#include "report/estimate.hpp"
 #include "report/frame_cost.hpp"
 #include "report/light.hpp"
 #include "report/measured_cost.hpp"
@@ -24,6 +25,8 @@ constexpr Topic topics[] = {
     {"fresnel", "Schlick's approximation and F82-tint against Fresnel's equations", false, computed<fresnelTables>},
     {"diffuse", "energy of the diffuse models", false, computed<diffuseTables>},
     {"energy", "what rough lobes return: models of further bounces, for environment and lights", true, energyReport},
+    {"estimate", "--max-error: what it states against true errors, its samples against the fewest that do", true,
+     estimateReport},
     {"frame", "a frame: error and time of each way of reading slanted textures", true, frameReport},
     {"light", "image-based light: error against run time under --env", true, lightReport},
     {"measured", "measured BRDFs: error against run time of samples and formats, look-ups against formulas", true,

@@ -74,6 +74,7 @@ void begin(Viewport& viewport, ViewerState& state, const scene::View& view) {
   frame::prepareComparison(r.targets, viewport.shown.list);
   r.gathering = frame::beginGathering(frameInput(viewport, view), r.targets);
   r.estimateAt = 1;
+  r.parts.clear();
   state.refinement.wanted = s.quality.samples;
   // A guess from the cheap frame: a sampled draw takes about as long per coverage sample. The steps adapt.
   const double guessMs = state.shown.statistics.gpuMs;
@@ -106,18 +107,22 @@ bool takeErrors(Refinement& r, bool compared, ViewerState& state) {
   const frame::PictureErrors errors = frame::readErrors(*r.errors);
   r.errors.reset();
   // Of the cheap picture and the gathered one, whose errors are independent.
-  const double cheap = std::sqrt(std::max(0.0, errors.shown * errors.shown - errors.parts * errors.parts));
-  const bool better = compared ? r.gathering->done >= frame::convergedAbove : errors.parts < cheap;
+  r.parts.push_back(errors.parts);
+  const frame::ErrorEstimate gathered = frame::errorEstimate(r.parts);
+  const double cheap = std::sqrt(std::max(0.0, errors.shown * errors.shown - gathered.likely * gathered.likely));
+  const bool better = compared ? r.gathering->done >= frame::convergedAbove : gathered.most < cheap;
   const bool change = !r.shown && (better || r.gathering->complete());
   r.shown |= change;
-  state.refinement.error = r.shown ? errors.parts : compared ? -1 : cheap;
+  r.estimate = gathered;
+  state.refinement.error = r.shown ? gathered.most : compared ? -1 : cheap;
   return change;
 }
 
 // The picture is complete: true where its error asks for more samples, which then are gathered anew.
 bool again(Refinement& r, const ViewerState& state) {
-  if (!state.settings.quality.maxError || state.refinement.error < 0) return false;
-  const int samples = frame::nextSamples(state.settings, r.samples, state.refinement.error);
+  if (!state.settings.quality.maxError || r.estimate.most < 0) return false;
+  r.attempts.push_back({r.samples, r.estimate});
+  const int samples = frame::nextSamples(state.settings, r.attempts);
   if (samples > 0) r.samples = r.settings.quality.samples = samples;
   return samples > 0;
 }
@@ -171,6 +176,8 @@ void stopRefinement(Viewport& viewport, ViewerState& state) {
   r.movingFeatures.reset();
   if (!frame::converges(state.settings)) r.targets = {};
   r.samples = firstAttempt(state.settings);
+  r.attempts.clear();
+  r.estimate = {};
   state.refinement = {};
   if (frame::converges(state.settings)) state.refinement.wanted = r.samples;
 }

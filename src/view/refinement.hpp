@@ -32,6 +32,9 @@ struct Refinement {
   double issueMs = 0;                           // CPU time of the last step
   int estimateAt = 1;                           // draws at which the error is estimated next
   std::optional<frame::ErrorSums> errors;       // on their way
+  std::vector<frame::PartDifference> parts;     // of what has been gathered
+  frame::ErrorEstimate estimate;                // of what had been when it was made
+  std::vector<frame::Attempt> attempts;         // of an error to keep to, that are complete
   std::chrono::steady_clock::time_point since;  // when the picture changed last
 };
 

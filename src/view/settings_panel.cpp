@@ -285,9 +285,18 @@ void budgetChoice(frame::PictureSettings& settings) {
   hint("root mean square of what one sees, in per cent of white");
 }
 
+void seedChoice(frame::PictureSettings& settings) {
+  int& seed = settings.quality.seed;
+  ImGui::InputInt("seed", &seed);
+  hint("of the numbers that samples are drawn with: another one gives independent noise");
+  if (resetAsked()) seed = usual.quality.seed;
+  seed = std::clamp(seed, 0, frame::largestSeed);
+}
+
 void accuracySection(ViewerState& state) {
   if (!section("Accuracy")) return;
   budgetChoice(state.settings);
+  if (frame::converges(state.settings)) seedChoice(state.settings);
   if (!beginDetails("accuracy")) return;
   const RefinementStatus& r = state.refinement;
   const bool shows = r.shown > 0;
@@ -297,9 +306,11 @@ void accuracySection(ViewerState& state) {
                : std::to_string(std::min(state.settings.quality.samples, 4)) + " samples a pixel, light tables");
   if (r.wanted > 0) detail("gathered", std::to_string(r.gathered) + " of " + std::to_string(r.wanted));
   char error[48] = "not known";
-  if (r.error >= 0) std::snprintf(error, sizeof error, "about %.2f/255", r.error);
+  if (r.error >= 0) std::snprintf(error, sizeof error, "%s %.2f/255", shows ? "up to" : "about", r.error);
   detail("its error", error);
-  hint("root mean square of the colours on the screen: the first half of the samples against the second");
+  hint(
+      "root mean square of the colours on the screen: the first half of the samples against the second; 'up to' with a "
+      "confidence of 95 %");
   detail("light tables", byteText(state.shown.statistics.tableBytes));
   constexpr const char* parts[] = {"irradiance", "reflections", "DFG"};
   for (const ibl::Candidate* chosen : state.shown.statistics.methods) {

@@ -39,7 +39,8 @@ std::string refinementText(const RefinementStatus& status) {
   if (status.gathered == status.wanted) text = std::to_string(status.wanted) + " samples";
   if (status.error < 0) return text;
   char error[48];
-  std::snprintf(error, sizeof error, ", error about %.*f/255", status.error < 1 ? 2 : 1, status.error);
+  std::snprintf(error, sizeof error, ", error %s %.*f/255", status.shown > 0 ? "up to" : "about",
+                status.error < 1 ? 2 : 1, status.error);
   return text + error;
 }
 

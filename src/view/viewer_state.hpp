@@ -66,10 +66,12 @@ struct RefinementStatus {
   int wanted = 0;     // samples a pixel; 0: the picture is not refined
   int gathered = 0;   // of them
   int shown = 0;      // of them, on the screen; 0: the cheap picture still is
-  double error = -1;  // of the picture on the screen, estimated: root mean square in 1/255; below 0: not known yet
+  // Of the picture on the screen, estimated: root mean square in 1/255; below 0: not known yet. Of what is gathered
+  // ErrorEstimate::most, of the cheap picture the likely one.
+  double error = -1;
   bool lightPreview = false;  // the environment's tables are coarse as yet
 };
-// "light is a preview"; "37 of 256 samples, error about 1.2/255"; empty where there is nothing to say.
+// "light is a preview"; "37 of 256 samples, error up to 1.2/255"; empty where there is nothing to say.
 std::string refinementText(const RefinementStatus& status);
 
 struct Turntable {

@@ -19,18 +19,30 @@ frame::PictureSettings poster(int samples) {
 
 }  // namespace
 
-TEST_CASE("max error: powers of two, at least twice as many, up to what is allowed") {
+TEST_CASE("max error: as many samples as the fall of the error says") {
   frame::PictureSettings settings;
   settings.quality.maxError = 0.01;  // 2.55 / 255
+  using Errors = std::vector<std::pair<int, double>>;
+  const auto next = [&](const Errors& errors, double rate = 0.5) {
+    std::vector<frame::Attempt> attempts;
+    for (const auto& [samples, error] : errors) attempts.push_back({samples, {0, error, rate}});
+    return frame::nextSamples(settings, attempts);
+  };
   CHECK(frame::firstSamples(settings) == 8);
-  CHECK(frame::nextSamples(settings, 8, 2.5) == 0);
-  CHECK(frame::nextSamples(settings, 8, 2.6) == 16);
-  CHECK(frame::nextSamples(settings, 8, 10.2) == 64);  // 8 * 4^(1 / 0.7) = 58
-  CHECK(frame::nextSamples(settings, 8, 1e9) == 4096);
-  CHECK(frame::nextSamples(settings, 4096, 3) == 0);
+  CHECK(next({{8, 2.55}}) == 0);
+  CHECK(next({{8, 2.6}}) == 10);
+  CHECK(next({{8, 5.1}}) == 32);
+  CHECK(next({{8, 5.1}}, 0.8) == 20);               // 19.03; 4 ... 7 times a power of two
+  CHECK(next({{8, 25.5}}) == 448);                  // half of 800
+  CHECK(next({{8, 25.5}, {224, 5.1}}) == 1024);     // fell by N^-0.483: 224 * 2^(1 / 0.483) = 941
+  CHECK(next({{8, 25.5}, {64, 5.1}}, 0.5) == 160);  // N^-0.774: 64 * 2^(1 / 0.774) = 156.8
+  CHECK(next({{8, 25.5}, {224, 2.55}}) == 0);
+  CHECK(next({{8, 1e9}}) == 4096);
+  CHECK(next({{4096, 3}}) == 0);
   settings.quality.samples = 100;
-  CHECK(frame::nextSamples(settings, 8, 1e9) == 100);
-  CHECK(frame::nextSamples(settings, 100, 3) == 0);
+  CHECK(next({{8, 1e9}}) == 100);
+  CHECK(next({{8, 9}, {96, 2.6}}) == 100);
+  CHECK(next({{100, 3}}) == 0);
   settings.quality.samples = 6;
   CHECK(frame::firstSamples(settings) == 6);
 }
@@ -46,15 +58,15 @@ TEST_CASE("max error: the picture of that many samples, within the error, agains
     const std::vector<frame::Attempt>& attempts = picture.statistics.attempts;
     REQUIRE_FALSE(attempts.empty());
     CHECK(attempts.size() <= 4);
-    CHECK(attempts.back().error <= 255 * wanted);
-    for (size_t i = 0; i + 1 < attempts.size(); ++i) CHECK(attempts[i].error > 255 * wanted);
+    CHECK(attempts.back().error.most <= 255 * wanted);
+    for (size_t i = 0; i + 1 < attempts.size(); ++i) CHECK(attempts[i].error.most > 255 * wanted);
     double squares = 0;
     for (size_t i = 0; i < truth.data.size(); ++i)
       squares += std::pow(double(truth.data[i]) - double(picture.display.data[i]), 2);
     const double error = std::sqrt(squares / double(truth.data.size()));
-    INFO(attempts.back().samples << " samples, estimated " << attempts.back().error << ", true " << error);
-    CHECK(error <= 255 * wanted * 1.1);  // the estimate itself is good to that
-    CHECK(attempts.back().error < 2 * error);
+    INFO(attempts.back().samples << " samples, estimated " << attempts.back().error.most << ", true " << error);
+    CHECK(error <= 255 * wanted);
+    CHECK(attempts.back().error.most < 2 * error);
   }
 }
 
@@ -82,7 +94,7 @@ TEST_CASE("max error: what cannot be reached is drawn with as many samples as ar
   REQUIRE(picture.statistics.attempts.size() == 2);
   CHECK(picture.statistics.attempts[0].samples == 8);
   CHECK(picture.statistics.attempts[1].samples == 12);
-  CHECK(picture.statistics.attempts[1].error > 255 * 1e-4);
+  CHECK(picture.statistics.attempts[1].error.most > 255 * 1e-4);
   // What is told of the tables is what was chosen for them.
   REQUIRE(picture.statistics.methods.size() == 3);
   CHECK(picture.statistics.methods == ibl::chosenFor(1e-4));

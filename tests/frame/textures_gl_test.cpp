@@ -38,6 +38,32 @@ TEST_CASE("Textures: transform, sampler and vertex colour reach the pixel") {
   CHECK(picture.statistics.imagesDecoded == 1);
 }
 
+// Columns of 8 texels, black and white in turn, a pixel wide; 64 texels of a pixel's height, by which the level is
+// chosen.
+TEST_CASE("Textures: many draws do not blur by the longer axis of what a pixel sees", "[gl]") {
+  GltfBuilder builder = emptyScene();
+  std::vector<uint8_t> texels;
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x) texels.push_back(x / 8 % 2 == 0 ? 0 : 255);
+  builder.append("images", {{"uri", test::dataUri(test::pngBytes(64, 64, 1, 8, texels), "image/png")}});
+  builder.append("textures", {{"source", 0}});
+  json m = unlit({1, 1, 1, 1});
+  m["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+  json quad = test::addQuad(builder, {-1, -1}, {1, 1});
+  quad["attributes"]["TEXCOORD_0"] = builder.add(std::vector<float>{0, 0, 1, 0, 1, 8, 0, 8}, test::floatType, "VEC2");
+  test::addMeshNode(builder, quad, builder.append("materials", m));
+  test::addOrthographicCamera(builder, 1, 1);
+  PictureSettings settings = test::bareSettings(8, 8);
+  settings.viewpoint.camera = "0";
+  settings.quality.samples = 64;
+  const frame::Picture picture = test::Studio().render(test::loadBuilt(builder), settings);
+  for (int x = 0; x < 8; ++x) {
+    // Of a level whose texels are a quarter of a pixel, a sixteenth is the neighbours'.
+    const float value = test::pixel(picture.radiance, x, 4).x;
+    CHECK((x % 2 == 0 ? value : 1 - value) < 0.08f);
+  }
+}
+
 TEST_CASE("Every set of texture coordinates reaches its texture") {
   const int set = GENERATE(0, 1, 2, 5, 7);
   GltfBuilder builder = emptyScene();

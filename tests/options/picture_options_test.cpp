@@ -77,7 +77,7 @@ PictureSettings unusual() {
   s.frame.occlusion = 0;
   s.display.exposureStops = -2.5f;
   s.display.toneMapper = frame::ToneMapper::uncharted2;
-  s.quality.samples = 16, s.quality.bounces = 3;
+  s.quality.samples = 16, s.quality.bounces = 3, s.quality.seed = 7;
   s.quality.textureFilter = frame::TextureFilter::isotropic;
   s.quality.maxError = 0.02;
   s.look.channel = "geometryNormal";

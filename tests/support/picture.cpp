@@ -44,8 +44,9 @@ frame::Picture Studio::render(frame::LoadedScene& scene, const frame::PictureSet
       frame::preparePicture(settings, scene, supply, programs_, statistics, notes, stages);
   INFO((drawable ? std::string() : describe(drawable.error())));
   REQUIRE(drawable);
-  Result<frame::Picture> picture = frame::drawPicture(settings, {.radiance = true, .display = true}, *drawable,
-                                                      std::move(statistics), programs_, contextInfo(), stages);
+  Result<frame::Picture> picture =
+      frame::drawPicture(settings, {.radiance = true, .display = true, .estimate = estimate}, *drawable,
+                         std::move(statistics), programs_, contextInfo(), stages);
   INFO((picture ? std::string() : describe(picture.error())));
   REQUIRE(picture);
   return std::move(*picture);

@@ -25,7 +25,8 @@ class Studio {
   frame::Picture render(const io::LoadedModel& model, const frame::PictureSettings& settings);
   // What the model has on the GPU stays for further pictures.
   frame::Picture render(frame::LoadedScene& scene, const frame::PictureSettings& settings);
-  Notes notes;  // of the last picture
+  Notes notes;            // of the last picture
+  bool estimate = false;  // of their noise, too
 
  private:
   shading::ProgramStore programs_;

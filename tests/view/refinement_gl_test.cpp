@@ -73,7 +73,7 @@ TEST_CASE("refinement: an error to keep to asks for more samples until it is kep
   const std::vector<frame::Attempt>& attempts = picture.statistics.attempts;
   REQUIRE(attempts.size() >= 2);
   CHECK(viewer.state.refinement.shown == attempts.back().samples);
-  CHECK(viewer.state.refinement.error == Approx(attempts.back().error).epsilon(1e-4));
+  CHECK(viewer.state.refinement.error == Approx(attempts.back().error.most).epsilon(1e-4));
   CHECK(viewer.state.refinement.error <= 255 * 0.01);
   CHECK((viewer.display().data == picture.display.data));
 
@@ -153,7 +153,7 @@ TEST_CASE("refinement: any change starts with the cheap picture, and few samples
   CHECK_FALSE(view::bringUp(viewer.viewport, viewer.state, viewer.loader));
   viewer.converge();
   CHECK((viewer.display().data != cheap.data));
-  CHECK_THAT(view::refinementText(viewer.state.refinement), Catch::StartsWith("8 samples, error about "));
+  CHECK_THAT(view::refinementText(viewer.state.refinement), Catch::StartsWith("8 samples, error up to "));
 
   const scene::OrbitCamera camera = viewer.state.camera;
   viewer.state.camera.theta += 40;
@@ -168,9 +168,8 @@ TEST_CASE("refinement: any change starts with the cheap picture, and few samples
   CHECK_FALSE(viewer.viewport.refinement.targets.sum);
 }
 
-// The true error is that against 512 samples. The ratio of the estimate to it was 0.9 to 1.35 (8, 16, 64 samples):
-// draws that are spread evenly agree faster than two halves of them do.
-TEST_CASE("refinement: the estimated error follows the true one", "[gl]") {
+// The true error is that against 512 samples.
+TEST_CASE("refinement: the error that is stated follows the true one", "[gl]") {
   Viewer viewer;
   viewer.load("builtin:poster");
   viewer.state.settings.quality.samples = 512;
@@ -181,6 +180,6 @@ TEST_CASE("refinement: the estimated error follows the true one", "[gl]") {
     const double error = rmsDifference(viewer.display(), truth), estimate = viewer.state.refinement.error;
     INFO(samples << " samples, estimated " << estimate << ", true " << error);
     CHECK(estimate > 0.8 * error);
-    CHECK(estimate < 1.6 * error);
+    CHECK(estimate < 1.8 * error);
   }
 }
