@@ -10,7 +10,7 @@ layout(binding = opaqueDepthUnit) uniform sampler2DMS sourceDepth;
 layout(binding = sourceUnit) uniform sampler2D sourceColor;
 layout(binding = opaqueDepthUnit) uniform sampler2D sourceDepth;
 #endif
-layout(binding = 0, rgba16f) writeonly uniform image2D color;
+layout(binding = 0) writeonly uniform image2D color;
 layout(binding = 1, r32f) writeonly uniform image2D depth;
 
 void main() {

@@ -6,7 +6,7 @@ layout(local_size_x = groupSize, local_size_y = groupSize) in;
 layout(location = behindFineLevelLocation) uniform int fineLevel;
 layout(binding = opaqueFrameUnit) uniform sampler2D fineColor;
 layout(binding = opaqueDepthUnit) uniform sampler2D fineDepth;
-layout(binding = 0, rgba16f) writeonly uniform image2D color;
+layout(binding = 0) writeonly uniform image2D color;
 layout(binding = 1, r32f) writeonly uniform image2D depth;
 
 void main() {

@@ -16,7 +16,7 @@ Result<const gl::Program*> levelProgram(shading::ProgramStore& programs) {
 }
 
 void writeLevel(const Behind& behind, int level, const gl::Program& program) {
-  glBindImageTexture(0, behind.color.id(), level, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16F);
+  glBindImageTexture(0, behind.color.id(), level, GL_FALSE, 0, GL_WRITE_ONLY, behind.color.description().format);
   glBindImageTexture(1, behind.depth.id(), level, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32F);
   const auto groups = [&](int size) { return static_cast<GLuint>(layout::groupsFor(std::max(1, size >> level))); };
   glUseProgram(program.id());
@@ -32,7 +32,8 @@ void prepareBehind(Targets& targets, const DrawList& list) {
     return;
   }
   if (targets.behind.color) return;
-  gl::TextureDescription description{.format = GL_RGBA16F, .width = targets.width, .height = targets.height};
+  gl::TextureDescription description{
+      .format = targets.color.description().format, .width = targets.width, .height = targets.height};
   description.levels = gl::mipLevels(targets.width, targets.height);
   targets.behind.color = gl::Texture(description, "behind");
   description.format = GL_R32F;

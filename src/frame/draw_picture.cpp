@@ -17,9 +17,9 @@ namespace {
 
 // Rows of a band. Bands save memory and cost the geometry once more each: a few for scenes of little geometry, for
 // others only where the targets of a large picture could not be had otherwise. A sample takes 12 bytes (RGBA16F and
-// depth). What shines through a surface may come from any row: a scene with such surfaces gets one band up to 4 GiB;
-// beyond, what shines through ends at the band.
-int bandRows(const PictureSettings& settings, const DrawList& list, const gl::ContextInfo& context) {
+// depth), 20 where it is precise. What shines through a surface may come from any row: a scene with such surfaces gets
+// one band up to 4 GiB; beyond, what shines through ends at the band.
+int bandRows(const PictureSettings& settings, const DrawList& list, const gl::ContextInfo& context, bool precise) {
   size_t corners = 0;
   for (const std::vector<Draw>* draws : list.classes())
     for (const Draw& draw : *draws)
@@ -28,8 +28,9 @@ int bandRows(const PictureSettings& settings, const DrawList& list, const gl::Co
   if (!list.transmitting.empty()) budget = size_t{4} << 30;
   if (list.features.paths) budget = size_t{1} << 30;  // few rows would keep few rays busy
   const int samples = std::min(settings.quality.samples, context.maxSamples);
-  const size_t rows =
-      budget / (static_cast<size_t>(settings.frame.width) * static_cast<size_t>(samples) * 12) / 16 * 16;
+  const size_t rows = budget /
+                      (static_cast<size_t>(settings.frame.width) * static_cast<size_t>(samples) * (precise ? 20 : 12)) /
+                      16 * 16;
   return static_cast<int>(std::clamp<size_t>(rows, 16, static_cast<size_t>(std::max(16, settings.frame.height))));
 }
 
@@ -144,8 +145,9 @@ bool gathers(const PictureSettings& settings) {
 }
 
 // For as many samples as the settings ask for, or for any number while the error decides.
-Targets pictureTargets(const PictureSettings& settings, const gl::ContextInfo& context, int rows, bool estimate) {
-  Targets targets = createTargets(settings, context, rows);
+Targets pictureTargets(const PictureSettings& settings, const gl::ContextInfo& context, int rows, bool estimate,
+                       bool precise) {
+  Targets targets = createTargets(settings, context, rows, precise);
   if (estimate)
     targets.before =
         gl::Texture({.format = GL_RGBA32F, .width = settings.frame.width, .height = rows}, "first samples");
@@ -154,10 +156,10 @@ Targets pictureTargets(const PictureSettings& settings, const gl::ContextInfo& c
 
 }  // namespace
 
-Targets createTargets(const PictureSettings& settings, const gl::ContextInfo& context, int rows) {
+Targets createTargets(const PictureSettings& settings, const gl::ContextInfo& context, int rows, bool precise) {
   const bool gather = gathers(settings);
   return createTargets(settings.frame.width, rows > 0 ? rows : settings.frame.height,
-                       gather ? 1 : std::min(settings.quality.samples, context.maxSamples), gather);
+                       gather ? 1 : std::min(settings.quality.samples, context.maxSamples), gather, precise);
 }
 
 namespace {
@@ -191,9 +193,10 @@ Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& 
   if (!view) return tl::unexpected(view.error());
   const FrameInput input = frameInput(drawable, *view, settings);
   const GpuScene& gpu = drawable.scene->gpu;
-  const int rows = std::min(bandRows(settings, list, context), settings.frame.height);
+  const bool precise = request.radiance && !request.display;
+  const int rows = std::min(bandRows(settings, list, context, precise), settings.frame.height);
   const bool estimate = asked.quality.maxError || (request.estimate && gathers(settings));
-  Targets targets = pictureTargets(settings, context, rows, estimate);
+  Targets targets = pictureTargets(settings, context, rows, estimate, precise);
   prepareBehind(targets, list);
   prepareComparison(targets, list);
   statistics.bands = (settings.frame.height + rows - 1) / rows;

@@ -22,7 +22,7 @@ namespace facet::frame {
 // A copy of what is drawn before the transmitting surfaces. Level k + 1 is level k filtered by [1 3 3 1] / 8 along each
 // axis and halved: its texel i covers pixels [i, i + 1) 2^k.
 struct Behind {
-  gl::Texture color;  // RGBA16F, associated alpha
+  gl::Texture color;  // as Targets::color
   gl::Texture depth;  // R32F as in the depth buffer: its mean is the mean of 1 / distance (perspective)
 };
 
@@ -31,9 +31,9 @@ struct Behind {
 struct Targets {
   int width = 0, height = 0;
   int samples = 1;          // of the multisample targets
-  gl::Texture multisample;  // RGBA16F, only where samples > 1
+  gl::Texture multisample;  // as color, only where samples > 1
   gl::Texture depth;        // 32F, reversed: 1 near, 0 far
-  gl::Texture color;        // RGBA16F, scene-linear, associated alpha
+  gl::Texture color;        // RGBA16F, RGBA32F where precise; scene-linear, associated alpha
   gl::Texture sum;          // RGBA32F, only while several draws are gathered
   gl::Texture before;       // RGBA32F, the sum as it was; only where the error is wanted
   gl::Texture fitted;       // as sum, else as color, of the fitted model; only where it is compared
@@ -42,7 +42,9 @@ struct Targets {
   gl::Framebuffer drawn, resolved, gathered, fittedGathered, shown;
   gl::VertexArray noAttributes;  // core profile draws nothing without a vertex array, full-screen passes too
 };
-Targets createTargets(int width, int height, int samples, bool gather);
+// precise: in single precision from the first sample, for who reads radiance. Halves, which hold 11 bits and which
+// drivers round towards zero, are enough for what is shown.
+Targets createTargets(int width, int height, int samples, bool gather, bool precise = false);
 // For gathering a picture that is shown in others' display picture: with what its error is estimated from.
 Targets createGatherTargets(int width, int height);
 // For values of a debug channel in single precision, to be read (format GL_RGBA32F), or for a mask (GL_RGBA8).

@@ -16,7 +16,8 @@ namespace facet::frame {
 
 // Targets for one draw of settings.samples, or for gathering that many draws.
 // rows: of the picture that they hold at once; 0: all.
-Targets createTargets(const PictureSettings& settings, const gl::ContextInfo& context, int rows = 0);
+Targets createTargets(const PictureSettings& settings, const gl::ContextInfo& context, int rows = 0,
+                      bool precise = false);
 
 // What rays are traced through.
 struct TracedStatistics {
@@ -49,6 +50,8 @@ struct Picture {
 };
 
 struct PictureRequest {
+  // Radiance alone is drawn in single precision; what is shown is drawn in halves, as the window draws it, and so is
+  // radiance beside it.
   bool radiance = false, display = false;
   bool estimate = false;  // of the noise of what converges (FrameStatistics::parts), also without an error to keep to
   int repeat = 0;         // further frames, for timing

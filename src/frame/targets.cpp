@@ -8,14 +8,14 @@ namespace facet::frame {
 namespace {
 
 // Without the display picture.
-Targets createDrawTargets(int width, int height, int samples, bool gather) {
+Targets createDrawTargets(int width, int height, int samples, bool gather, GLenum format = GL_RGBA16F) {
   Targets t;
   t.width = width;
   t.height = height;
   t.samples = std::max(1, samples);
   const GLenum target = t.samples > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
   const int count = t.samples > 1 ? t.samples : 0;
-  t.color = gl::Texture({.format = GL_RGBA16F, .width = width, .height = height}, "scene-linear");
+  t.color = gl::Texture({.format = format, .width = width, .height = height}, "scene-linear");
   t.depth = gl::Texture(
       {.target = target, .format = GL_DEPTH_COMPONENT32F, .width = width, .height = height, .samples = count}, "depth");
   t.resolved = gl::Framebuffer("resolved");
@@ -23,7 +23,7 @@ Targets createDrawTargets(int width, int height, int samples, bool gather) {
   t.drawn = gl::Framebuffer("drawn");
   if (t.samples > 1) {
     t.multisample = gl::Texture(
-        {.target = target, .format = GL_RGBA16F, .width = width, .height = height, .samples = count}, "multisample");
+        {.target = target, .format = format, .width = width, .height = height, .samples = count}, "multisample");
     t.drawn.attach(GL_COLOR_ATTACHMENT0, t.multisample);
   } else {
     t.drawn.attach(GL_COLOR_ATTACHMENT0, t.color);
@@ -39,8 +39,8 @@ Targets createDrawTargets(int width, int height, int samples, bool gather) {
 
 }  // namespace
 
-Targets createTargets(int width, int height, int samples, bool gather) {
-  Targets t = createDrawTargets(width, height, samples, gather);
+Targets createTargets(int width, int height, int samples, bool gather, bool precise) {
+  Targets t = createDrawTargets(width, height, samples, gather, precise ? GL_RGBA32F : GL_RGBA16F);
   t.display = gl::Texture({.format = GL_RGBA8, .width = width, .height = height}, "display");
   t.shown = gl::Framebuffer("shown");
   t.shown.attach(GL_COLOR_ATTACHMENT0, t.display);
@@ -67,7 +67,7 @@ Targets createValueTargets(int width, int height, GLenum format) {
 void prepareComparison(Targets& targets, const DrawList& list) {
   if (!list.compared) targets.fitted = {}, targets.fittedGathered = {};
   if (!list.compared || targets.fitted) return;
-  const GLenum format = targets.sum ? GL_RGBA32F : GL_RGBA16F;
+  const GLenum format = targets.sum ? GL_RGBA32F : targets.color.description().format;
   targets.fitted =
       gl::Texture({.format = format, .width = targets.width, .height = targets.height}, "fitted model's picture");
   targets.fittedGathered = gl::Framebuffer("fitted model's picture");

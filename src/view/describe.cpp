@@ -16,6 +16,7 @@ void describeNotes(const Viewport& viewport, ShownScene& shown) {
   add(viewport.scene->loaded->model.name, viewport.scene->notes);
   add(viewport.environments.shown->source, viewport.environments.shown->notes);
   if (const auto& measured = viewport.shown.inputs.list.measured) add(measured->facts.path, measured->facts.notes);
+  if (const auto& fitted = viewport.shown.inputs.list.fitted) add("", frame::fitNotes(fitted->fitted));
   add("", viewport.shown.notes);
 }
 

@@ -137,7 +137,7 @@ TEST_CASE("EON keeps a white furnace white, in default and in sampled pictures, 
   const glm::vec2 burley = range();
   CHECK(burley.x < 0.93f);
   CHECK(burley.y > 1.02f);
-  settings.quality.samples = 16;
+  settings.quality.samples = 64;
   settings.look.models.diffuse = DiffuseModel::eon;
   const glm::vec2 sampled = range();
   std::cout << "white dielectrics: EON " << eon.x << " to " << eon.y << ", sampled " << sampled.x << " to " << sampled.y

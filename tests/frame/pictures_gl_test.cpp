@@ -342,3 +342,30 @@ TEST_CASE("Statistics are of all bands of a picture, not of its last") {
   CHECK(s.frame.triangles == 2);
   CHECK(s.frame.passes == Names{"opaque", "display"});
 }
+
+// 0.9, 0.5, 0.2 / pi times the cosine of 30 degrees lie between halves: 0.248047, 0.137817, 0.055115 are the next
+// below.
+TEST_CASE("Precision: radiance alone is exact to single precision, of one sample and of many", "[gl]") {
+  const glm::vec4 radiance(0.248098f, 0.137832f, 0.055133f, 1);
+  GltfBuilder builder = emptyScene();
+  const int plain = builder.append("materials", unlit(radiance));
+  json glass = material({1, 1, 1, 1}, 0, 0);
+  glass["extensions"] = {{"KHR_materials_transmission", {{"transmissionFactor", 1}}},
+                         {"KHR_materials_ior", {{"ior", 1}}}};
+  test::addMeshNode(builder, test::addQuad(builder, {-1, -1}, {1, 1}), plain);
+  test::addMeshNode(builder, test::addQuad(builder, {0, -1}, {1, 1}), builder.append("materials", glass), at(0, 0, 1));
+  test::addOrthographicCamera(builder, 1, 1);
+  const io::LoadedModel model = test::loadBuilt(builder);
+  test::Studio studio;
+  studio.display = false;
+  PictureSettings settings = test::bareSettings(8, 8);
+  settings.viewpoint.camera = "0";
+  for (const int samples : {1, 4, 64}) {
+    settings.quality.samples = samples;
+    const frame::Picture picture = studio.render(model, settings);
+    INFO(samples << " samples");
+    for (const int x : {1, 6})  // itself, and through what does not refract
+      for (int i = 0; i < 3; ++i)
+        CHECK(test::pixel(picture.radiance, x, 4)[i] == Approx(radiance[i]).epsilon(x == 1 ? 1e-6 : 1e-5));
+  }
+}

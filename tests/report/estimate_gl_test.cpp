@@ -13,7 +13,7 @@ TEST_CASE("estimate: what --max-error states, the truth and the oracle's samples
   test::addOrthographicCamera(builder, 0.6, 0.6);
   const io::LoadedModel model = test::loadBuilt(builder);
   test::Studio studio;
-  studio.estimate = true;
+  studio.estimate = true, studio.display = false;
   frame::LoadedScene scene = test::sceneOf(model);
   frame::PictureSettings settings = test::bareSettings(32, 32);
   settings.viewpoint.camera = "0";

@@ -45,7 +45,7 @@ frame::Picture Studio::render(frame::LoadedScene& scene, const frame::PictureSet
   INFO((drawable ? std::string() : describe(drawable.error())));
   REQUIRE(drawable);
   Result<frame::Picture> picture =
-      frame::drawPicture(settings, {.radiance = true, .display = true, .estimate = estimate}, *drawable,
+      frame::drawPicture(settings, {.radiance = true, .display = display, .estimate = estimate}, *drawable,
                          std::move(statistics), programs_, contextInfo(), stages);
   INFO((picture ? std::string() : describe(picture.error())));
   REQUIRE(picture);

@@ -21,12 +21,13 @@ frame::LoadedScene sceneOf(const io::LoadedModel& model);
 class Studio {
  public:
   Studio();
-  // radiance and display are both filled.
+  // radiance and display are both filled (see below).
   frame::Picture render(const io::LoadedModel& model, const frame::PictureSettings& settings);
   // What the model has on the GPU stays for further pictures.
   frame::Picture render(frame::LoadedScene& scene, const frame::PictureSettings& settings);
   Notes notes;            // of the last picture
   bool estimate = false;  // of their noise, too
+  bool display = true;    // false: radiance alone, in single precision
 
  private:
   shading::ProgramStore programs_;

@@ -236,4 +236,13 @@ TEST_CASE("measured BRDF in the window: the fit comes beside it, the divider mov
   viewer.state.settings.comparison.brdfCompare = frame::BrdfCompare::fit;  // it is still there
   CHECK(view::bringUp(viewer.viewport, viewer.state, viewer.loader));
   CHECK(viewer.state.shown.fit);
+
+  // One that is off is told.
+  CHECK(viewer.state.shown.warnings.empty());
+  viewer.state.settings.look.models.diffuse = optics::DiffuseModel::callOfDuty;
+  viewer.settle();
+  REQUIRE(viewer.state.shown.fit);
+  CHECK(viewer.state.shown.fit->fit.albedoError > optics::toldAlbedoError);
+  REQUIRE(viewer.state.shown.warnings.size() == 1);
+  CHECK_THAT(viewer.state.shown.warnings[0], Catch::Contains("its albedo is off by 5.4 %"));
 }
