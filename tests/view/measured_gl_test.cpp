@@ -238,11 +238,16 @@ TEST_CASE("measured BRDF in the window: the fit comes beside it, the divider mov
   CHECK(viewer.state.shown.fit);
 
   // One that is off is told.
-  CHECK(viewer.state.shown.warnings.empty());
+  const auto told = [&] {
+    std::string fit;
+    for (const std::string& warning : viewer.state.shown.warnings)
+      if (warning.find("its albedo is off by") != std::string::npos) fit += warning;
+    return fit;
+  };
+  CHECK(told().empty());
   viewer.state.settings.look.models.diffuse = optics::DiffuseModel::callOfDuty;
   viewer.settle();
   REQUIRE(viewer.state.shown.fit);
   CHECK(viewer.state.shown.fit->fit.albedoError > optics::toldAlbedoError);
-  REQUIRE(viewer.state.shown.warnings.size() == 1);
-  CHECK_THAT(viewer.state.shown.warnings[0], Catch::Contains("its albedo is off by 5.4 %"));
+  CHECK_THAT(told(), Catch::Contains("its albedo is off by 5.4 %"));
 }
