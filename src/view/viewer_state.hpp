@@ -63,9 +63,9 @@ struct Playback {
 
 // How far a resting picture has converged.
 struct RefinementStatus {
-  int wanted = 0;     // samples a pixel; 0: the picture is not refined
-  int gathered = 0;   // of them
-  int shown = 0;      // of them, on the screen; 0: the cheap picture still is
+  int wanted = 0;    // samples a pixel; 0: the picture is not refined
+  int gathered = 0;  // of them
+  int shown = 0;     // of them, on the screen; 0: the cheap picture still is
   // Of the picture on the screen, estimated: root mean square in 1/255; below 0: not known yet. Of what is gathered
   // ErrorEstimate::most, of the cheap picture the likely one.
   double error = -1;
