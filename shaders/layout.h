@@ -100,6 +100,16 @@ LAYOUT_CONST dfgSamplesLocation = 0;
 LAYOUT_CONST sheenHeightsLocation = 0;
 LAYOUT_CONST probeCountLocation = 0;
 LAYOUT_CONST pathsClassLocation = 0;
+LAYOUT_CONST differenceStepLocation = 0;
+// Layers of what paths find beside a drawn picture: pairs by broad and by sharp lobes, then what smoothing goes by.
+LAYOUT_CONST visibleLayer = 0;     // of the unblocked light, what nothing blocks
+LAYOUT_CONST unblockedLayer = 2;   // from lights and environment at the first surface, as if nothing were in its way
+LAYOUT_CONST returnedLayer = 4;    // that other surfaces send
+LAYOUT_CONST smoothedLayers = 6;
+LAYOUT_CONST tableLayer = 6;       // what is drawn for unblocked light
+LAYOUT_CONST firstAlbedoLayer = 8;
+LAYOUT_CONST firstNormalLayer = 10;  // a alpha of the sharpest lobe
+LAYOUT_CONST differenceLayers = 11;
 LAYOUT_CONST holesFirstLocation = 0;
 
 // The LD chain: layer i holds perceptual roughness ldKnot(i) (environment_layers.glsl); how many cubes of which size.

@@ -8,6 +8,7 @@
 struct PathSample {
   vec3 L;
   float density;  // [1/sr]; 0: nothing was drawn
+  bool broad;     // of a broad lobe
 };
 
 // A surface as light meets it from either side.
@@ -48,15 +49,30 @@ PathSample samplePath(PathBsdf b, vec3 u) {
   else
 #endif
     drawn = sampleBsdf(b.s, b.through, u);
-  return PathSample(drawn.L, drawn.density);
+  bool broad = drawn.lobe == diffuseLobe || drawn.lobe == scatteredLobe || drawn.lobe == sheenLobeIndex;
+  return PathSample(drawn.L, drawn.density, broad);
 }
 
 // Of what the surface emits: it lies below the coat (KHR_materials_clearcoat).
 float emissionLeft(PathBsdf b) { return coatLeft(b.s); }
 
+#ifdef DIFFERENCE
+// Of surfaces that broad lobes see: how sharp they mirror does not tell in what few paths find there, but how seldom they
+// mirror a lamp does.
+void widenLobe(PathState p, inout Surface s) {
+  float least = p.vertices > 0u ? 0.25 * mix(p.radiance.a, 1.0, p.throughput.w) : 0.0;
+  if (s.alpha >= least) return;
+  setRoughness(s, sqrt(least));
+  s.dfg = lookUpDfg(s.NoV, s.perceptualRoughness);
+}
+#endif
+
 PathBsdf pathBsdf(inout PathState p, PathSurface at, vec3 baseColor, float choice) {
   vec3 V = -p.direction.xyz;
   LitSurface lit = litSurface(at.v, V, baseColor);
+#ifdef DIFFERENCE
+  widenLobe(p, lit.s);
+#endif
   PathBsdf b;
   b.s = lit.s;
   b.Ng = at.Ng;

@@ -11,6 +11,7 @@
 #include "arriving_light.glsl"
 
 #endif
+#include "path_difference.glsl" if DIFFERENCE
 
 // Vertices from which on paths end by chance.
 const uint rouletteVertices = 4u;
@@ -23,33 +24,38 @@ struct PathTurn {
 
 // The light that is looked at from the surface, into p; false: none reaches it.
 bool seeLight(inout PathState p, PathSurface at, PathBsdf b) {
-  vec3 L, arriving = vec3(0.0);
+  vec3 L, reflected = vec3(0.0);
   float distance = 3e38;
+  bool environment = false;
 #ifdef HAS_PUNCTUAL_LIGHTS
   vec2 choice = pathDraw(p, lightChoicePair);
   if (lightChance == 1.0 || choice.x >= lightChance) {
     LightUniforms light = lights[min(uint(choice.y * float(pathsShared.lights)), pathsShared.lights - 1u)];
-    arriving = arrivingLight(light, at.v.position, at.Ng, L) * float(pathsShared.lights) / (lightChance == 1.0 ? 1.0 : 1.0 - lightChance);
+    vec3 arriving = arrivingLight(light, at.v.position, at.Ng, L) * float(pathsShared.lights) / (lightChance == 1.0 ? 1.0 : 1.0 - lightChance);
+    if (arriving != vec3(0.0)) reflected = arriving * evaluatePath(b, L);
     if (light.position.w > 0.5) distance = length(light.position.xyz - at.v.position);
   } else
 #endif
   {
 #ifdef HAS_ENVIRONMENT
-    TexelSample drawn = sampleEnvironment(pathDraw(p, lightPair));
-    L = drawn.direction;
-    float density = lightChance * drawn.density;
-    if (density > 0.0) {
-      arriving = environmentRadiance(L) / density;
-      arriving *= drawnWeight(density, pathDensity(b, L));
+    environment = true;
+    if (byTables(p, b)) {
+      if (!seeSun(at, b, L, reflected)) return false;
+      reflected /= lightChance;
+    } else {
+      TexelSample texel = sampleEnvironment(pathDraw(p, lightPair));
+      L = texel.direction;
+      float density = lightChance * texel.density;
+      if (density > 0.0) reflected = environmentRadiance(L) / density * drawnWeight(density, pathDensity(b, L)) * evaluatePath(b, L);
     }
 #endif
   }
-  if (arriving == vec3(0.0)) return false;
-  vec3 radiance = p.throughput.rgb * arriving * evaluatePath(b, L);
-  if (!(max(radiance.r, max(radiance.g, radiance.b)) > 0.0)) return false;
+  vec3 radiance = p.throughput.rgb * reflected;
+  if (!(max(radiance.r, max(radiance.g, radiance.b)) > 0.0) || staysDrawn(p, at, L)) return false;
   p.lightOrigin = vec4(leaveSurface(at, L), distance);
   p.lightDirection = vec4(L, 0.0);
-  p.lightRadiance = vec4(radiance, 0.0);
+  p.lightRadiance = vec4(radiance, correcting(p) ? broadShare(b, L, pathDensity(b, L)) : p.throughput.w);
+  rememberUnblocked(p, p.lightRadiance.rgb, p.lightRadiance.w, environment);
   return true;
 }
 
@@ -58,29 +64,38 @@ PathTurn turnAt(PathState p, PathSurface at, vec3 baseColor) {
   turn.lit = turn.goesOn = false;
   vec2 choice = pathDraw(p, choicePair);
   PathBsdf b = pathBsdf(p, at, baseColor, choice.y);
-  p.radiance.rgb += p.throughput.rgb * materialEmission(at.v) * emissionLeft(b);
+  if (correcting(p))
+    rememberFirst(p, at, b);
+  else
+    gather(p, p.throughput.rgb * materialEmission(at.v) * emissionLeft(b), p.throughput.w);
   turn.path = p;
   if (p.vertices >= pathsShared.mostVertices) return turn;
+  bool tables = byTables(p, b);
   turn.lit = seeLight(p, at, b);
   PathSample drawn = samplePath(b, vec3(pathDraw(p, lobePair), choice.x));
   turn.path = p;
   if (!(drawn.density > 0.0)) return turn;
   vec3 throughput = p.throughput.rgb * evaluatePath(b, drawn.L) / drawn.density;
   float most = max(throughput.r, max(throughput.g, throughput.b));
-  if (!(most > 0.0) || isinf(most)) return turn;
+  if (!(most > 0.0) || isinf(most) || staysDrawn(p, at, drawn.L)) return turn;
+  float broad = p.throughput.w;
+  if (correcting(p)) broad = broadShare(b, drawn.L, drawn.density);
+  float survival = 1.0;
   if (p.vertices + 1u >= rouletteVertices) {
-    float survival = min(most, 0.95);
+    survival = min(most, 0.95);
     if (owenSobol2(pathsShared.number, 0x10000u + p.vertices, pathSeed(p)).x >= survival) return turn;
     throughput /= survival;
   }
+  rememberUnblocked(turn.path, throughput * unblockedRadiance(drawn), broad, true);
 #ifdef HAS_VOLUME
   if (dot(at.Ng, drawn.L) < 0.0 && materialThickness(at.v) > 0.0)
     turn.path.media = at.front ? enterMedium(p.media, at.material) : leaveMedium(p.media, at.material);
 #endif
   turn.goesOn = true;
   turn.path.origin = vec4(leaveSurface(at, drawn.L), 0.0);
-  turn.path.direction = vec4(drawn.L, drawn.density);
-  turn.path.throughput = vec4(throughput, 0.0);
+  turn.path.direction = vec4(drawn.L, tables ? 1e30 : drawn.density);  // what is not looked at is all found by the lobes
+  turn.path.onMiss = tables ? vec4(p.throughput.rgb / survival, 1.0) * onMiss(at, b, unblockedLight(at, b, false), drawn) : vec4(0.0);
+  turn.path.throughput = vec4(throughput, broad);
   turn.path.vertices = p.vertices + 1u;
   return turn;
 }

@@ -5,6 +5,7 @@
 struct PathSample {
   vec3 L;
   float density;  // [1/sr]; 0: nothing was drawn
+  bool broad;     // of a broad lobe
 };
 
 struct PathBsdf {
@@ -30,6 +31,6 @@ float pathDensity(PathBsdf b, vec3 L) {
 PathSample samplePath(PathBsdf b, vec3 u) {
   vec3 local = sampleProxy(measured.lobe, measured.table.x, b.s.V, u.xy);
   vec3 L = b.s.worldFromLocal * local;
-  return PathSample(L, pathDensity(b, L));
+  return PathSample(L, pathDensity(b, L), false);
 }
 float emissionLeft(PathBsdf b) { return 1.0; }

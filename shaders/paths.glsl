@@ -34,3 +34,5 @@ vec2 pathDraw(PathState p, uint pair) {
 uint pathRaySeed(PathState p) {
   return hashedBits(p.pixel ^ hashedBits(pathsShared.number ^ hashedBits((p.vertices + 0x72617973u) ^ (uint(frame.options.w) << 8))));
 }
+
+#include "paths_sum.glsl" if DIFFERENCE

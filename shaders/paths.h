@@ -8,12 +8,13 @@ LAYOUT_BEGIN
 struct PathState {
   vec4 origin;     // xyz where the ray starts; w from which distance on it meets something
   vec4 direction;  // xyz unit; w density with which a surface drew it [1/sr], 0: it comes from the camera
-  vec4 throughput;  // rgb what of the radiance that the ray brings reaches the pixel; w unused
-  vec4 radiance;    // rgb what has been gathered; a coverage
+  vec4 throughput;  // rgb what of the radiance that the ray brings reaches the pixel; w share of broad lobes in that
+  vec4 radiance;    // rgb what has been gathered; a coverage, or, where a drawn picture is corrected, alpha of the first surface
   // A light that is seen from the last surface unless something is between.
   vec4 lightOrigin;     // xyz; w distance to it
   vec4 lightDirection;  // xyz unit; w unused
-  vec4 lightRadiance;   // rgb what it adds; w unused
+  vec4 lightRadiance;   // rgb what it adds; w as of throughput
+  vec4 onMiss;          // rgb what it adds if the ray meets nothing; w 1: in the environment's place
   // What the ray has met: index of its triangle in the leaves' order, that of the placement's instance, where.
   uint triangle, instance;
   float distance;
@@ -36,6 +37,8 @@ struct PathUniforms {
   uint firstRow, rows;  // of the picture, counted from the bottom
   uint lights;          // of the scene's, the first so many
   float share;          // of the picture
+  vec2 offset;          // within the pixel, where paths correct what is drawn at it
+  uint firstColumn, columns;  // of the picture
 };
 
 // Words of the work buffer: how many paths are at what, then lists of their indices.
@@ -60,7 +63,7 @@ LAYOUT_UINT missClass = 0u;
 LAYOUT_UINT texelTableLargest = 2048u;
 
 #ifdef __cplusplus
-static_assert(sizeof(PathState) == 9 * 16);
-static_assert(sizeof(PathUniforms) == 8 * 16);
+static_assert(sizeof(PathState) == 10 * 16);
+static_assert(sizeof(PathUniforms) == 9 * 16);
 #endif
 LAYOUT_END

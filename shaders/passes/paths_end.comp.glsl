@@ -7,7 +7,7 @@ layout(binding = 0, rgba32f) uniform image2D sum;
 
 void main() {
   uint i = gl_GlobalInvocationID.x;
-  if (i >= pathsShared.rows * uint(frame.picture.x)) return;
+  if (i >= pathsShared.rows * pathsShared.columns) return;
   ivec2 at = ivec2(pathPixel(paths[i])) - ivec2(0, int(frame.picture.z));
   imageStore(sum, at, imageLoad(sum, at) + pathsShared.share * paths[i].radiance);
 }

@@ -9,16 +9,18 @@ void main() {
   if (!pathOfClass(gl_GlobalInvocationID.x, path)) return;
   PathState p = paths[path];
   bool camera = p.direction.w == 0.0;
-#ifdef BACKGROUND
+#if defined(BACKGROUND) && !defined(DIFFERENCE)
   const bool seen = true;
 #else
   const bool seen = false;
 #endif
   if (camera && !seen) p.radiance.a = 0.0;
 #ifdef HAS_ENVIRONMENT
-  if (!camera || seen) {
+  if (p.onMiss.w > 0.0) {
+    gather(p, p.onMiss.rgb, p.throughput.w);
+  } else if (!camera || seen) {
     float weight = camera ? 1.0 : drawnWeight(p.direction.w, lightChance * environmentDensity(p.direction.xyz));
-    p.radiance.rgb += p.throughput.rgb * environmentRadiance(p.direction.xyz) * weight;
+    gatherLight(p, p.throughput.rgb * environmentRadiance(p.direction.xyz) * weight, p.throughput.w, p.vertices == 1u);
   }
 #endif
   paths[path].radiance = p.radiance;

@@ -23,10 +23,14 @@ void main() {
   p.throughput.rgb *= mediumTransmittance(p.media, p.distance);
   vec4 baseColor = materialBaseColor(at.v);
 #ifdef UNLIT
-  paths[path].radiance.rgb = p.radiance.rgb + p.throughput.rgb * baseColor.rgb;
+#ifdef DIFFERENCE
+  if (p.vertices == 0u) return;  // it is drawn
+#endif
+  gather(p, p.throughput.rgb * baseColor.rgb, p.throughput.w);
+  paths[path].radiance = p.radiance;
 #else
   PathTurn turn = turnAt(p, at, baseColor.rgb);
-  paths[path].radiance.rgb = turn.path.radiance.rgb;
+  paths[path].radiance = turn.path.radiance;
   if (turn.lit) {
     paths[path].lightOrigin = turn.path.lightOrigin;
     paths[path].lightDirection = turn.path.lightDirection;
@@ -37,6 +41,7 @@ void main() {
     paths[path].origin = turn.path.origin;
     paths[path].direction = turn.path.direction;
     paths[path].throughput = turn.path.throughput;
+    paths[path].onMiss = turn.path.onMiss;
     paths[path].vertices = turn.path.vertices;
     paths[path].media = turn.path.media;
     work[listAt(nextList(), atomicAdd(work[workNext], 1u))] = path;

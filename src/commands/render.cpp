@@ -107,6 +107,7 @@ nlohmann::ordered_json statsJson(const Job& job, const frame::Session& session, 
                   {"draws", s.frame.draws},
                   {"instances", s.frame.instances},
                   {"triangles", s.frame.triangles}};
+  out["visibility"] = {{"method", s.visibility.method}, {"why", s.visibility.why}};
   if (s.traced)
     out["paths"] = {{"bounces", job.settings.quality.bounces},
                     {"rays", s.frame.rays},

@@ -35,7 +35,32 @@ const scene::BuiltinScene* builtinOf(const std::string& source) {
 }  // namespace
 
 bool tracesPaths(const PictureSettings& settings) {
-  return settings.quality.transport == Transport::paths && settings.look.channel.empty();
+  const Quality& quality = settings.quality;
+  if (!settings.look.channel.empty()) return false;
+  return quality.transport == Transport::paths ||
+         (quality.visibility == Visibility::automatic && quality.samples > correctedUpTo) ||
+         (quality.visibility != Visibility::none && quality.maxError);  // what rays smooth over no estimate sees
+}
+
+bool correctedByRays(const PictureSettings& settings) {
+  return settings.quality.visibility != Visibility::none && settings.look.channel.empty() &&
+         settings.comparison.brdfCompare == BrdfCompare::none && !tracesPaths(settings);
+}
+
+VisibilityChosen chosenVisibility(const PictureSettings& settings, const DrawList& list) {
+  const bool asked = settings.quality.transport == Transport::paths || settings.quality.visibility == Visibility::rays;
+  if (list.features.paths)
+    return {"paths", asked                       ? "asked for"
+                     : settings.quality.maxError ? "an error is to be kept to"
+                                                 : "more than " + std::to_string(correctedUpTo) + " samples"};
+  if (list.features.difference) return {"rays", asked ? "asked for" : "few samples"};
+  if (!settings.look.channel.empty()) return {"none", "a channel shows no light"};
+  if (settings.quality.visibility == Visibility::none && !asked) return {"none", "asked for"};
+  if (settings.comparison.brdfCompare != BrdfCompare::none) return {"none", "a fitted model is compared"};
+  if (list.features.measured != shading::Measured::none && !tracesPaths(settings))
+    return {"none", "few samples of a measured BRDF are noise enough"};
+  if (tracesPaths(settings) && drawsThin(list)) return {"none", "paths do not meet lines and points"};
+  return {"none", nothingInTheWay(list) ? "a convex body, alone" : "nothing is lit"};
 }
 
 bool converges(const PictureSettings& settings) {
@@ -46,6 +71,7 @@ bool converges(const PictureSettings& settings) {
 PictureSettings movingSettings(const PictureSettings& settings) {
   PictureSettings moving = settings;
   moving.quality.transport = Transport::direct;
+  moving.quality.visibility = Visibility::none;
   moving.quality.samples = std::min(settings.quality.samples, convergedAbove);
   moving.quality.maxError.reset();
   return moving;
@@ -54,6 +80,12 @@ PictureSettings movingSettings(const PictureSettings& settings) {
 TextureFilter chooseTextureFilter(TextureFilter wish, bool software) {
   if (wish != TextureFilter::automatic) return wish;
   return software ? TextureFilter::reads : TextureFilter::hardware;
+}
+
+PictureSettings restingSettings(const PictureSettings& settings) {
+  PictureSettings resting = settings;
+  if (correctedByRays(settings)) resting.quality.visibility = Visibility::none;
+  return resting;
 }
 
 DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment) {
@@ -68,11 +100,10 @@ DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment) {
   else if (settings.look.models.imageLight == optics::ImageLight::automatic && converging)
     options.features.imageLightSamples = convergedLightSamples;
   options.features.models = settings.look.models;
-  if (tracesPaths(settings)) {  // occlusion textures would count twice
-    options.features.paths = true;
-    options.features.imageLightSamples = 0;
-    options.features.occlusion = false;
-  }
+  if (tracesPaths(settings)) options.tracing = Tracing::paths;
+  if (correctedByRays(settings)) options.tracing = Tracing::difference;
+  options.tracesAnyway =
+      settings.quality.transport == Transport::paths || settings.quality.visibility == Visibility::rays;
   options.sceneLights = settings.look.lights != Lights::none;
   options.demoLights = settings.look.lights == Lights::demo;
   options.moving = !settings.placement.animation.empty();

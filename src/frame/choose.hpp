@@ -17,8 +17,20 @@ namespace facet::frame {
 // More samples a pixel than this: each is a draw of its own and samples the environment instead of reading the split
 // sum's tables, so that its specular part converges to the true integral, not to the approximation.
 inline constexpr int convergedAbove = 4;
-// Of the shaded picture, not of a channel.
+// Up to so many samples automatic visibility corrects a drawn picture, above them paths are nearer for the same time.
+inline constexpr int correctedUpTo = 16;
+// Nothing is drawn, all light comes by paths: they were asked for, or are what a converged picture takes.
 bool tracesPaths(const PictureSettings& settings);
+// Rays correct the drawn picture, where there is anything that could be in the light's way.
+bool correctedByRays(const PictureSettings& settings);
+
+// What became of a wish for visibility, and why.
+struct VisibilityChosen {
+  std::string method;  // "none", "rays", "paths"
+  std::string why;
+};
+VisibilityChosen chosenVisibility(const PictureSettings& settings, const DrawList& list);
+// Of the shaded picture, not of a channel.
 bool converges(const PictureSettings& settings);
 inline constexpr int convergedLightSamples = 2;  // environment samples per draw, of each lobe and of the lamps
 inline constexpr int onceLightSamples = 32;      // the same where there is but one draw
@@ -28,6 +40,9 @@ PictureSettings movingSettings(const PictureSettings& settings);
 
 // What the automatic choice means; software: the driver draws by software, where anisotropic filtering is dear.
 TextureFilter chooseTextureFilter(TextureFilter wish, bool software);
+
+// The settings of the picture that rests in a window: rays do not correct it, which takes all of its rows at once.
+PictureSettings restingSettings(const PictureSettings& settings);
 
 // What the settings ask of the draw list, but for the variant, which needs the model, and the measured BRDF.
 DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment);

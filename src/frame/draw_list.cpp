@@ -11,7 +11,9 @@
 #include "ibl/taps.hpp"
 #include "optics/microfacet.hpp"
 #include "optics/normal_spread.hpp"
+#include "scene/convex.hpp"
 #include "scene/deformation.hpp"
+#include "scene/geometry.hpp"
 
 namespace facet::frame {
 
@@ -174,12 +176,11 @@ void sortByProgram(DrawList& list) {
     std::ranges::stable_sort(*draws, {}, [](const Draw& d) { return std::tuple(d.key, d.material); });
 }
 
-// Where nothing is lit there is no light whose way could be traced.
-void tracePathsOnlyOfLight(DrawList& list) {
+// By paths: where nothing is lit there is no light whose way could be traced.
+bool anythingLit(const DrawList& list) {
   const auto lit = [](const Draw& draw) { return shading::usesFeature(draw.key, shading::Feature::paths); };
-  list.features.paths = list.features.paths && std::ranges::any_of(list.classes(), [&](const std::vector<Draw>* draws) {
-                          return std::ranges::any_of(*draws, lit);
-                        });
+  return std::ranges::any_of(list.classes(),
+                             [&](const std::vector<Draw>* draws) { return std::ranges::any_of(*draws, lit); });
 }
 
 constexpr auto sheenLayerRoughness = static_cast<float>(ibl::layers[layout::sheenLayer].perceptualRoughness);
@@ -246,10 +247,10 @@ ibl::Needs DrawList::needs(bool environmentVisible) const {
       needs.dfg |= shading::readsDfgTable(draw.key);
       needs.sheen |= shading::usesFeature(draw.key, shading::Feature::sheen);
     }
-  if (features.paths) {
+  if (features.paths || features.difference) {
     needs.texels = features.environment;
     needs.background |= features.environment;
-    taps = 0;
+    if (features.paths) taps = 0;
   }
   needs.taps = taps > 0;
   if (needs.taps) {
@@ -293,7 +294,7 @@ DrawList buildDrawList(const scene::Model& model, int scene, const DrawOptions& 
   for (const auto& [key, placed] : groups)
     addInstances(list, model.meshes[static_cast<size_t>(std::get<0>(key))], placed, firstJoints, options);
   sortByProgram(list);
-  tracePathsOnlyOfLight(list);
+  setTracing(list, options);
   return list;
 }
 
@@ -349,7 +350,39 @@ void setFeatures(DrawList& list, shading::FrameFeatures features) {
       draw.key = shading::variantKey({material, *draw.primitive, list.features, deformation});
     }
   sortByProgram(list);
-  tracePathsOnlyOfLight(list);
+}
+
+bool nothingInTheWay(const DrawList& list) {
+  if (!list.transmitting.empty() || !list.blended.empty() || list.opaque.size() != 1) return false;
+  const Draw& draw = list.opaque.front();
+  return draw.instanceCount == 1 && !draw.doubleSided && !shading::usesFeature(draw.key, shading::Feature::skin) &&
+         !shading::usesFeature(draw.key, shading::Feature::morphTargets) &&
+         !shading::usesFeature(draw.key, shading::Feature::diffuseTransmission) && scene::isConvex(*draw.primitive);
+}
+
+bool drawsThin(const DrawList& list) {
+  const auto thin = [](const Draw& draw) { return !scene::hasTriangles(draw.primitive->topology); };
+  return std::ranges::any_of(list.classes(), [&](const auto* draws) { return std::ranges::any_of(*draws, thin); });
+}
+
+void setTracing(DrawList& list, const DrawOptions& options) {
+  if (options.tracing == Tracing::none || list.features.channel != 0) return;
+  if (!options.tracesAnyway && nothingInTheWay(list)) return;
+  if (!options.tracesAnyway && options.tracing == Tracing::paths && drawsThin(list)) return;
+  // Without tables there is nothing that rays could correct without noise of their own.
+  const bool measured = list.features.measured != shading::Measured::none;
+  if (!options.tracesAnyway && options.tracing == Tracing::difference && measured) return;
+  const shading::FrameFeatures drawn = list.features;
+  shading::FrameFeatures traced = shading::pathFeatures(drawn);
+  setFeatures(list, traced);
+  if (!anythingLit(list)) return setFeatures(list, drawn);
+  if (options.tracing == Tracing::paths) return;
+  traced = drawn;
+  traced.difference = true;
+  traced.shadedOnce = false;
+  traced.imageLightSamples = 0;  // what is wrong with the tables is less than what few samples miss
+  traced.occlusion = false;      // occlusion textures would count twice
+  setFeatures(list, traced);
 }
 
 }  // namespace facet::frame

@@ -18,6 +18,9 @@
 
 namespace facet::frame {
 
+// What rays are traced for.
+enum class Tracing { none, difference, paths };
+
 struct DrawOptions {
   shading::FrameFeatures features = {};  // punctualLights is set by buildDrawList
   bool sceneLights = true;               // the file's lights
@@ -25,6 +28,8 @@ struct DrawOptions {
   std::optional<scene::Sun> sun = {};    // the environment's, where its tables do without it
   MaterialChoice material = {};          // in place of the file's, where it is on
   int variant = -1;                      // index in Model::variants; -1: the primitives' own materials
+  Tracing tracing = Tracing::none;       // where anything is lit
+  bool tracesAnyway = false;             // also where nothing can be in the light's way
   bool compared = false;                 // drawn a second time, of the model fitted to its measured BRDF
   bool moving = false;  // other poses will follow: morph targets keep their program while all weights are 0
 
@@ -90,5 +95,15 @@ scene::Bounds boundsOf(const DrawList& list, const std::function<bool(int node)>
 // Other features for the same draws, as buildDrawList would have made them: programs, and the order by program. What
 // the list has on the GPU serves both. The channel must stay, and whether there are punctual lights does.
 void setFeatures(DrawList& list, shading::FrameFeatures features);
+
+// A single convex body that lets no light pass: what faces the light gets it, nothing gets it from the body.
+bool nothingInTheWay(const DrawList& list);
+
+// Lines or points.
+bool drawsThin(const DrawList& list);
+
+// The features that tracing asks for, where there is light and something that could be in its way. Where nobody has
+// asked for paths by name, they leave a list alone that holds what they do not meet.
+void setTracing(DrawList& list, const DrawOptions& options);
 
 }  // namespace facet::frame

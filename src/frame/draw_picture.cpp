@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "constants.h"
+#include "frame/difference.hpp"
 #include "frame/gather.hpp"
 #include "frame/max_error.hpp"
 #include "frame/picture.hpp"
@@ -125,8 +126,22 @@ void add(FrameStatistics& sum, FrameStatistics band) {
 // All bands; each goes to `read` when it is drawn.
 using ReadBand = std::function<Result<void>(const FrameInput& band)>;
 Result<DrawnFrame> drawBands(FrameInput in, const Targets& targets, shading::ProgramStore& programs,
-                             const ReadBand& read) {
+                             const gl::ContextInfo& context, const ReadBand& read) {
   DrawnFrame frame;
+  std::optional<Difference> difference;
+  if (in.list.features.difference) {
+    const auto start = std::chrono::steady_clock::now();
+    setTextureDetail(in.gpu, tracedDraws, in.settings.quality.textureFilter, context);
+    Result<Difference> traced = traceDifference(in, programs);
+    setTextureDetail(in.gpu, gatheredDraws(in.settings, targets), in.settings.quality.textureFilter, context);
+    if (!traced) return tl::unexpected(traced.error());
+    difference = std::move(*traced);
+    in.difference = &*difference;
+    frame.statistics.passes.emplace_back("trace difference");
+    frame.statistics.rays = difference->rays;
+    glFinish();
+    frame.milliseconds += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  }
   for (in.firstRow = 0; in.firstRow < in.settings.frame.height; in.firstRow += targets.height) {
     const auto start = std::chrono::steady_clock::now();
     Result<FrameStatistics> drawn = drawFrame(in, targets, programs);
@@ -145,9 +160,9 @@ bool gathers(const PictureSettings& settings) {
 }
 
 // For as many samples as the settings ask for, or for any number while the error decides.
-Targets pictureTargets(const PictureSettings& settings, const gl::ContextInfo& context, int rows, bool estimate,
-                       bool precise) {
-  Targets targets = createTargets(settings, context, rows, precise);
+Targets pictureTargets(const PictureSettings& settings, const gl::ContextInfo& context, int rows, bool corrected,
+                       bool estimate, bool precise) {
+  Targets targets = createTargets(settings, context, rows, precise, corrected);
   if (estimate)
     targets.before =
         gl::Texture({.format = GL_RGBA32F, .width = settings.frame.width, .height = rows}, "first samples");
@@ -156,8 +171,9 @@ Targets pictureTargets(const PictureSettings& settings, const gl::ContextInfo& c
 
 }  // namespace
 
-Targets createTargets(const PictureSettings& settings, const gl::ContextInfo& context, int rows, bool precise) {
-  const bool gather = gathers(settings);
+Targets createTargets(const PictureSettings& settings, const gl::ContextInfo& context, int rows, bool precise,
+                      bool corrected) {
+  const bool gather = gathers(settings) || corrected;
   return createTargets(settings.frame.width, rows > 0 ? rows : settings.frame.height,
                        gather ? 1 : std::min(settings.quality.samples, context.maxSamples), gather, precise);
 }
@@ -195,8 +211,8 @@ Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& 
   const GpuScene& gpu = drawable.scene->gpu;
   const bool precise = request.radiance && !request.display;
   const int rows = std::min(bandRows(settings, list, context, precise), settings.frame.height);
-  const bool estimate = asked.quality.maxError || (request.estimate && gathers(settings));
-  Targets targets = pictureTargets(settings, context, rows, estimate, precise);
+  const bool estimate = asked.quality.maxError || (request.estimate && gathers(settings) && !list.features.difference);
+  Targets targets = pictureTargets(settings, context, rows, list.features.difference, estimate, precise);
   prepareBehind(targets, list);
   prepareComparison(targets, list);
   statistics.bands = (settings.frame.height + rows - 1) / rows;
@@ -205,19 +221,21 @@ Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& 
 
   for (int samples = settings.quality.samples; samples > 0;) {
     settings.quality.samples = samples;
-    setTextureDetail(gpu, gatheredDraws(settings, targets), settings.quality.textureFilter, context);
+    setTextureDetail(gpu, list.features.paths ? tracedDraws : gatheredDraws(settings, targets),
+                     settings.quality.textureFilter, context);
     std::vector<ComparisonSums> comparison;
-    Result<DrawnFrame> drawn = drawBands(input, targets, programs, [&](const FrameInput& band) -> Result<void> {
-      stages.mark("first frame");
-      readBand(picture, request, targets, settings, band.firstRow);
-      if (comparing(band)) {
-        Result<ComparisonSums> sums = sumComparison(band, targets, 1, programs);
-        if (!sums) return tl::unexpected(sums.error());
-        comparison.push_back(std::move(*sums));
-      }
-      stages.mark("read back");
-      return {};
-    });
+    Result<DrawnFrame> drawn =
+        drawBands(input, targets, programs, context, [&](const FrameInput& band) -> Result<void> {
+          stages.mark("first frame");
+          readBand(picture, request, targets, settings, band.firstRow);
+          if (comparing(band)) {
+            Result<ComparisonSums> sums = sumComparison(band, targets, 1, programs);
+            if (!sums) return tl::unexpected(sums.error());
+            comparison.push_back(std::move(*sums));
+          }
+          stages.mark("read back");
+          return {};
+        });
     if (!drawn) return tl::unexpected(drawn.error());
     statistics.frame = std::move(drawn->statistics);
     statistics.frameMs = {drawn->milliseconds};
@@ -229,11 +247,12 @@ Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& 
     samples = nextSamples(asked, statistics.attempts);
   }
   for (int i = 0; i < request.repeat; ++i) {
-    const Result<DrawnFrame> drawn = drawBands(input, targets, programs, {});
+    const Result<DrawnFrame> drawn = drawBands(input, targets, programs, context, {});
     if (!drawn) return tl::unexpected(drawn.error());
     statistics.frameMs.push_back(drawn->milliseconds);
     stages.mark("repeated frames");
   }
+  statistics.visibility = chosenVisibility(asked, list);
   if (drawable.paths)
     statistics.traced = {drawable.paths->triangleCount, drawable.paths->bytes(), drawable.paths->buildMs};
   statistics.textureBytes = gpu.textureBytes();

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "frame/behind.hpp"
+#include "frame/difference.hpp"
 #include "frame/display_pass.hpp"
 #include "frame/fitted_gpu.hpp"
 #include "frame/paths.hpp"
@@ -266,6 +267,7 @@ std::vector<ProgramGetter> neededPrograms(const FrameInput& in, ProgramStore& pr
     needed.push_back([&] { return displayProgram(in, programs); });
     return needed;
   }
+  if (in.list.features.difference) needed = neededDifferencePrograms(in, programs);
   for (const shading::VariantKey& key : keys) needed.push_back([&, key] { return meshProgram(key, programs); });
   if (comparing(in))
     for (const shading::VariantKey& key : keys) {

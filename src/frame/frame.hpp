@@ -57,6 +57,7 @@ void prepareComparison(Targets& targets, const DrawList& list);
 size_t targetBytes(const Targets& targets);  // of the textures
 
 struct PathScene;
+struct Difference;
 
 struct FrameInput {
   const scene::Model& model;
@@ -68,6 +69,7 @@ struct FrameInput {
   const gl::Buffer* measured = nullptr;     // of the measured BRDF in the materials' place
   const gl::Buffer* fittedModel = nullptr;  // of the model fitted to it, where it is drawn in its place or beside it
   const PathScene* paths = nullptr;         // of the list, where paths are traced
+  const Difference* difference = nullptr;   // what is added to the picture, where rays correct it
   int firstRow = 0;                         // the targets hold the picture's rows from here on, counted from the bottom
   bool fitted = false;                      // draws the fitted model in the measured BRDF's place
 };

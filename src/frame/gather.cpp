@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "frame/difference.hpp"
 #include "frame/display_pass.hpp"
 #include "frame/scene_pass.hpp"
 #include "frame/settings.hpp"
@@ -20,22 +21,6 @@ Result<const gl::Program*> gatherProgram(ProgramStore& programs) {
 }
 Result<const gl::Program*> errorProgram(ProgramStore& programs) {
   return programs.compute("passes/picture_error.comp.glsl");
-}
-
-// Offsets within the pixel: Owen-scrambled Sobol points, shifted so that their mean is the pixel's centre. All pixels
-// share them, as one draw has one camera; the scrambling makes halves of them disagree as much as their errors are
-// large, which the points of a lattice do not.
-std::vector<glm::dvec2> jitter(int count, int seed) {
-  constexpr uint32_t jitterUse = 0x6a697474;
-  const uint32_t sequence = optics::pixelSeed({0, 0}, jitterUse ^ static_cast<uint32_t>(seed));
-  std::vector<glm::dvec2> offsets;
-  glm::dvec2 mean(0);
-  for (int i = 0; i < count; ++i) {
-    offsets.push_back(optics::owenSobol2(static_cast<uint32_t>(i), 0, sequence));
-    mean += offsets.back() / static_cast<double>(count);
-  }
-  for (glm::dvec2& offset : offsets) offset -= mean;
-  return offsets;
 }
 
 // What lies in the rows that the targets hold.
@@ -85,6 +70,22 @@ Result<void> drawFitted(const FrameInput& in, const Targets& targets, const Gath
 
 }  // namespace
 
+// Offsets within the pixel: Owen-scrambled Sobol points, shifted so that their mean is the pixel's centre. All pixels
+// share them, as one draw has one camera; the scrambling makes halves of them disagree as much as their errors are
+// large, which the points of a lattice do not.
+std::vector<glm::dvec2> jitter(int count, int seed) {
+  constexpr uint32_t jitterUse = 0x6a697474;
+  const uint32_t sequence = optics::pixelSeed({0, 0}, jitterUse ^ static_cast<uint32_t>(seed));
+  std::vector<glm::dvec2> offsets;
+  glm::dvec2 mean(0);
+  for (int i = 0; i < count; ++i) {
+    offsets.push_back(optics::owenSobol2(static_cast<uint32_t>(i), 0, sequence));
+    mean += offsets.back() / static_cast<double>(count);
+  }
+  for (glm::dvec2& offset : offsets) offset -= mean;
+  return offsets;
+}
+
 float meanScale(const Gathering& gathering) {
   return static_cast<float>(gathering.draws()) / static_cast<float>(gathering.done);
 }
@@ -120,9 +121,9 @@ Result<void> gatherPaths(const FrameInput& in, const Targets& targets, Gathering
     Result<void> traced;
     if (comparing(in))
       traced =
-          tracePaths(fitted, {gathering.rows, band, targets.fitted, share}, gathering.paths, gathering.done, programs);
+          tracePaths(fitted, {gathering.rows, band, &targets.fitted, share}, gathering.paths, gathering.done, programs);
     if (traced)
-      traced = tracePaths(in, {gathering.rows, band, targets.sum, share}, gathering.paths, gathering.done, programs);
+      traced = tracePaths(in, {gathering.rows, band, &targets.sum, share}, gathering.paths, gathering.done, programs);
     if (!traced) return traced;
     rows -= band;
     gathering.rows += band;
@@ -252,6 +253,11 @@ Result<FrameStatistics> drawFrame(const FrameInput& in, const Targets& targets, 
   if (targets.sum) statistics.passes.push_back("gather x " + std::to_string(gathering.draws()));
   statistics.rays = tracedRays(gathering.paths);
   statistics.parts = std::move(parts);
+  if (in.difference) {
+    statistics.passes.emplace_back("add difference");
+    if (Result<void> added = addDifference(in, targets, *in.difference, programs); !added)
+      return tl::unexpected(added.error());
+  }
   statistics.passes.emplace_back("display");
   if (Result<void> result = drawDisplay(in, targets, gathering, targets, programs); !result)
     return tl::unexpected(result.error());

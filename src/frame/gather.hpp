@@ -26,6 +26,9 @@ struct Gathering {
   bool complete() const { return done == draws(); }
 };
 
+// Where in its pixel each draw of so many is, from the middle [pixels].
+std::vector<glm::dvec2> jitter(int count, int seed);
+
 Gathering beginGathering(const FrameInput& in, const Targets& targets);
 
 // Draws so many rows (a draw has targets.height) as there are left, at most. A scene with transmitting surfaces is only

@@ -112,6 +112,8 @@ bool uploadImages(GpuScene& gpu, const scene::Model& model, const std::vector<Te
 // Where a pixel gathers several draws, textures are read at the size of one draw's share of it; the gathering then
 // filters along the footprint, so that anisotropic filtering is left out.
 void setTextureDetail(const GpuScene& gpu, int draws, TextureFilter filter, const gl::ContextInfo& context);
+// Paths read the finest level, which no footprint has to stretch: software OpenGL would take minutes over one.
+inline constexpr int tracedDraws = 4096;
 
 // The texture and sampler names of a material's slot.
 struct BoundTexture {

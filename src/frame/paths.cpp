@@ -25,8 +25,13 @@ BufferTexture bufferTexture(std::span<const std::byte> data, const char* label) 
 }
 
 // What all programs of a scene are compiled with.
-std::vector<Define> sceneDefines(const FrameInput& in) {
+std::vector<Define> commonDefines(const FrameInput& in) {
   std::vector<Define> defines;
+  if (in.paths->drawn) defines.push_back({"DIFFERENCE"});
+  return defines;
+}
+std::vector<Define> sceneDefines(const FrameInput& in) {
+  std::vector<Define> defines = commonDefines(in);
   if (in.list.features.environment) defines.push_back({"HAS_ENVIRONMENT"});
   if (in.paths->list.lights > 0) defines.push_back({"HAS_PUNCTUAL_LIGHTS"});
   if (!in.paths->list.scene.placements.empty()) defines.push_back({"RAY_PLACEMENTS"});
@@ -44,13 +49,12 @@ std::vector<Define> missDefines(const FrameInput& in) {
 std::vector<Define> classDefines(const FrameInput& in, const PathClass& shaded) {
   std::vector<Define> defines =
       shading::variantDefines(in.fitted ? shading::fittedKey(shaded.key, in.list.features.models.diffuse) : shaded.key);
+  if (in.paths->drawn) defines.push_back({"DIFFERENCE"});
+  const bool sun = static_cast<int>(in.list.lights.size()) > in.paths->list.lights;
+  if (in.paths->drawn && sun && in.list.features.environment) defines.push_back({"PATH_SUN"});
   if (!in.paths->list.scene.placements.empty()) defines.push_back({"RAY_PLACEMENTS"});
   if (in.paths->list.media) defines.push_back({"SCENE_MEDIA"});
   return defines;
-}
-
-Result<const gl::Program*> classProgram(const FrameInput& in, const PathClass& shaded, ProgramStore& programs) {
-  return programs.compute("passes/paths_shade.comp.glsl", classDefines(in, shaded));
 }
 
 struct Programs {
@@ -83,7 +87,9 @@ void makeRoom(PathWork& work, size_t paths, size_t classes) {
   work.groups = gl::Buffer((layout::groupsClasses + classes) * 3 * sizeof(uint32_t), "groups of paths");
 }
 
-void barrier() { glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT); }
+void barrier() {
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+}
 
 void dispatch(const gl::Program& program, size_t invocations) {
   glUseProgram(program.id());
@@ -205,7 +211,7 @@ void bindScene(const FrameInput& in, const PathWork& work) {
 // One sample of some rows, few enough that all of their paths are under way at once.
 void traceRows(const FrameInput& in, const PathWork& work, const Programs& programs, layout::PathUniforms uniforms,
                int firstRow, int rows) {
-  const size_t paths = static_cast<size_t>(rows) * static_cast<size_t>(in.settings.frame.width);
+  const size_t paths = static_cast<size_t>(rows) * uniforms.columns;
   uniforms.firstRow = static_cast<uint32_t>(firstRow + in.firstRow), uniforms.rows = static_cast<uint32_t>(rows);
   const gl::Buffer common = gl::Buffer::of(std::vector{uniforms}, "path uniforms");
   glBindBufferBase(GL_UNIFORM_BUFFER, layout::pathsBinding, common.id());
@@ -231,7 +237,7 @@ void traceRows(const FrameInput& in, const PathWork& work, const Programs& progr
     dispatchCounted(*programs.light, layout::groupsLights);
     barrier();
   }
-  dispatch(*programs.end, paths);
+  if (!in.paths->drawn) dispatch(*programs.end, paths);
 }
 
 }  // namespace
@@ -245,7 +251,11 @@ Result<PathScene> pathScene(const DrawList& list, const scene::Model& model, con
                             shading::ProgramStore& programs) {
   const auto start = std::chrono::steady_clock::now();
   PathScene out;
-  out.list = tracedList(list);
+  if (!list.features.paths) {
+    out.drawn = list;
+    setFeatures(*out.drawn, pathFeatures(list.features));
+  }
+  out.list = tracedList(out.drawn ? *out.drawn : list);
   out.buildMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   rays::TracedScene& scene = out.list.scene;
   out.triangleCount = static_cast<int>(scene.triangles.size());
@@ -268,34 +278,56 @@ std::vector<ProgramGetter> neededPathPrograms(const FrameInput& in, shading::Pro
     out.emplace_back([&programs, entry = "passes/paths_" + std::string(name) + ".comp.glsl",
                       defines = std::move(defines)] { return programs.compute(entry, defines); });
   };
-  for (const char* step : {"0", "1", "2"}) add("plan", {{"STEP", step}});
-  add("begin", {}), add("meet", sceneDefines(in)), add("sort", {}), add("miss", missDefines(in));
-  add("light", sceneDefines(in)), add("end", {});
-  for (const PathClass& shaded : in.paths->list.classes)
-    out.emplace_back([&in, &shaded, &programs] { return classProgram(in, shaded, programs); });
+  const std::vector<Define> common = commonDefines(in);
+  for (const char* step : {"0", "1", "2"}) {
+    std::vector<Define> defines = common;
+    defines.push_back({"STEP", step});
+    add("plan", std::move(defines));
+  }
+  add("begin", common), add("meet", sceneDefines(in)), add("sort", common), add("miss", missDefines(in));
+  add("light", sceneDefines(in)), add("end", common);
+  for (const PathClass& shaded : in.paths->list.classes) add("shade", classDefines(in, shaded));
   return out;
 }
 
 Result<void> tracePaths(const FrameInput& in, const PathRows& rows, PathWork& work, int number, ProgramStore& store) {
   const Result<Programs> programs = pathPrograms(in, store);
   if (!programs) return tl::unexpected(programs.error());
-  const int width = in.settings.frame.width;
+  const int width = rows.columns > 0 ? rows.columns : in.settings.frame.width;
   const int count = std::min(rows.count, in.settings.frame.height - in.firstRow - rows.first);
-  const int atOnce = static_cast<int>(std::clamp<int64_t>(mostPaths / width, 1, std::max(count, 1)));
+  const int atOnce =
+      static_cast<int>(std::clamp<int64_t>((rows.sum ? mostPaths : mostPaths / 4) / width, 1, std::max(count, 1)));
   makeRoom(work, static_cast<size_t>(atOnce) * static_cast<size_t>(width), in.paths->list.classes.size() + 1);
   const gl::Buffer frame = gl::Buffer::of(std::vector{frameUniforms(in, number, 1, glm::dvec2(0))}, "frame");
   glBindBufferBase(GL_UNIFORM_BUFFER, layout::frameBinding, frame.id());
   bindScene(in, work);
   glProgramUniform1ui(programs->miss->id(), layout::pathsClassLocation, layout::missClass);
-  const layout::PathUniforms uniforms = pathUniforms(in, work, number, rows.share);
+  layout::PathUniforms uniforms = pathUniforms(in, work, number, rows.share);
+  uniforms.offset = glm::vec2(rows.offset + 0.5);
+  uniforms.firstColumn = static_cast<uint32_t>(rows.firstColumn), uniforms.columns = static_cast<uint32_t>(width);
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
-  glBindImageTexture(0, rows.sum.id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
+  if (rows.sum) glBindImageTexture(0, rows.sum->id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
   for (int row = 0; row < count; row += atOnce)
     traceRows(in, work, *programs, uniforms, rows.first + row, std::min(atOnce, count - row));
   for (GLuint unit = 0; unit < layout::materialSlotCount; ++unit) glBindSampler(unit, 0);
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
                   GL_TEXTURE_UPDATE_BARRIER_BIT);
   return {};
+}
+
+FrameInput tracedInput(const FrameInput& in) {
+  if (!in.paths->drawn) return in;
+  FrameInput traced{in.model, *in.paths->drawn, in.gpu, in.tables, in.view, in.settings};
+  traced.measured = in.measured, traced.fittedModel = in.fittedModel, traced.paths = in.paths;
+  traced.firstRow = in.firstRow;
+  return traced;
+}
+
+gl::Buffer pathUniformBuffer(const FrameInput& in, int firstColumn, int columns) {
+  layout::PathUniforms uniforms{};
+  setCamera(in, uniforms);
+  uniforms.firstColumn = static_cast<uint32_t>(firstColumn), uniforms.columns = static_cast<uint32_t>(columns);
+  return gl::Buffer::of(std::vector{uniforms}, "path uniforms");
 }
 
 uint64_t tracedRays(const PathWork& work) {

@@ -9,6 +9,7 @@
 // directions drawn from the lobes by multiple importance sampling (Veach 1997), and Russian roulette.
 
 #include <functional>
+#include <optional>
 
 #include "frame/frame.hpp"
 #include "frame/scene_buffers.hpp"
@@ -24,7 +25,8 @@ struct BufferTexture {
 
 // A draw list for paths, on the GPU. Nothing makes it but who traces.
 struct PathScene {
-  TracedList list;  // without what is on the GPU
+  std::optional<DrawList> drawn;  // the list as paths shade it, where it is drawn as well
+  TracedList list;                // without what is on the GPU
   BufferTexture nodes, triangles, placements;
   gl::Buffer holes;     // layout::RayHoles by material, where there are any
   BufferTexture alpha;  // of their textures
@@ -48,12 +50,20 @@ struct PathWork {
 // Rows of the targets from the bottom, and what becomes of them: times `share` onto the texture.
 struct PathRows {
   int first = 0, count = 0;
-  const gl::Texture& sum;  // RGBA32F
+  const gl::Texture* sum = nullptr;  // RGBA32F; null: the images of difference_images.glsl, which are bound
   float share = 1;
+  glm::dvec2 offset = glm::dvec2(0);  // from the pixel's middle, without sum
+  int firstColumn = 0, columns = 0;   // of the picture; 0: all
 };
 // Sample `number` of each pixel of the rows. `work` is kept by the caller for the next rows.
 Result<void> tracePaths(const FrameInput& in, const PathRows& rows, PathWork& work, int number,
                         shading::ProgramStore& programs);
+
+// The same with the list as paths shade it.
+FrameInput tracedInput(const FrameInput& in);
+
+// Where rays begin and go (layout::PathUniforms), for other passes over the same pixels.
+gl::Buffer pathUniformBuffer(const FrameInput& in, int firstColumn, int columns);
 
 // Rays that have been traced with it so far; waits for the GPU.
 uint64_t tracedRays(const PathWork& work);

@@ -16,8 +16,9 @@ namespace facet::frame {
 
 // Targets for one draw of settings.samples, or for gathering that many draws.
 // rows: of the picture that they hold at once; 0: all.
+// corrected: by rays, which takes a draw for each sample.
 Targets createTargets(const PictureSettings& settings, const gl::ContextInfo& context, int rows = 0,
-                      bool precise = false);
+                      bool precise = false, bool corrected = false);
 
 // What rays are traced through.
 struct TracedStatistics {
@@ -39,8 +40,9 @@ struct PictureStatistics {
   uint64_t nonFinitePixels = 0;  // likewise
   std::vector<double> frameMs;   // the first frame, then the repeated ones; each waited for
   std::optional<ComparisonFigures> comparison;  // of a measured BRDF with the model fitted to it, where both are drawn
-  std::optional<TracedStatistics> traced;       // where paths are
-  std::vector<Attempt> attempts;                // with more and more samples; only where an error is to be kept to
+  VisibilityChosen visibility;
+  std::optional<TracedStatistics> traced;  // where paths are
+  std::vector<Attempt> attempts;           // with more and more samples; only where an error is to be kept to
 };
 
 struct Picture {

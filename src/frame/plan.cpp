@@ -131,7 +131,7 @@ Result<Step> nextStep(Plan& plan, const PictureSettings& wish, const Supply& sup
     if (uploadImages(scene.gpu, scene.model(), plan.uses, scene.pixels, keepGoing)) scene.pixels.clear();
     return Step{Progress::working, "upload"};
   }
-  if (next.list.features.paths && !next.paths) {
+  if ((next.list.features.paths || next.list.features.difference) && !next.paths) {
     Result<PathScene> made = pathScene(next.list, scene.model(), scene.gpu, programs);
     if (!made) return tl::unexpected(made.error());
     next.paths = std::make_shared<const PathScene>(std::move(*made));

@@ -62,6 +62,17 @@ inline constexpr Choice<TextureFilter> textureFilters[] = {
     {TextureFilter::hardware, "hardware", "hardware", "the driver's anisotropic filter, up to 8 to 1"}};
 static_assert(inOrder(textureFilters));
 
+// Whether drawn pictures (Transport::direct) know what stands in the light's way.
+enum class Visibility { automatic, none, rays };
+inline constexpr Choice<Visibility> visibilities[] = {
+    {Visibility::automatic, "auto", "as it pays",
+     "rays up to 16 samples, path-traced light beyond or where an error is to be kept to; none where nothing can be in "
+     "the way"},
+    {Visibility::none, "none", "none", "light reaches every surface from everywhere"},
+    {Visibility::rays, "rays", "rays",
+     "the drawn picture, corrected by one path a sample where something blocks or returns light; smoothed"}};
+static_assert(inOrder(visibilities));
+
 // What is read from outside, besides the model.
 struct Sources {
   std::string bump;         // grey height map for the materials of a built-in scene; empty: none
@@ -155,6 +166,7 @@ struct Quality {
   // independent.
   int seed = 0;  // [0, largestSeed]
   Transport transport = Transport::direct;
+  Visibility visibility = Visibility::automatic;
   int bounces = 16;  // of path-traced light: surfaces that a path leaves at most, [0, 64]; 0: what shines by itself
 
   bool operator==(const Quality&) const = default;

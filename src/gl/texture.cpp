@@ -56,6 +56,8 @@ Texture::Texture(const TextureDescription& d, std::string_view label)
     glTextureStorage2DMultisample(id(), d.samples, d.format, d.width, d.height, GL_TRUE);
   else if (d.target == GL_TEXTURE_CUBE_MAP_ARRAY)
     glTextureStorage3D(id(), d.levels, d.format, d.width, d.height, 6 * d.layers);
+  else if (d.target == GL_TEXTURE_2D_ARRAY)
+    glTextureStorage3D(id(), d.levels, d.format, d.width, d.height, d.layers);
   else
     glTextureStorage2D(id(), d.levels, d.format, d.width, d.height);
   glObjectLabel(GL_TEXTURE, id(), static_cast<GLsizei>(label.size()), label.data());

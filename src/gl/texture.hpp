@@ -9,10 +9,10 @@ namespace facet::gl {
 inline void destroyTexture(GLuint id) { glDeleteTextures(1, &id); }
 
 struct TextureDescription {
-  GLenum target = GL_TEXTURE_2D;  // 2D, 2D_MULTISAMPLE, CUBE_MAP, CUBE_MAP_ARRAY
+  GLenum target = GL_TEXTURE_2D;  // 2D, 2D_ARRAY, 2D_MULTISAMPLE, CUBE_MAP, CUBE_MAP_ARRAY
   GLenum format = GL_RGBA8;       // sized internal format
   int width = 1, height = 1;
-  int layers = 1;  // cube map arrays: cubes
+  int layers = 1;  // of arrays; cube map arrays: cubes
   int levels = 1;
   int samples = 0;  // multisample targets
 };

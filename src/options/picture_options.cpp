@@ -412,6 +412,8 @@ constexpr PictureOption optionTable[] = {
     choiceOption<optics::toneMappers, &S::display, &frame::Display::toneMapper>(
         "tonemap", "how radiance becomes what a screen shows"),
     choiceOption<frame::transports, &S::quality, &frame::Quality::transport>("light", "how light gets to a surface"),
+    choiceOption<frame::visibilities, &S::quality, &frame::Quality::visibility>(
+        "visibility", "whether a drawn picture knows what stands in the light's way"),
     {"bounces", "N", "surfaces that a traced path leaves at most (16)",
      parseNumberInto<0, 64, &S::quality, &frame::Quality::bounces>, writeNumber<&S::quality, &frame::Quality::bounces>},
     {"samples", "N", "samples a pixel (4); above 4 the environment is sampled too, and the picture converges",

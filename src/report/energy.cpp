@@ -166,6 +166,7 @@ Result<Table> pictureTable(const ReportInput& input) {
       settings.look.lights = way.lights ? frame::Lights::demo : frame::Lights::none;
       settings.frame.background = frame::Background::transparent;
       settings.quality.samples = way.samples;
+      settings.quality.visibility = frame::Visibility::none;
       settings.look.models.energy = energy.value;
       Notes notes;
       Stages stages;

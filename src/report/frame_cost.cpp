@@ -72,6 +72,7 @@ Result<Report> frameReport(const ReportInput& input) {
   PictureSettings settings;
   settings.frame.width = settings.frame.height = framePixels;
   settings.sources.environment = input.environment;
+  settings.quality.visibility = frame::Visibility::none;
   const auto draw = [&](const PictureSettings& wanted, int repeat) {
     input.progress("frame: " + std::to_string(wanted.quality.samples) + " samples, " +
                    std::string(rowOf(frame::textureFilters, wanted.quality.textureFilter).word));

@@ -25,6 +25,7 @@ frame::PictureSettings common(const ReportInput& input) {
   frame::PictureSettings settings;
   settings.frame.width = settings.frame.height = pictureSize;
   settings.sources.environment = input.environment;
+  settings.quality.visibility = frame::Visibility::none;
   settings.frame.background = frame::Background::transparent;  // only surfaces are judged
   settings.look.lights = frame::Lights::none;                  // and only the environment's light
   return settings;

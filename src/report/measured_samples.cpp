@@ -188,6 +188,7 @@ Result<double> frameTime(const ReportInput& input, std::string_view database, in
   settings.sources.brdf = "builtin:" + std::string(database);
   settings.look.brdfSamples = samples;
   settings.quality.samples = 1;
+  settings.quality.visibility = frame::Visibility::none;
   settings.sources.shaderDir = input.shaderDir;
   Notes notes;
   Stages stages;

@@ -30,8 +30,14 @@ struct LightWay {
 
 PictureSettings unblocked(PictureSettings settings, int samples, float occlusion) {
   settings.quality.transport = Transport::direct;
+  settings.quality.visibility = frame::Visibility::none;
   settings.quality.samples = samples;
   settings.frame.occlusion = occlusion;
+  return settings;
+}
+PictureSettings corrected(PictureSettings settings, int samples) {
+  settings.quality.visibility = frame::Visibility::rays;
+  settings.quality.samples = samples;
   return settings;
 }
 PictureSettings traced(PictureSettings settings, int samples, int bounces) {
@@ -46,6 +52,7 @@ std::vector<LightWay> lightWays(const PictureSettings& common, const VisibilityO
                                 {"none", unblocked(common, options.samples, 0), quickFrames}};
   if (options.occlusionTextures)
     list.push_back({"occlusion textures", unblocked(common, options.samples, 1), quickFrames});
+  for (const int samples : options.raySamples) list.push_back({"rays", corrected(common, samples), quickFrames});
   for (const int bounces : options.bounces)
     list.push_back({"paths, " + std::to_string(bounces) + (bounces == 1 ? " bounce" : " bounces"),
                     traced(common, options.samples, bounces)});
@@ -217,7 +224,9 @@ Result<Report> visibilityReport(const ReportInput& input) {
   const auto draw = [&](const PictureSettings& wanted, int repeat) {
     const frame::Quality& quality = wanted.quality;
     input.progress("visibility: " + std::to_string(quality.samples) + " samples, " +
-                   (quality.transport == Transport::paths ? std::to_string(quality.bounces) + " bounces" : "none"));
+                   (quality.transport == Transport::paths           ? std::to_string(quality.bounces) + " bounces"
+                    : quality.visibility == frame::Visibility::rays ? "rays"
+                                                                    : "none"));
     Notes notes;
     Stages stages;
     return input.session->render(model, wanted, {.radiance = true, .repeat = repeat}, notes, stages);

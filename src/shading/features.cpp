@@ -274,6 +274,14 @@ bool readsDfgTable(const VariantKey& key) {
          usesFeature(key, Feature::paths);
 }
 
+FrameFeatures pathFeatures(FrameFeatures drawn) {
+  drawn.paths = true;
+  drawn.difference = drawn.shadedOnce = false;
+  drawn.imageLightSamples = 0;
+  drawn.occlusion = false;  // occlusion textures would count twice
+  return drawn;
+}
+
 uint64_t attributeBits(const VariantKey& key) { return key.features & bitsOf(FeatureRole::attribute); }
 
 VariantKey fittedKey(const VariantKey& key, optics::DiffuseModel diffuse) {

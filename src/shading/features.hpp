@@ -51,6 +51,7 @@ struct FrameFeatures {
   bool occlusion = true;  // false: occlusion textures are switched off
   int channel = 0;
   bool paths = false;         // light comes by paths of rays: nothing else is looked up of the environment
+  bool difference = false;    // the picture is drawn, and corrected by paths where something is in the light's way
   bool shadedOnce = false;    // a pixel, for all of its coverage samples
   bool textureReads = false;  // where it is: slanted textures are read several times by the shader
   int imageLightSamples = 0;  // 0: split sum from the tables; else environment samples per shaded sample
@@ -62,6 +63,9 @@ struct FrameFeatures {
 
   bool operator==(const FrameFeatures&) const = default;
 };
+
+// As paths shade what is drawn with those.
+FrameFeatures pathFeatures(FrameFeatures drawn);
 
 // What moves the vertices of a drawn instance besides its matrix.
 struct Deformation {

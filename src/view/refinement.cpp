@@ -37,12 +37,12 @@ Result<bool> prepare(Viewport& viewport, const ViewerState& state, const scene::
   if (!r.movingFeatures) {
     r.movingFeatures = viewport.shown.list.features;
     shading::FrameFeatures resting = viewport.shown.list.features;
-    const frame::DrawOptions options = frame::drawOptions(state.settings, resting.environment);
+    const frame::DrawOptions options = frame::drawOptions(frame::restingSettings(state.settings), resting.environment);
     resting.imageLightSamples = options.features.imageLightSamples;
     resting.shadedOnce = options.features.shadedOnce;
-    resting.paths = options.features.paths;
     resting.occlusion = options.features.occlusion;
     frame::setFeatures(viewport.shown.list, resting);
+    frame::setTracing(viewport.shown.list, options);
   }
   EnvironmentSlot& environment = *viewport.environments.shown;
   const ibl::Needs needs = viewport.shown.list.needs(viewport.shown.inputs.tables.background);
@@ -188,6 +188,16 @@ bool refining(const Viewport& viewport, const ViewerState& state) {
          frame::converges(state.settings) && !viewport.shadersBroken;
 }
 
+namespace {
+
+void setTextureDetail(Viewport& viewport) {
+  const bool traced = viewport.shown.list.features.paths;
+  frame::setTextureDetail(viewport.scene->gpu, traced ? frame::tracedDraws : viewport.refinement.gathering->draws(),
+                          viewport.refinement.settings.quality.textureFilter, viewport.context);
+}
+
+}  // namespace
+
 bool refine(Viewport& viewport, ViewerState& state, const scene::View& view) {
   Refinement& r = viewport.refinement;
   if (!refining(viewport, state) || (r.pending && !r.timer.ready())) return false;
@@ -202,8 +212,7 @@ bool refine(Viewport& viewport, ViewerState& state, const scene::View& view) {
   }
   bool drew = false;
   const frame::FrameInput in = frameInput(viewport, view);
-  frame::setTextureDetail(viewport.scene->gpu, r.gathering->draws(), r.settings.quality.textureFilter,
-                          viewport.context);
+  setTextureDetail(viewport);
   if (r.pending) {
     r.pending = false;
     adapt(r);
@@ -218,8 +227,7 @@ bool refine(Viewport& viewport, ViewerState& state, const scene::View& view) {
       const int64_t rows = r.rows;  // the steps know how long they take by now
       begin(viewport, state, view);
       r.rows = rows, r.shown = false;
-      frame::setTextureDetail(viewport.scene->gpu, r.gathering->draws(), r.settings.quality.textureFilter,
-                              viewport.context);
+      setTextureDetail(viewport);
     } else if (last) {
       r.ended = true;
       log::debug("picture converged: " + std::to_string(r.gathering->draws()) + " samples");

@@ -246,6 +246,9 @@ void pictureSection(ViewerState& state) {
            "surfaces that a path leaves at most");
     settings.quality.bounces = static_cast<int>(std::lround(bounces));
   }
+  if (settings.quality.transport == frame::Transport::direct)
+    chooseEnum("visibility", settings.quality.visibility, frame::visibilities, usual.quality.visibility,
+               "while the picture rests; rays are of pictures that the command line writes");
   samplesChoice(settings);
   chooseEnum("texture filter", settings.quality.textureFilter, frame::textureFilters, usual.quality.textureFilter,
              "how slanted textures are read in pictures of at most 4 samples");

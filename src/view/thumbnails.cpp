@@ -116,7 +116,8 @@ std::string thumbnailKey(const ThumbnailRequest& request) {
 std::vector<std::string> thumbnailArguments(const ThumbnailRequest& request, const fs::path& png) {
   frame::PictureSettings s;
   s.frame.width = s.frame.height = thumbnailSide;
-  if (request.kind == FileKind::environment) {  // on the smooth metal sphere, no other
+  s.quality.visibility = frame::Visibility::none;  // what appears soon
+  if (request.kind == FileKind::environment) {     // on the smooth metal sphere, no other
     s.sources.environment = request.source;
     s.look.lights = frame::Lights::none;
     s.viewpoint = {.camera = {}, .orbit = frame::Orbit{0, 90, 2.2}, .target = glm::dvec3(-5, 0.5, 0), .fovYDeg = 27};

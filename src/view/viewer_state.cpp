@@ -95,7 +95,7 @@ std::string comparisonText(const frame::ComparisonFigures& figures) {
 const char* kindName(optics::MeasuredKind kind) { return kind == optics::MeasuredKind::merl ? "MERL" : "UTIA"; }
 
 frame::PictureSettings commandSettings(const ViewerState& state) {
-  frame::PictureSettings settings = state.settings;
+  frame::PictureSettings settings = frame::restingSettings(state.settings);
   settings.sources.environment = state.shown.environment;
   if (settings.look.channel.empty()) {
     const std::optional<frame::MeasuredFacts>& measured = state.shown.measured;

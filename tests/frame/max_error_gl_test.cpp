@@ -14,6 +14,7 @@ frame::PictureSettings poster(int samples) {
   settings.frame.width = settings.frame.height = 96;
   settings.sources.environment = "builtin:studio";
   settings.quality.samples = samples;
+  settings.quality.visibility = frame::Visibility::none;
   return settings;
 }
 

@@ -28,6 +28,7 @@ struct Planned {
   Planned() {
     scene.source = "builtin:spheres";
     wish.frame.width = wish.frame.height = 16;
+    wish.quality.visibility = frame::Visibility::none;
   }
   // What the steps did; empty where there was nothing to do.
   std::set<std::string> run() {

@@ -74,6 +74,7 @@ PictureSettings unusual() {
   s.frame.background = frame::Background::color;
   s.frame.backgroundColor = {0.3f, static_cast<float>(linearFromSrgb(7 / 255.0)), 1e-5f};
   s.look.lights = frame::Lights::demo, s.quality.transport = frame::Transport::paths;
+  s.quality.visibility = frame::Visibility::rays;
   s.frame.occlusion = 0;
   s.display.exposureStops = -2.5f;
   s.display.toneMapper = frame::ToneMapper::uncharted2;
@@ -421,5 +422,5 @@ TEST_CASE("every row of a choice is an option's word, comes back as it was given
     REQUIRE_FALSE(wrong);
     CHECK(wrong.error().problem == "'nonsense' is not known");
   }
-  CHECK(choices == 14);
+  CHECK(choices == 15);
 }

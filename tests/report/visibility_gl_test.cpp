@@ -50,8 +50,8 @@ TEST_CASE("visibility: on one convex body nothing is missed, whatever the method
   GltfBuilder builder = test::emptyScene();
   placeSphere(builder, 0.5, builder.append("materials", test::material({0.6, 0.5, 0.4, 1}, 0, 0.5)), {});
   test::addOrthographicCamera(builder, 0.3, 0.3);
-  const VisibilityMeasure m =
-      measured(test::loadBuilt(builder), "builtin:studio", {.samples = 256, .bounces = {1}, .fewSamples = {4}});
+  const VisibilityMeasure m = measured(test::loadBuilt(builder), "builtin:studio",
+                                       {.samples = 256, .bounces = {1}, .raySamples = {}, .fewSamples = {4}});
   INFO(figures(m));
   REQUIRE(m.rows.size() == 5);
   const VisibilityRow &none = m.rows[1], &once = m.rows[2], &few = m.rows[3];
@@ -74,9 +74,9 @@ TEST_CASE("visibility: more bounces come nearer, more samples come nearer, and w
   for (const glm::vec2 at : {glm::vec2(-0.25, -0.2), glm::vec2(0.25, -0.2), glm::vec2(0, 0.25)})
     placeSphere(builder, 0.24, white, {at, 0.24});
   test::addOrthographicCamera(builder, 0.5, 0.5);
-  const VisibilityMeasure m =
-      measured(test::loadBuilt(builder), "builtin:white",
-               {.samples = 128, .bounces = {1, 2, 8}, .fewSamples = {4, 16, 64}, .occlusionTextures = true});
+  const VisibilityMeasure m = measured(
+      test::loadBuilt(builder), "builtin:white",
+      {.samples = 128, .bounces = {1, 2, 8}, .raySamples = {}, .fewSamples = {4, 16, 64}, .occlusionTextures = true});
   INFO(figures(m));
   REQUIRE(m.rows.size() == 10);
   const auto rms = [&](size_t row) { return m.rows[row].error.rms; };
@@ -103,12 +103,30 @@ TEST_CASE("visibility: more bounces come nearer, more samples come nearer, and w
   CHECK(m.traced.triangles > 10000);
 }
 
+TEST_CASE("visibility: rays beside a drawn picture are nearer than none, and nearer with more samples", "[gl]") {
+  GltfBuilder builder = test::emptyScene();
+  const int white = builder.append("materials", test::material({0.9, 0.9, 0.9, 1}, 0, 1));
+  test::addMeshNode(builder, test::addQuad(builder, {-1, -1}, {1, 1}), white);
+  for (const glm::vec2 at : {glm::vec2(-0.25, -0.2), glm::vec2(0.25, -0.2), glm::vec2(0, 0.25)})
+    placeSphere(builder, 0.24, white, {at, 0.24});
+  test::addOrthographicCamera(builder, 0.5, 0.5);
+  const VisibilityMeasure m = measured(test::loadBuilt(builder), "builtin:white",
+                                       {.samples = 128, .bounces = {}, .raySamples = {4, 16}, .fewSamples = {}});
+  INFO(figures(m));
+  REQUIRE(m.rows.size() == 5);
+  const VisibilityRow &none = m.rows[0], &few = m.rows[2], &more = m.rows[3];
+  CHECK(few.error.rms < 0.75 * none.error.rms);
+  CHECK(more.error.rms < 0.7 * few.error.rms);
+  CHECK(std::abs(few.error.bias) < 0.25 * std::abs(none.error.bias));
+  CHECK(more.raysPerPixel == Approx(4 * few.raysPerPixel).epsilon(0.05));
+}
+
 TEST_CASE("visibility: what only covers is no error, and a black model is told", "[gl]") {
   GltfBuilder builder = test::emptyScene();
   placeSphere(builder, 0.5, builder.append("materials", test::unlit({0.02, 0.02, 0.02, 1})), {});
   test::addOrthographicCamera(builder, 1, 1);
   io::LoadedModel model = test::loadBuilt(builder);
-  const report::VisibilityOptions options{.samples = 64, .bounces = {1}, .fewSamples = {4}};
+  const report::VisibilityOptions options{.samples = 64, .bounces = {1}, .raySamples = {}, .fewSamples = {4}};
   const VisibilityMeasure m = measured(model, "builtin:studio", options);
   INFO(figures(m));
   const auto relative = [&](size_t row) { return m.rows[row].error.rms / m.rows[0].error.rms; };

@@ -57,6 +57,7 @@ frame::PictureSettings bareSettings(int width, int height) {
   settings.frame.width = width;
   settings.frame.height = height;
   settings.quality.samples = 1;
+  settings.quality.visibility = frame::Visibility::none;
   settings.sources.environment = "none";
   settings.frame.background = frame::Background::transparent;
   return settings;

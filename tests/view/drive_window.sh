@@ -108,7 +108,7 @@ xdotool windowfocus --sync "$window" || fail "the window takes no focus"
 
 xdotool key h # the panel covers much of so small a window
 screenshot start
-"$facet" render builtin:spheres --size 480x360 --samples 1 --env builtin:studio --orbit 0,90,9.2 --target 0,0,0 \
+"$facet" render builtin:spheres --size 480x360 --samples 1 --visibility none --env builtin:studio --orbit 0,90,9.2 --target 0,0,0 \
   --fov-y 45 -o headless.png >/dev/null 2>&1 || fail "no headless picture"
 "$facet" compare headless.png start.png --metric drmse --max-error 1 || fail "window and headless picture differ"
 screenshot again
@@ -269,7 +269,7 @@ window=$(xdotool search --sync --onlyvisible --pid $viewer 2>/dev/null | head -1
 xdotool windowfocus --sync "$window" || fail "the window takes no focus"
 await "listed: brdfs" 1
 screenshot matte
-"$facet" render builtin:spheres --brdf brdfs/matte.bin --size 480x360 --samples 1 --env builtin:studio --orbit 0,90,16 \
+"$facet" render builtin:spheres --brdf brdfs/matte.bin --size 480x360 --samples 1 --visibility none --env builtin:studio --orbit 0,90,16 \
   --target 0,0,0 --fov-y 45 -o measured.png >/dev/null 2>&1 || fail "no headless picture of a measured BRDF"
 same measured matte
 choose satin.bin "measured BRDF: .*/brdfs/satin.bin" 1

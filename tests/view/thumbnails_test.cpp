@@ -57,11 +57,11 @@ TEST_CASE("thumbnails: the key changes with path, time and size") {
 TEST_CASE("thumbnails: the arguments are those of a small picture") {
   const auto model = view::thumbnailArguments({FileKind::model, "/a b.glb"}, "/o.png");
   CHECK(model == std::vector<std::string>{"render", "/a b.glb", "-o", "/o.png", "--size", "96x96", "--env",
-                                          "builtin:studio", "--background", "transparent"});
+                                          "builtin:studio", "--background", "transparent", "--visibility", "none"});
   const auto map = view::thumbnailArguments({FileKind::environment, "/sky.hdr"}, "/o.png");
   CHECK(map == std::vector<std::string>{"render", "builtin:furnace", "-o", "/o.png", "--size", "96x96", "--orbit",
                                         "0,90,2.2", "--target", "-5,0.5,0", "--fov-y", "27", "--env", "/sky.hdr",
-                                        "--lights", "none"});
+                                        "--lights", "none", "--visibility", "none"});
   const auto brdf = view::thumbnailArguments({FileKind::brdf, "/gold.binary"}, "/o.png");
   CHECK(std::ranges::search(brdf, std::vector<std::string>{"--brdf", "/gold.binary"}).size() == 2);
 }

@@ -1,0 +1,25 @@
+#pragma once
+
+// What a drawn picture is wrong by, because nothing in it stands in the light's way: found by a few paths a pixel,
+// which bring only what differs from light that nothing blocks, and smoothed over what is alike. Where nothing is in
+// the way there is no noise, since nothing is added (a control variate).
+
+#include "frame/paths.hpp"
+
+namespace facet::frame {
+
+struct Difference {
+  gl::Texture radiance;  // RGBA16F, of the whole picture
+  uint64_t rays = 0;
+};
+// Samples as the settings say.
+Result<Difference> traceDifference(const FrameInput& in, shading::ProgramStore& programs);
+
+// Onto the targets' sum.
+Result<void> addDifference(const FrameInput& in, const Targets& targets, const Difference& difference,
+                           shading::ProgramStore& programs);
+
+// All that both use.
+std::vector<ProgramGetter> neededDifferencePrograms(const FrameInput& in, shading::ProgramStore& programs);
+
+}  // namespace facet::frame
