@@ -173,7 +173,7 @@ void addMaterials(DrawList& list, const scene::Model& model, const DrawOptions& 
 
 void sortByProgram(DrawList& list) {
   for (std::vector<Draw>* draws : {&list.opaque, &list.transmitting})
-    std::ranges::stable_sort(*draws, {}, [](const Draw& d) { return std::tuple(d.key, d.material); });
+    std::ranges::stable_sort(*draws, {}, [](const Draw& d) { return std::tuple(d.key, d.material, d.firstBounds); });
 }
 
 // By paths: where nothing is lit there is no light whose way could be traced.

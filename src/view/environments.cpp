@@ -68,7 +68,8 @@ Result<void> provideTables(EnvironmentSlot& slot, const ibl::Needs& needs, shadi
   ibl::loadTables(tables, slot.environment.get(), slot.content, needs, slot.cache, slot.method);
   logTables(tables);
   const std::vector<ibl::Piece> missing = ibl::missingPieces(tables, needs);
-  if (missing.empty() && (!needs.background || tables.background)) return {};
+  const bool texels = needs.texels && !tables.texels;
+  if (missing.empty() && (!needs.background || tables.background) && !texels) return {};
   const ibl::PreparedEnvironment* const prepared = slot.prepared.get();
   ibl::Precompute work = ibl::planTables(tables, slot.environment.get(), prepared, needs, programs, slot.method);
   slot.toStore.insert(slot.toStore.end(), missing.begin(), missing.end());

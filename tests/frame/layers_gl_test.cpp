@@ -197,6 +197,7 @@ TEST_CASE("Layers: one light on spheres is what the twin says") {
 }
 
 TEST_CASE("Layers: what shines by itself looks alike where nothing lights it and where a light of no intensity does") {
+  constexpr int cell = 32;
   std::vector<Extension> all(std::begin(extensions), std::end(extensions));
   const auto glass = [](scene::Material& m, float) { m.transmissionFactor = 0.7f; };
   all.push_back({"transmission", glass});

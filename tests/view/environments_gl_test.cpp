@@ -12,7 +12,7 @@ namespace {
 
 io::Pixels headless(const std::string& source, const frame::PictureSettings& settings) {
   test::Studio studio;
-  return studio.render(test::loadBuiltin(source), settings).display;
+  return studio.render(test::loadBuiltin(source), frame::restingSettings(settings)).display;
 }
 
 view::EnvironmentSlot& shown(Viewer& viewer) { return *viewer.viewport.environments.shown; }

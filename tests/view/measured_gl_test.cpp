@@ -158,8 +158,9 @@ TEST_CASE("measured BRDF in the window: at rest it becomes what facet render mak
   CHECK(viewer.state.refinement.shown == 16);
   CHECK(viewer.state.refinement.error > 0);
   test::Studio studio;
-  CHECK((viewer.display().data ==
-         studio.render(test::loadBuiltin("builtin:spheres"), viewer.state.settings).display.data));
+  CHECK((
+      viewer.display().data ==
+      studio.render(test::loadBuiltin("builtin:spheres"), frame::restingSettings(viewer.state.settings)).display.data));
 }
 
 TEST_CASE("measured BRDF in the window: the inspector tells of it in the place of the material", "[gl]") {

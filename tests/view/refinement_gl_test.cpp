@@ -20,7 +20,7 @@ double rmsDifference(const io::Pixels& a, const io::Pixels& b) {
 
 io::Pixels renderedWhole(const std::string& source, frame::PictureSettings settings) {
   test::Studio studio;
-  return studio.render(test::loadBuiltin(source), settings).display;
+  return studio.render(test::loadBuiltin(source), frame::restingSettings(settings)).display;
 }
 
 // A slab of glass before a checked wall, and a blended square before both.
@@ -66,10 +66,12 @@ TEST_CASE("refinement: an error to keep to asks for more samples until it is kep
   Viewer viewer;
   viewer.state.settings.quality.samples = 256;
   viewer.state.settings.quality.maxError = 0.01;
+  viewer.state.settings.quality.visibility = frame::Visibility::none;
   viewer.load("builtin:poster");
   viewer.converge();
   test::Studio studio;
-  const frame::Picture picture = studio.render(test::loadBuiltin("builtin:poster"), viewer.state.settings);
+  const frame::Picture picture =
+      studio.render(test::loadBuiltin("builtin:poster"), frame::restingSettings(viewer.state.settings));
   const std::vector<frame::Attempt>& attempts = picture.statistics.attempts;
   REQUIRE(attempts.size() >= 2);
   CHECK(viewer.state.refinement.shown == attempts.back().samples);
@@ -107,7 +109,7 @@ TEST_CASE("refinement: glass, blending, an odd number of samples and a coloured 
   test::Studio studio;
   io::LoadedModel model = test::loadBuilt(glassScene());
   model.model.name = file;
-  CHECK((viewer.display().data == studio.render(model, settings).display.data));
+  CHECK((viewer.display().data == studio.render(model, frame::restingSettings(settings)).display.data));
 }
 
 TEST_CASE("refinement: traced light, with glass, blending and lamps, and back to the unblocked one", "[gl]") {
@@ -130,7 +132,7 @@ TEST_CASE("refinement: traced light, with glass, blending and lamps, and back to
     settings.quality.bounces = bounces;
     viewer.converge();
     CHECK(viewer.state.refinement.shown == 3);
-    CHECK((viewer.display().data == studio.render(model, settings).display.data));
+    CHECK((viewer.display().data == studio.render(model, frame::restingSettings(settings)).display.data));
     CHECK((viewer.display().data != direct.data));
   }
   settings.quality.transport = frame::Transport::direct;
@@ -168,9 +170,29 @@ TEST_CASE("refinement: any change starts with the cheap picture, and few samples
   CHECK_FALSE(viewer.viewport.refinement.targets.sum);
 }
 
+TEST_CASE("refinement: the automatic visibility rests as facet render shows it", "[gl]") {
+  Viewer viewer;
+  viewer.load("builtin:poster");
+  for (const int samples : {8, 20}) {  // as drawn, by paths
+    INFO(samples);
+    viewer.state.settings.quality.samples = samples;
+    viewer.settle();
+    viewer.converge();
+    CHECK(viewer.viewport.shown.list.features.paths == (samples == 20));
+    CHECK((viewer.display().data == renderedWhole("builtin:poster", viewer.state.settings).data));
+  }
+  viewer.state.settings.quality.samples = 24;
+  viewer.state.settings.quality.maxError = 0.01;
+  viewer.settle();
+  viewer.converge();
+  CHECK(viewer.viewport.shown.list.features.paths);
+  CHECK((viewer.display().data == renderedWhole("builtin:poster", viewer.state.settings).data));
+}
+
 // The true error is that against 512 samples.
 TEST_CASE("refinement: the error that is stated follows the true one", "[gl]") {
   Viewer viewer;
+  viewer.state.settings.quality.visibility = frame::Visibility::none;
   viewer.load("builtin:poster");
   viewer.state.settings.quality.samples = 512;
   const io::Pixels truth = renderedWhole("builtin:poster", viewer.state.settings);
