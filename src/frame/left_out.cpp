@@ -25,11 +25,14 @@ std::vector<std::string> leftOut(const scene::Model& model, const frame::Picture
   if (!computed(statistics, "DFG")) out.emplace_back("no DFG table computed: nothing is lit, or it was there already");
   if (!computed(statistics, "LD layers"))
     out.emplace_back("no environment filtered: nothing reflects one, or it was there already");
-  if (statistics.traced) {
+  const auto textured = [](const scene::Material& m) { return m.occlusion && m.occlusionStrength > 0; };
+  if (statistics.traced && std::ranges::any_of(model.materials, textured))
+    out.emplace_back("occlusion textures not read: rays find what they stand for");
+  if (statistics.visibility.method == "paths") {
     out.emplace_back("no draws, no vertex buffers: rays meet everything");
     return out;
   }
-  out.emplace_back("no trees for rays: light is not traced");
+  if (!statistics.traced) out.emplace_back("no trees for rays: " + statistics.visibility.why);
   for (const char* pass : {"sky", "blend", "resolve"})
     if (std::ranges::find(statistics.frame.passes, pass) == statistics.frame.passes.end())
       out.push_back(std::string("no ") + pass + " pass");

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "frame/draw_list.hpp"
+#include "frame/left_out.hpp"
 #include "support/picture.hpp"
 
 using namespace facet;
@@ -185,6 +185,15 @@ TEST_CASE("Visibility: what the automatic choice takes, and what it leaves out",
   PictureSettings channel = settings;
   channel.look.channel = "normal";
   CHECK(chosen(render(spheres, channel, Visibility::automatic, 4)) == "none: a channel shows no light");
+
+  const auto leaves = [&](Visibility visibility, int samples, const std::string& what) {
+    const std::vector<std::string> out =
+        frame::leftOut(spheres.model, render(spheres, settings, visibility, samples).statistics);
+    return std::ranges::find(out, what) != out.end();
+  };
+  CHECK(leaves(Visibility::none, 4, "no trees for rays: asked for"));
+  CHECK_FALSE(leaves(Visibility::automatic, 4, "no draws, no vertex buffers: rays meet everything"));
+  CHECK(leaves(Visibility::automatic, 17, "no draws, no vertex buffers: rays meet everything"));
 
   // A convex body alone: no trees, and the bytes of none.
   GltfBuilder builder = emptyScene();
