@@ -44,6 +44,17 @@ void placeSphere(GltfBuilder& builder, double radius, int material, const glm::v
   test::addMeshNode(builder, test::addSphere(builder, radius, 48, 96), material, test::at(at.x, at.y, at.z));
 }
 
+// Three on a white plane, which return most of what they get.
+io::LoadedModel whiteSpheres() {
+  GltfBuilder builder = test::emptyScene();
+  const int white = builder.append("materials", test::material({0.9, 0.9, 0.9, 1}, 0, 1));
+  test::addMeshNode(builder, test::addQuad(builder, {-1, -1}, {1, 1}), white);
+  for (const glm::vec2 at : {glm::vec2(-0.25, -0.2), glm::vec2(0.25, -0.2), glm::vec2(0, 0.25)})
+    placeSphere(builder, 0.24, white, {at, 0.24});
+  test::addOrthographicCamera(builder, 0.5, 0.5);
+  return test::loadBuilt(builder);
+}
+
 }  // namespace
 
 TEST_CASE("visibility: on one convex body nothing is missed, whatever the method", "[gl]") {
@@ -68,14 +79,8 @@ TEST_CASE("visibility: on one convex body nothing is missed, whatever the method
 
 TEST_CASE("visibility: more bounces come nearer, more samples come nearer, and what cannot be told apart is said",
           "[gl]") {
-  GltfBuilder builder = test::emptyScene();
-  const int white = builder.append("materials", test::material({0.9, 0.9, 0.9, 1}, 0, 1));
-  test::addMeshNode(builder, test::addQuad(builder, {-1, -1}, {1, 1}), white);
-  for (const glm::vec2 at : {glm::vec2(-0.25, -0.2), glm::vec2(0.25, -0.2), glm::vec2(0, 0.25)})
-    placeSphere(builder, 0.24, white, {at, 0.24});
-  test::addOrthographicCamera(builder, 0.5, 0.5);
   const VisibilityMeasure m = measured(
-      test::loadBuilt(builder), "builtin:white",
+      whiteSpheres(), "builtin:white",
       {.samples = 128, .bounces = {1, 2, 8}, .raySamples = {}, .fewSamples = {4, 16, 64}, .occlusionTextures = true});
   INFO(figures(m));
   REQUIRE(m.rows.size() == 10);
@@ -104,13 +109,7 @@ TEST_CASE("visibility: more bounces come nearer, more samples come nearer, and w
 }
 
 TEST_CASE("visibility: rays beside a drawn picture are nearer than none, and nearer with more samples", "[gl]") {
-  GltfBuilder builder = test::emptyScene();
-  const int white = builder.append("materials", test::material({0.9, 0.9, 0.9, 1}, 0, 1));
-  test::addMeshNode(builder, test::addQuad(builder, {-1, -1}, {1, 1}), white);
-  for (const glm::vec2 at : {glm::vec2(-0.25, -0.2), glm::vec2(0.25, -0.2), glm::vec2(0, 0.25)})
-    placeSphere(builder, 0.24, white, {at, 0.24});
-  test::addOrthographicCamera(builder, 0.5, 0.5);
-  const VisibilityMeasure m = measured(test::loadBuilt(builder), "builtin:white",
+  const VisibilityMeasure m = measured(whiteSpheres(), "builtin:white",
                                        {.samples = 128, .bounces = {}, .raySamples = {4, 16}, .fewSamples = {}});
   INFO(figures(m));
   REQUIRE(m.rows.size() == 5);
