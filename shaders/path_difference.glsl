@@ -10,7 +10,11 @@
 #ifndef SAMPLED_PIXEL
 #define SAMPLED_PIXEL gl_GlobalInvocationID.xy
 #endif
+#ifdef PATH_TABLES
+#include "punctual_light.glsl"
+#else
 #include "arriving_light.glsl"
+#endif
 #endif
 
 bool correcting(PathState p) { return p.vertices == 0u; }
@@ -46,14 +50,9 @@ float broadShare(PathBsdf b, vec3 L, float density) {
 }
 
 #ifdef DRAWN_LIGHTS
-// The lobes as they reflect the environment's sun, wide enough for half range (punctual_light.glsl).
 PathBsdf underLight(PathBsdf b, LightUniforms light) {
 #ifdef PATH_TABLES
-  if (!isSun(light)) return b;
-  float least = max(light.cone.x, light.cone.y * sqrt(max(frame.environmentScale.z, 1.0)));
-  b.s.alpha = alphaOfDisc(b.s.alpha, least);
-  spreadGrain(b.s.grain, least);
-  spreadCoat(b.s.coat, least);
+  if (isSun(light)) b.s = sunlit(b.s, light);
 #endif
   return b;
 }

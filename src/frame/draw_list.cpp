@@ -377,11 +377,7 @@ void setTracing(DrawList& list, const DrawOptions& options) {
   setFeatures(list, traced);
   if (!anythingLit(list)) return setFeatures(list, drawn);
   if (options.tracing == Tracing::paths) return;
-  traced = drawn;
-  traced.difference = true;
-  traced.shadedOnce = false;
-  traced.imageLightSamples = 0;  // what is wrong with the tables is less than what few samples miss
-  traced.occlusion = false;      // occlusion textures would count twice
+  traced.paths = false, traced.difference = true;  // what is wrong with the tables is less than what few samples miss
   setFeatures(list, traced);
 }
 

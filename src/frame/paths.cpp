@@ -70,8 +70,9 @@ Result<Programs> pathPrograms(const FrameInput& in, ProgramStore& store) {
     if (!program) return tl::unexpected(program.error());
     got.push_back(*program);
   }
-  return Programs{{got[0], got[1], got[2]},    got[3], got[4], got[5], got[6], got[7], got[8],
-                  {got.begin() + 9, got.end()}};
+  const gl::Program* end = nullptr;
+  if (!in.paths->drawn) end = got.back(), got.pop_back();
+  return Programs{{got[0], got[1], got[2]}, got[3], got[4], got[5], got[6], got[7], end, {got.begin() + 8, got.end()}};
 }
 
 // As many paths as the rows have pixels.
@@ -237,7 +238,7 @@ void traceRows(const FrameInput& in, const PathWork& work, const Programs& progr
     dispatchCounted(*programs.light, layout::groupsLights);
     barrier();
   }
-  if (!in.paths->drawn) dispatch(*programs.end, paths);
+  if (programs.end) dispatch(*programs.end, paths);
 }
 
 }  // namespace
@@ -285,8 +286,9 @@ std::vector<ProgramGetter> neededPathPrograms(const FrameInput& in, shading::Pro
     add("plan", std::move(defines));
   }
   add("begin", common), add("meet", sceneDefines(in)), add("sort", common), add("miss", missDefines(in));
-  add("light", sceneDefines(in)), add("end", common);
+  add("light", sceneDefines(in));
   for (const PathClass& shaded : in.paths->list.classes) add("shade", classDefines(in, shaded));
+  if (!in.paths->drawn) add("end", {});  // else paths leave their light where they find it
   return out;
 }
 
