@@ -131,6 +131,7 @@ struct FrameUniforms {
   vec4 options;               // x: factor on occlusion strength; y: index of the draw among those of its seed, z: number of all that are gathered; w seed
   vec4 picture;               // x, y size of the whole in pixels; z first row of the target; w pixels per metre, 1 m away
   vec4 distanceFromDepth;     // a, b, c, d: distance along the view's axis = (b - d depth) / (a - c depth)
+  vec4 stored;                // x what the targets hold of radiance 1, a power of two; y radiance of a stored 1; z the largest that they hold
   vec4 backdrop;              // rgb radiance of a colour put behind the picture later; w 0: there is none
 };
 
@@ -211,7 +212,7 @@ constexpr int groupsFor(int size, int perGroup = groupSize) { return (size + per
 #undef MEMBER
 static_assert(sizeof(SlotUniforms) == 2 * 16);
 static_assert(sizeof(MaterialUniforms) == offsetof(MaterialUniforms, baseColorSlot) + materialSlotCount * sizeof(SlotUniforms));
-static_assert(sizeof(FrameUniforms) == 16 * 16);
+static_assert(sizeof(FrameUniforms) == 17 * 16);
 static_assert(sizeof(Instance) == 8 * 16);
 static_assert(sizeof(Joint) == 3 * 16);
 static_assert(sizeof(MorphWeight) == 8);

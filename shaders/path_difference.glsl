@@ -90,8 +90,7 @@ UnblockedLight unblockedLight(PathSurface at, PathBsdf b, bool punctual) {
 
 void rememberFirst(inout PathState p, PathSurface at, PathBsdf b) {
   UnblockedLight light = unblockedLight(at, b, true);
-  addToLayer(p, tableLayer, vec4(light.broad, 0.0));
-  addToLayer(p, tableLayer + 1, vec4(light.sharp, 0.0));
+  addLight(p, tableLayer, light.broad, light.sharp);
 #if defined(MERL_BRDF) || defined(UTIA_BRDF)
   const float measuredAlpha = 0.3;  // nothing is known of its lobes
   addToLayer(p, firstNormalLayer, vec4(b.s.worldFromLocal[2], measuredAlpha));

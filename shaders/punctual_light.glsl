@@ -11,7 +11,7 @@
 // The lobes as they reflect a part of the environment's sun: the share of one draw of its disc, but wide enough to stay
 // within half range, whatever the strength.
 Surface sunlit(Surface s, LightUniforms light) {
-  float least = light.cone.y * sqrt(max(frame.environmentScale.z, 1.0));
+  float least = light.cone.y * sqrt(max(frame.environmentScale.z, min(1.0, frame.stored.y)) * frame.stored.x);
   float angularRadius = max(light.cone.x * inversesqrt(max(frame.options.z, 1.0)), least);
   s.alpha = alphaOfDisc(s.alpha, angularRadius);
   spreadGrain(s.grain, angularRadius);

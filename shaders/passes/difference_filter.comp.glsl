@@ -21,7 +21,7 @@ vec3 albedo(ivec2 at, int lobes) { return max(texelFetch(differenceSums, ivec3(a
 #if STEP == 1
 // parameters: x distance of the taps in pixels, y how far sharp lobes of alpha 1 are smoothed, z 1: the first step, w how far shares of
 // visible light differ by chance.
-layout(binding = 0, rgba16f) writeonly uniform image2DArray smoothed;
+layout(binding = 0) writeonly uniform image2DArray smoothed;
 
 struct Seen {
   vec3 position, N;
@@ -93,11 +93,11 @@ void main() {
       }
     for (int i = 0; i < smoothedLayers; ++i) sums[i] /= total[i & 1];
   }
-  for (int i = 0; i < smoothedLayers; ++i) imageStore(smoothed, ivec3(at, i), vec4(sums[i], here.hits));
+  for (int i = 0; i < smoothedLayers; ++i) imageStore(smoothed, ivec3(at, i), vec4(min(sums[i], frame.stored.z), here.hits));
 }
 #else
 // parameters: x first row that is kept, y how many are, z row of the picture of the first one, w 1: nothing was smoothed.
-layout(binding = 0, rgba16f) writeonly uniform image2D difference;
+layout(binding = 0) writeonly uniform image2D difference;
 
 void main() {
   ivec2 at = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, int(parameters.x));
@@ -111,6 +111,6 @@ void main() {
     sum += texelFetch(differenceSums, ivec3(at, tableLayer + lobes), 0).rgb * (share - 1.0);
     sum += parameters.w > 0.5 ? returned : returned * albedo(at, lobes);
   }
-  imageStore(difference, at + ivec2(int(pathsShared.firstColumn), int(parameters.z)), vec4(clamp(sum, -maxHalf, maxHalf), 0.0));
+  imageStore(difference, at + ivec2(int(pathsShared.firstColumn), int(parameters.z)), vec4(clamp(sum, -frame.stored.z, frame.stored.z), 0.0));
 }
 #endif

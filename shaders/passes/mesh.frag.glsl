@@ -22,7 +22,7 @@ layout(location = 12) in float inScale;
 #define DECLARE(n) layout(location = 4 + n) in vec2 inTexCoord##n;
 EACH_TEXCOORD(DECLARE)
 
-layout(location = 0) out vec4 outColor;  // scene-linear, associated alpha
+layout(location = 0) out vec4 outColor;  // scene-linear as FrameUniforms.stored says, associated alpha
 
 Varyings readVaryings() {
   Varyings v;
@@ -83,10 +83,10 @@ void main() {
 #if defined(CHANNEL)
   outColor = vec4(channelValue(v, towardsViewer(v.position), baseColor), 1.0);
 #elif defined(UNLIT)
-  outColor = vec4(min(baseColor.rgb, maxHalf) * coverage, coverage);
+  outColor = vec4(min(baseColor.rgb * frame.stored.x, frame.stored.z) * coverage, coverage);
 #else
   vec4 lit = litRadiance(v, towardsViewer(v.position), baseColor.rgb);
-  outColor = vec4(clamp(lit.rgb, 0.0, maxHalf), lit.a) * coverage;
+  outColor = vec4(clamp(lit.rgb * frame.stored.x, 0.0, frame.stored.z), lit.a) * coverage;
 #ifdef ALPHA_BLEND
   outColor += unblended(gl_FragCoord.xy, coverage);
 #endif

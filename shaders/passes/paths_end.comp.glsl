@@ -9,5 +9,5 @@ void main() {
   uint i = gl_GlobalInvocationID.x;
   if (i >= pathsShared.rows * pathsShared.columns) return;
   ivec2 at = ivec2(pathPixel(paths[i])) - ivec2(0, int(frame.picture.z));
-  imageStore(sum, at, imageLoad(sum, at) + pathsShared.share * paths[i].radiance);
+  imageStore(sum, at, imageLoad(sum, at) + pathsShared.share * paths[i].radiance * vec4(vec3(frame.stored.x), 1.0));
 }

@@ -10,5 +10,5 @@ void main() {
   vec4 world = frame.worldFromClip * vec4(inClip, 0.0, 1.0);
   vec3 d = environmentFromWorld(normalize(world.xyz));
   vec3 radiance = textureLod(equirect, equirectFromDirection(d), 0.0).rgb * frame.environmentScale.y;
-  outColor = vec4(min(radiance, maxHalf), 1.0);
+  outColor = vec4(min(radiance * frame.stored.x, frame.stored.z), 1.0);
 }

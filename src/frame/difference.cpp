@@ -24,9 +24,11 @@ Result<const gl::Program*> addProgram(ProgramStore& programs) {
   return programs.compute("passes/difference_add.comp.glsl");
 }
 
+GLenum imageFormat(const FrameInput& in) { return in.precise ? GL_RGBA32F : GL_RGBA16F; }
+
 // Of some rows of the picture.
 struct Sums {
-  gl::Texture all, next;  // RGBA16F arrays: differenceLayers, smoothedLayers
+  gl::Texture all, next;  // of imageFormat, arrays: differenceLayers, smoothedLayers
   gl::Texture distance;   // R32F
 };
 
@@ -35,10 +37,10 @@ void clear(const gl::Texture& texture) {
   glClearTexImage(texture.id(), 0, GL_RGBA, GL_FLOAT, &zero.x);
 }
 
-Sums makeSums(int width, int rows) {
+Sums makeSums(int width, int rows, GLenum format) {
   const auto layers = [&](int count, const char* label) {
     return gl::Texture(
-        {.target = GL_TEXTURE_2D_ARRAY, .format = GL_RGBA16F, .width = width, .height = rows, .layers = count}, label);
+        {.target = GL_TEXTURE_2D_ARRAY, .format = format, .width = width, .height = rows, .layers = count}, label);
   };
   Sums sums;
   sums.all = layers(layout::differenceLayers, "difference");
@@ -58,7 +60,7 @@ void dispatch(const gl::Program& program, int width, int rows) {
 }
 
 void bindLayers(GLuint unit, const gl::Texture& texture, GLenum access) {
-  glBindImageTexture(unit, texture.id(), 0, GL_TRUE, 0, access, GL_RGBA16F);
+  glBindImageTexture(unit, texture.id(), 0, GL_TRUE, 0, access, texture.description().format);
 }
 void bindImages(const Sums& sums) {
   bindLayers(0, sums.all, GL_READ_WRITE);
@@ -126,7 +128,7 @@ Result<void> traceBand(const FrameInput& in, const Region& all, const Region& ba
   FrameInput rows = tracedInput(in);
   rows.firstRow = std::max(all.firstRow, band.firstRow - margin);
   const int count = std::min(all.firstRow + all.rows, band.firstRow + band.rows + margin) - rows.firstRow;
-  const Sums sums = makeSums(band.columns, count);
+  const Sums sums = makeSums(band.columns, count, imageFormat(in));
   PathRows traced{0, count};
   traced.share = 1.0f / static_cast<float>(samples);
   traced.firstColumn = band.firstColumn, traced.columns = band.columns;
@@ -143,7 +145,7 @@ Result<void> traceBand(const FrameInput& in, const Region& all, const Region& ba
   const Result<const gl::Texture*> smoothed = smooth(rows, sums, band.columns, count, store);
   if (!smoothed) return tl::unexpected(smoothed.error());
   (*smoothed)->bind(0);
-  glBindImageTexture(0, radiance.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16F);
+  glBindImageTexture(0, radiance.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, imageFormat(in));
   (*putBack)->set(layout::differenceStepLocation, glm::vec4(band.firstRow - rows.firstRow, band.rows, rows.firstRow,
                                                             smoothingSteps(samples) == 0 ? 1 : 0));
   dispatch(**putBack, band.columns, band.rows);
@@ -155,7 +157,7 @@ Result<void> traceBand(const FrameInput& in, const Region& all, const Region& ba
 Result<Difference> traceDifference(const FrameInput& in, ProgramStore& store) {
   Difference out;
   out.radiance = gl::Texture(
-      {.format = GL_RGBA16F, .width = in.settings.frame.width, .height = in.settings.frame.height}, "difference");
+      {.format = imageFormat(in), .width = in.settings.frame.width, .height = in.settings.frame.height}, "difference");
   clear(out.radiance);
   const Region all = drawnRegion(in);
   if (all.columns <= 0 || all.rows <= 0) return out;

@@ -9,7 +9,7 @@
 namespace facet::frame {
 
 struct Difference {
-  gl::Texture radiance;  // RGBA16F, of the whole picture
+  gl::Texture radiance;  // RGBA16F, RGBA32F where precise; of the whole picture
   uint64_t rays = 0;
 };
 // Samples as the settings say.

@@ -4,17 +4,29 @@
 #include <cassert>
 #include <cmath>
 
+#include "constants.h"
 #include "frame/settings.hpp"
 
 namespace facet::frame {
 
 using shading::ProgramStore;
 
+float radianceUnit(const Display& display, int channel) {
+  if (channel != 0) return 1;
+  constexpr float darkest = -4, brightest = 8;  // stops: the largest half is white there, and halves are fine enough
+  const float beyond =
+      std::min(display.exposureStops - darkest, 0.0f) + std::max(display.exposureStops - brightest, 0.0f);
+  return std::exp2(-std::floor(beyond));
+}
+
+float largestStored(bool precise) { return precise ? 1e30f : layout::maxHalf; }
+
 DisplayParameters displayParameters(const FrameInput& in, float scale) {
   const PictureSettings& s = in.settings;
   const int channel = in.list.features.channel;
   const bool shaded = channel == 0;
-  return {{shaded ? std::exp2(s.display.exposureStops) : 1.0f, shaded ? static_cast<float>(s.display.toneMapper) : 0.0f,
+  const float exposure = std::exp2(s.display.exposureStops) * radianceUnit(s.display, channel);
+  return {{shaded ? exposure : 1.0f, shaded ? static_cast<float>(s.display.toneMapper) : 0.0f,
            shading::channelKind(channel) == shading::ChannelKind::color ? 1.0f : 0.0f, scale},
           {s.frame.backgroundColor, s.frame.background == Background::color ? 1.0f : 0.0f}};
 }

@@ -7,7 +7,13 @@
 
 namespace facet::frame {
 
-// What displayed() in shaders/display.glsl takes; scale: on what is read.
+// Radiance of a stored 1: a power of two, so that halves hold what the exposure shows. 1 for exposures of -4 to 8
+// stops, and for channels, which are not exposed.
+float radianceUnit(const Display& display, int channel);
+// In such units; precise: as createTargets has it.
+float largestStored(bool precise);
+
+// What displayed() in shaders/display.glsl takes; scale: on what is read, whose unit is the radianceUnit.
 struct DisplayParameters {
   glm::vec4 parameters, backdrop;
 };

@@ -58,11 +58,11 @@ void compareRadiance(io::RadianceImage& picture, const io::RadianceImage& fitted
 }
 
 void readBand(Picture& picture, const PictureRequest& request, const Targets& targets, const PictureSettings& settings,
-              int firstRow) {
+              float unit, int firstRow) {
   const auto width = static_cast<size_t>(settings.frame.width), height = static_cast<size_t>(settings.frame.height);
   if (request.radiance) {
-    io::RadianceImage band = readRadiance(targets);
-    if (targets.fitted) compareRadiance(band, readFitted(targets), settings);
+    io::RadianceImage band = readRadiance(targets, unit);
+    if (targets.fitted) compareRadiance(band, readFitted(targets, unit), settings);
     if (settings.frame.background == Background::color)
       for (glm::vec4& p : band.pixels) p = glm::vec4(glm::vec3(p) + (1 - p.a) * settings.frame.backgroundColor, 1);
     picture.radiance.width = settings.frame.width, picture.radiance.height = settings.frame.height;
@@ -79,11 +79,12 @@ void readBand(Picture& picture, const PictureRequest& request, const Targets& ta
   }
 }
 
-void countExtremes(const io::RadianceImage& image, PictureStatistics& statistics) {
+// limit: the largest that the targets hold.
+void countExtremes(const io::RadianceImage& image, float limit, PictureStatistics& statistics) {
   for (const glm::vec4& p : image.pixels) {
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z) || !std::isfinite(p.w))
       ++statistics.nonFinitePixels;
-    else if (std::max({p.x, p.y, p.z}) >= layout::maxHalf)
+    else if (std::max({p.x, p.y, p.z}) >= limit)
       ++statistics.clampedPixels;
   }
 }
@@ -209,7 +210,8 @@ Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& 
   if (!view) return tl::unexpected(view.error());
   const FrameInput input = frameInput(drawable, *view, settings);
   const GpuScene& gpu = drawable.scene->gpu;
-  const bool precise = request.radiance && !request.display;
+  const bool precise = request.precise();
+  const float unit = radianceUnit(settings.display, list.features.channel);
   const int rows = std::min(bandRows(settings, list, context, precise), settings.frame.height);
   const bool estimate = asked.quality.maxError || (request.estimate && gathers(settings) && !list.features.difference);
   Targets targets = pictureTargets(settings, context, rows, list.features.difference, estimate, precise);
@@ -227,7 +229,7 @@ Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& 
     Result<DrawnFrame> drawn =
         drawBands(input, targets, programs, context, [&](const FrameInput& band) -> Result<void> {
           stages.mark("first frame");
-          readBand(picture, request, targets, settings, band.firstRow);
+          readBand(picture, request, targets, settings, unit, band.firstRow);
           if (comparing(band)) {
             Result<ComparisonSums> sums = sumComparison(band, targets, 1, programs);
             if (!sums) return tl::unexpected(sums.error());
@@ -260,7 +262,7 @@ Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& 
   statistics.tableBytes = drawable.environment->tables.bytes();
   statistics.targetBytes = targetBytes(targets);
   statistics.variants = variantsOf(list);
-  if (request.radiance) countExtremes(picture.radiance, statistics);
+  if (request.radiance) countExtremes(picture.radiance, unit * largestStored(precise), statistics);
   return picture;
 }
 

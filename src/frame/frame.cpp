@@ -217,6 +217,8 @@ layout::FrameUniforms frameUniforms(const FrameInput& in, int draw, int draws, c
                         static_cast<float>(view.clipFromView[1][1] * in.settings.frame.height / 2));
   const glm::dmat4& p = view.clipFromView;
   u.distanceFromDepth = glm::vec4(p[2][2], p[3][2], p[2][3], p[3][3]);
+  const float unit = radianceUnit(in.settings.display, in.list.features.channel);
+  u.stored = glm::vec4(1 / unit, unit, largestStored(in.precise), 0);
   if (in.settings.frame.background == Background::color)
     u.backdrop = glm::vec4(in.settings.frame.backgroundColor * std::exp2(-in.settings.display.exposureStops), 1);
   return u;

@@ -72,6 +72,7 @@ struct FrameInput {
   const Difference* difference = nullptr;   // what is added to the picture, where rays correct it
   int firstRow = 0;                         // the targets hold the picture's rows from here on, counted from the bottom
   bool fitted = false;                      // draws the fitted model in the measured BRDF's place
+  bool precise = false;                     // as createTargets has it
 };
 
 // Binds the tables that are there to the units of their names.
@@ -91,10 +92,10 @@ Result<bool> prepareNextProgram(const FrameInput& in, shading::ProgramStore& pro
 // targets.display. All programs are ready (preparePrograms). Estimates the error where the targets have a `before`.
 Result<FrameStatistics> drawFrame(const FrameInput& in, const Targets& targets, shading::ProgramStore& programs);
 
-// Scene-linear, associated alpha; waits for the GPU.
-io::RadianceImage readRadiance(const Targets& targets);
+// Scene-linear, associated alpha; unit: radianceUnit of what was drawn. Waits for the GPU.
+io::RadianceImage readRadiance(const Targets& targets, float unit = 1);
 // The same of the fitted model, where it is compared.
-io::RadianceImage readFitted(const Targets& targets);
+io::RadianceImage readFitted(const Targets& targets, float unit = 1);
 // 8-bit sRGB; RGB where the background covers everything, RGBA else.
 io::Pixels readDisplay(const Targets& targets, bool withAlpha);
 

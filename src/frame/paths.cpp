@@ -27,7 +27,9 @@ BufferTexture bufferTexture(std::span<const std::byte> data, const char* label) 
 // What all programs of a scene are compiled with.
 std::vector<Define> commonDefines(const FrameInput& in) {
   std::vector<Define> defines;
-  if (in.paths->drawn) defines.push_back({"DIFFERENCE"});
+  if (!in.paths->drawn) return defines;
+  defines.push_back({"DIFFERENCE"});
+  if (in.precise) defines.push_back({"PRECISE"});
   return defines;
 }
 std::vector<Define> sceneDefines(const FrameInput& in) {
@@ -49,7 +51,7 @@ std::vector<Define> missDefines(const FrameInput& in) {
 std::vector<Define> classDefines(const FrameInput& in, const PathClass& shaded) {
   std::vector<Define> defines =
       shading::variantDefines(in.fitted ? shading::fittedKey(shaded.key, in.list.features.models.diffuse) : shaded.key);
-  if (in.paths->drawn) defines.push_back({"DIFFERENCE"});
+  for (const Define& define : commonDefines(in)) defines.push_back(define);
   const bool sun = static_cast<int>(in.list.lights.size()) > in.paths->list.lights;
   if (in.paths->drawn && sun && in.list.features.environment) defines.push_back({"PATH_SUN"});
   if (!in.paths->list.scene.placements.empty()) defines.push_back({"RAY_PLACEMENTS"});
@@ -321,7 +323,7 @@ FrameInput tracedInput(const FrameInput& in) {
   if (!in.paths->drawn) return in;
   FrameInput traced{in.model, *in.paths->drawn, in.gpu, in.tables, in.view, in.settings};
   traced.measured = in.measured, traced.fittedModel = in.fittedModel, traced.paths = in.paths;
-  traced.firstRow = in.firstRow;
+  traced.firstRow = in.firstRow, traced.precise = in.precise;
   return traced;
 }
 

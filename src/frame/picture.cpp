@@ -2,12 +2,13 @@
 
 namespace facet::frame {
 
-Result<Drawable> preparePicture(const PictureSettings& settings, LoadedScene& scene, const Supply& supply,
-                                shading::ProgramStore& programs, PictureStatistics& statistics, Notes& notes,
-                                Stages& stages) {
+Result<Drawable> preparePicture(const PictureSettings& settings, const PictureRequest& request, LoadedScene& scene,
+                                const Supply& supply, shading::ProgramStore& programs, PictureStatistics& statistics,
+                                Notes& notes, Stages& stages) {
   const shading::ProgramStatistics before = programs.statistics();
   const int decodedBefore = scene.gpu.imagesDecoded;
   Plan plan;
+  plan.precise = request.precise();
   Step step;
   do {
     const Result<Step> made = advance(plan, scene, settings, nullptr, supply, programs);

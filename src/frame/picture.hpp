@@ -36,9 +36,9 @@ struct PictureStatistics {
   std::vector<const ibl::Candidate*> methods;  // of the tables, where an error decides
   size_t textureBytes = 0, geometryBytes = 0, tableBytes = 0, targetBytes = 0;
   std::map<std::string, int> variants;  // programs by name (shading::variantName) -> draws, before culling
-  uint64_t clampedPixels = 0;    // all samples of a channel at the largest half float; counted where radiance is read
-  uint64_t nonFinitePixels = 0;  // likewise
-  std::vector<double> frameMs;   // the first frame, then the repeated ones; each waited for
+  uint64_t clampedPixels = 0;  // all samples of a channel at the largest that is stored; counted where radiance is read
+  uint64_t nonFinitePixels = 0;                 // likewise
+  std::vector<double> frameMs;                  // the first frame, then the repeated ones; each waited for
   std::optional<ComparisonFigures> comparison;  // of a measured BRDF with the model fitted to it, where both are drawn
   VisibilityChosen visibility;
   std::optional<TracedStatistics> traced;  // where paths are
@@ -59,12 +59,14 @@ struct PictureRequest {
   int repeat = 0;         // further frames, for timing
   // Nothing is rendered after this: Session frees in main memory what is on the GPU by then.
   bool last = false;
+
+  bool precise() const { return radiance && !display; }
 };
 
 // Runs a plan to its end. notes: the list's. statistics: what that took.
-Result<Drawable> preparePicture(const PictureSettings& settings, LoadedScene& scene, const Supply& supply,
-                                shading::ProgramStore& programs, PictureStatistics& statistics, Notes& notes,
-                                Stages& stages);
+Result<Drawable> preparePicture(const PictureSettings& settings, const PictureRequest& request, LoadedScene& scene,
+                                const Supply& supply, shading::ProgramStore& programs, PictureStatistics& statistics,
+                                Notes& notes, Stages& stages);
 
 // Draws and reads back. Band by band where the targets of the whole would be large. statistics: preparePicture's.
 Result<Picture> drawPicture(const PictureSettings& settings, const PictureRequest& request, const Drawable& drawable,

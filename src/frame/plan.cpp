@@ -188,6 +188,7 @@ FrameInput frameInput(const Drawable& drawable, const DrawList& part, const scen
   FrameInput in{drawable.scene->model(), part, drawable.scene->gpu, drawable.environment->tables, view, settings};
   if (drawable.inputs.list.measured) in.measured = &drawable.inputs.list.measured->buffer;
   in.paths = drawable.paths.get();
+  in.precise = drawable.precise;
   if (drawable.inputs.list.fitted) in.fittedModel = &drawable.inputs.list.fitted->buffer;
   return in;
 }
@@ -210,6 +211,7 @@ Result<Step> advance(Plan& plan, LoadedScene& scene, const PictureSettings& wish
   if (!sameList) {
     plan.next = {};
     plan.next.scene = &scene;
+    plan.next.precise = plan.precise;
     plan.listed = plan.tabled = plan.uploaded = false;
   }
   plan.tabled &= plan.next.inputs.tables == (*inputs)->tables;

@@ -121,6 +121,7 @@ struct Drawable {
   DrawList list;
   Notes notes;                                  // what the list leaves out of the wish
   std::shared_ptr<const PathScene> paths = {};  // of the list, where paths are traced
+  bool precise = false;                         // FrameInput
 };
 FrameInput frameInput(const Drawable& drawable, const scene::View& view, const PictureSettings& settings);
 // Of a part of its list (partOf).
@@ -136,6 +137,7 @@ enum class Progress {
 
 struct Plan {
   bool moving = false;                                 // listInputs
+  bool precise = false;                                // FrameInput
   LoadedEnvironment* environment = nullptr;            // null: on its way
   std::shared_ptr<const MeasuredOnGpu> measured = {};  // likewise
   Drawable next = {};                                  // in the making

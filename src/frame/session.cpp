@@ -101,7 +101,8 @@ Result<Picture> Session::render(const std::string& model, const PictureSettings&
   stages.mark("read model");
   PictureStatistics statistics;
   const Supply supply = supplyAtOnce(shelf_, programs_, notes);
-  const Result<Drawable> drawable = preparePicture(settings, *scene_, supply, programs_, statistics, notes, stages);
+  const Result<Drawable> drawable =
+      preparePicture(settings, request, *scene_, supply, programs_, statistics, notes, stages);
   if (!drawable) return tl::unexpected(drawable.error());
   environmentName_ = drawable->environment->source;
   if (request.last) {

@@ -98,7 +98,7 @@ size_t targetBytes(const Targets& targets) {
 
 namespace {
 
-io::RadianceImage readPixels(const Targets& targets, const gl::Texture& source) {
+io::RadianceImage readPixels(const Targets& targets, const gl::Texture& source, float unit) {
   io::RadianceImage out;
   out.width = targets.width;
   out.height = targets.height;
@@ -106,16 +106,18 @@ io::RadianceImage readPixels(const Targets& targets, const gl::Texture& source) 
   glGetTextureImage(source.id(), 0, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(out.pixels.size() * sizeof(glm::vec4)),
                     out.pixels.data());
   flipRows(out.pixels, static_cast<size_t>(targets.width));
+  if (unit != 1)
+    for (glm::vec4& p : out.pixels) p *= glm::vec4(glm::vec3(unit), 1);
   return out;
 }
 
 }  // namespace
 
-io::RadianceImage readRadiance(const Targets& targets) {
-  return readPixels(targets, targets.sum ? targets.sum : targets.color);
+io::RadianceImage readRadiance(const Targets& targets, float unit) {
+  return readPixels(targets, targets.sum ? targets.sum : targets.color, unit);
 }
 
-io::RadianceImage readFitted(const Targets& targets) { return readPixels(targets, targets.fitted); }
+io::RadianceImage readFitted(const Targets& targets, float unit) { return readPixels(targets, targets.fitted, unit); }
 
 io::Pixels readDisplay(const Targets& targets, bool withAlpha) {
   io::Pixels out;

@@ -10,15 +10,17 @@ namespace facet::ibl {
 
 namespace {
 
-// Largest stored value; leaves half floats room for interpolation and sums.
-constexpr float largestStored = 32768.0f;
+// Largest stored value; leaves half floats room for interpolation and sums. Of maps below the other, the largest
+// becomes 1, since halves below 2^-14 hold fewer bits the smaller they are.
+constexpr float largestStored = 32768.0f, dimmest = 1.0f / 64;
 
 }  // namespace
 
 float radianceScaleFor(const scene::Environment& environment) {
   float largest = 0;
   for (const glm::vec3& texel : environment.radiance) largest = std::max({largest, texel.x, texel.y, texel.z});
-  return largest > largestStored ? std::exp2(std::ceil(std::log2(largest / largestStored))) : 1.0f;
+  if (largest > largestStored) return std::exp2(std::ceil(std::log2(largest / largestStored)));
+  return largest > 0 && largest < dimmest ? std::exp2(std::max(std::ceil(std::log2(largest)), -100.0f)) : 1.0f;
 }
 
 scene::Environment reduceEquirect(const scene::Environment& environment, int maxWidth) {

@@ -16,6 +16,7 @@ Result<std::vector<glm::vec4>> probeLight(const ibl::Tables& tables, const shadi
   layout::FrameUniforms frame{};
   frame.environmentRotation = glm::vec4(1, 0, 0, 0);
   frame.environmentScale = glm::vec4(tables.radianceScale, tables.radianceScale, 1, 0);
+  frame.stored = glm::vec4(1, 1, 65504, 0);
   frame.options = glm::vec4(1, draw.index, draw.draws, draw.seed);
   const gl::Buffer uniforms = gl::Buffer::of(std::vector{frame}, "frame");
   glBindBufferBase(GL_UNIFORM_BUFFER, layout::frameBinding, uniforms.id());

@@ -344,7 +344,7 @@ void readRadianceThere(const Viewport& viewport, ViewerState& state) {
     scale = static_cast<float>(refinement.gathering->draws()) / static_cast<float>(refinement.gathering->done);
   }
   glGetTextureSubImage(source->id(), 0, at.pixel.x, at.pixel.y, 0, 1, 1, 1, GL_RGBA, GL_FLOAT, sizeof value, &value.x);
-  at.radiance = glm::vec3(value) * scale;
+  at.radiance = glm::vec3(value) * scale * frame::radianceUnit(state.settings.display, 0);
 }
 
 bool inspectNext(Viewport& viewport, ViewerState& state) {

@@ -40,13 +40,13 @@ frame::Picture Studio::render(frame::LoadedScene& scene, const frame::PictureSet
   Stages stages;
   frame::PictureStatistics statistics;
   const frame::Supply supply = frame::supplyAtOnce(shelf_, programs_, notes);
+  const frame::PictureRequest request{.radiance = true, .display = display, .estimate = estimate};
   Result<frame::Drawable> drawable =
-      frame::preparePicture(settings, scene, supply, programs_, statistics, notes, stages);
+      frame::preparePicture(settings, request, scene, supply, programs_, statistics, notes, stages);
   INFO((drawable ? std::string() : describe(drawable.error())));
   REQUIRE(drawable);
   Result<frame::Picture> picture =
-      frame::drawPicture(settings, {.radiance = true, .display = display, .estimate = estimate}, *drawable,
-                         std::move(statistics), programs_, contextInfo(), stages);
+      frame::drawPicture(settings, request, *drawable, std::move(statistics), programs_, contextInfo(), stages);
   INFO((picture ? std::string() : describe(picture.error())));
   REQUIRE(picture);
   return std::move(*picture);
