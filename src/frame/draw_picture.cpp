@@ -16,22 +16,29 @@ namespace facet::frame {
 
 namespace {
 
+// More than one sample is drawn after the other.
+bool gathers(const PictureSettings& settings) {
+  return settings.quality.samples > convergedAbove || tracesPaths(settings);
+}
+
 // Rows of a band. Bands save memory and cost the geometry once more each: a few for scenes of little geometry, for
 // others only where the targets of a large picture could not be had otherwise. A sample takes 12 bytes (RGBA16F and
-// depth), 20 where it is precise. What shines through a surface may come from any row: a scene with such surfaces gets
-// one band up to 4 GiB; beyond, what shines through ends at the band.
+// depth), 20 where it is precise; what is gathered has one at a time, and 20 bytes of sum and display. What shines
+// through a surface may come from any row: a scene with such surfaces gets one band up to 4 GiB; beyond, what shines
+// through ends at the band.
+// A vertex is rounded where its band puts it, so that bands change the last digit of what is interpolated, and with it
+// here and there a pixel. The window gathers its picture whole and draws the others in these very bands.
 int bandRows(const PictureSettings& settings, const DrawList& list, const gl::ContextInfo& context, bool precise) {
   size_t corners = 0;
   for (const std::vector<Draw>* draws : list.classes())
     for (const Draw& draw : *draws)
       corners += std::max(draw.primitive->indices.size(), draw.primitive->positions.size()) * draw.instanceCount;
-  size_t budget = corners < 300'000 ? size_t{4} << 20 : size_t{1} << 30;
+  const bool gather = gathers(settings);
+  size_t budget = corners < 300'000 && !gather ? size_t{4} << 20 : size_t{1} << 30;
   if (!list.transmitting.empty()) budget = size_t{4} << 30;
-  if (list.features.paths) budget = size_t{1} << 30;  // few rows would keep few rays busy
-  const int samples = std::min(settings.quality.samples, context.maxSamples);
-  const size_t rows = budget /
-                      (static_cast<size_t>(settings.frame.width) * static_cast<size_t>(samples) * (precise ? 20 : 12)) /
-                      16 * 16;
+  const auto samples = static_cast<size_t>(std::min(settings.quality.samples, context.maxSamples));
+  const size_t sampleBytes = precise ? 20 : 12, pixelBytes = gather ? sampleBytes + 20 : samples * sampleBytes;
+  const size_t rows = budget / (static_cast<size_t>(settings.frame.width) * pixelBytes) / 16 * 16;
   return static_cast<int>(std::clamp<size_t>(rows, 16, static_cast<size_t>(std::max(16, settings.frame.height))));
 }
 
@@ -155,11 +162,6 @@ Result<DrawnFrame> drawBands(FrameInput in, const Targets& targets, shading::Pro
   return frame;
 }
 
-// More than one sample is drawn after the other.
-bool gathers(const PictureSettings& settings) {
-  return settings.quality.samples > convergedAbove || tracesPaths(settings);
-}
-
 // For as many samples as the settings ask for, or for any number while the error decides.
 Targets pictureTargets(const PictureSettings& settings, const gl::ContextInfo& context, int rows, bool corrected,
                        bool estimate, bool precise) {
@@ -177,6 +179,30 @@ Targets createTargets(const PictureSettings& settings, const gl::ContextInfo& co
   const bool gather = gathers(settings) || corrected;
   return createTargets(settings.frame.width, rows > 0 ? rows : settings.frame.height,
                        gather ? 1 : std::min(settings.quality.samples, context.maxSamples), gather, precise);
+}
+
+Result<FrameStatistics> drawInBands(const FrameInput& in, const Targets& targets, shading::ProgramStore& programs,
+                                    const gl::ContextInfo& context) {
+  const PictureSettings& settings = in.settings;
+  const int rows = bandRows(settings, in.list, context, false);
+  if (gathers(settings) || rows >= settings.frame.height) return drawFrame(in, targets, programs);
+  Targets band = createTargets(settings, context, rows);
+  prepareBehind(band, in.list);
+  prepareComparison(band, in.list);
+  Result<DrawnFrame> drawn = drawBands(in, band, programs, context, [&](const FrameInput& at) -> Result<void> {
+    const int kept = std::min(rows, settings.frame.height - at.firstRow);
+    const auto copy = [&](const gl::Texture& from, const gl::Texture& to) {
+      if (from)
+        glCopyImageSubData(from.id(), GL_TEXTURE_2D, 0, 0, 0, 0, to.id(), GL_TEXTURE_2D, 0, 0, at.firstRow, 0,
+                           settings.frame.width, kept, 1);
+    };
+    copy(band.color, targets.color);
+    copy(band.fitted, targets.fitted);
+    copy(band.display, targets.display);
+    return {};
+  });
+  if (!drawn) return tl::unexpected(drawn.error());
+  return std::move(drawn->statistics);
 }
 
 namespace {

@@ -73,4 +73,8 @@ Result<Picture> drawPicture(const PictureSettings& settings, const PictureReques
                             PictureStatistics statistics, shading::ProgramStore& programs,
                             const gl::ContextInfo& context, Stages& stages);
 
+// Draws a picture that is not gathered as drawPicture does, band by band, to the last bit, into targets of the whole.
+Result<FrameStatistics> drawInBands(const FrameInput& in, const Targets& targets, shading::ProgramStore& programs,
+                                    const gl::ContextInfo& context);
+
 }  // namespace facet::frame

@@ -94,7 +94,9 @@ Result<void> drawMoving(Viewport& viewport, ViewerState& state, const scene::Vie
   const frame::FrameInput input = frame::frameInput(viewport.shown, view, s);
   const auto start = std::chrono::steady_clock::now();
   FrameClock::Slot* slot = viewport.clock.begin();
-  Result<frame::FrameStatistics> drawn = frame::drawFrame(input, targets, viewport.programs);
+  const bool final = !frame::converges(state.settings);  // what is asked for, not what is shown until that is there
+  Result<frame::FrameStatistics> drawn = final ? frame::drawInBands(input, targets, viewport.programs, viewport.context)
+                                               : frame::drawFrame(input, targets, viewport.programs);
   viewport.clock.end(slot);
   const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
   viewport.comparison.shown = s.comparison;

@@ -3,7 +3,7 @@
 #include "io/image.hpp"
 #include "io/utia.hpp"
 #include "optics/synthetic_brdf.hpp"
-#include "support/gltf_builder.hpp"
+#include "support/picture.hpp"
 #include "support/temporary_folder.hpp"
 #include "view/camera_control.hpp"
 #include "view/copied_command.hpp"
@@ -46,12 +46,79 @@ std::vector<uint8_t> risingTriangle() {
   return b.glb();
 }
 
+// Six textured, bumpy balls, each below a turned and stretched node of its own; the last of another material, where
+// there are several.
+std::vector<uint8_t> texturedBalls(const nlohmann::json& last) {
+  test::GltfBuilder b = test::emptyScene();
+  std::vector<uint8_t> texels;
+  for (uint32_t i = 0; i < 32 * 32 * 3; ++i) texels.push_back(static_cast<uint8_t>((i * 2654435761u) >> 24));
+  std::vector<uint8_t> normals = texels;
+  for (size_t i = 0; i < normals.size(); ++i)
+    normals[i] = i % 3 == 2 ? uint8_t{255} : static_cast<uint8_t>(96 + normals[i] / 4);
+  for (const auto& data : {texels, normals}) {
+    b.append("images", {{"uri", test::dataUri(test::pngBytes(32, 32, 3, 8, data), "image/png")}});
+    b.append("textures", {{"source", b.json["images"].size() - 1}});
+  }
+  nlohmann::json material = test::material({1, 1, 1, 1}, 0.5, 0.3);
+  material["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 0;
+  material["normalTexture"]["index"] = 1;
+  b.append("materials", material);
+  material.merge_patch(last);
+  b.append("materials", material);
+  nlohmann::json ball = test::addSphere(b, 0.5, 12, 24);
+  std::vector<float> uv;
+  for (int y = 0; y <= 12; ++y)
+    for (int x = 0; x <= 24; ++x) uv.push_back(static_cast<float>(x) / 8), uv.push_back(static_cast<float>(y) / 4);
+  REQUIRE(b.json["accessors"][ball["attributes"]["POSITION"].get<size_t>()]["count"] == uv.size() / 2);
+  ball["attributes"]["TEXCOORD_0"] = b.add(uv, test::floatType, "VEC2");
+  for (int i = 0; i < 6; ++i) {
+    test::addMeshNode(b, ball, i < 5 ? 0 : 1, {{"rotation", {0.48, 0.6, 0, 0.64}}, {"scale", {1, 1.3, 0.7}}});
+    const nlohmann::json child = b.json["scenes"][0]["nodes"].back();
+    b.json["scenes"][0]["nodes"].back() = b.append(
+        "nodes",
+        {{"translation", {i % 3 - 1.1, i / 3 - 0.4, 0.3 * i}}, {"rotation", {0, 0.6, 0.8, 0}}, {"children", {child}}});
+  }
+  return b.glb();
+}
+
 struct Case {
   const char* name;
   void (*set)(view::ViewerState&);
 };
 
 }  // namespace
+
+// So large that few samples of it are drawn in bands.
+TEST_CASE("copied command: its bytes in a large picture, too, of textures below turned nodes", "[gl]") {
+  const nlohmann::json same = nlohmann::json::object();
+  const nlohmann::json glass = {{"extensions", {{"KHR_materials_transmission", {{"transmissionFactor", 1}}}}}};
+  const nlohmann::json veil = {{"alphaMode", "BLEND"}, {"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, 0.5}}}}};
+  struct Large {
+    nlohmann::json last;
+    const char* channel;
+    int samples;
+  };
+  const Large c = GENERATE_COPY(values<Large>({{same, "", 4},
+                                               {same, "", 9},
+                                               {same, "uv", 2},
+                                               {same, "geometryNormal", 4},
+                                               {veil, "", 4},
+                                               {veil, "", 5},
+                                               {glass, "", 4},
+                                               {glass, "", 5}}));
+  INFO(c.last << ", channel '" << c.channel << "', " << c.samples << " samples");
+  const test::TemporaryFolder folder;
+  test::Viewer viewer;
+  frame::PictureSettings& settings = viewer.state.settings;
+  settings.frame.width = 640, settings.frame.height = 480;
+  settings.quality.samples = c.samples;
+  settings.look.channel = c.channel;
+  settings.sources.environment = "builtin:sky";
+  viewer.load(folder.write("balls.glb", texturedBalls(c.last)));
+  viewer.converge();
+  REQUIRE_FALSE(viewer.state.status.isError);
+  test::checkCopiedCommand(viewer, folder);
+}
 
 TEST_CASE("copied command: gives the bytes of the picture on the screen", "[gl]") {
   const Case c = GENERATE(values<Case>({
