@@ -54,13 +54,11 @@ VisibilityChosen chosenVisibility(const PictureSettings& settings, const DrawLis
                      : settings.quality.maxError ? "an error is to be kept to"
                                                  : "more than " + std::to_string(correctedUpTo) + " samples"};
   if (list.features.difference) return {"rays", asked ? "asked for" : "few samples"};
+  if (!list.untraced.empty()) return {"none", list.untraced};
   if (!settings.look.channel.empty()) return {"none", "a channel shows no light"};
-  if (settings.quality.visibility == Visibility::none && !asked) return {"none", "asked for"};
-  if (settings.comparison.brdfCompare != BrdfCompare::none) return {"none", "a fitted model is compared"};
-  if (list.features.measured != shading::Measured::none && !tracesPaths(settings))
-    return {"none", "few samples of a measured BRDF are noise enough"};
-  if (tracesPaths(settings) && drawsThin(list)) return {"none", "paths do not meet lines and points"};
-  return {"none", nothingInTheWay(list) ? "a convex body, alone" : "nothing is lit"};
+  if (settings.comparison.brdfCompare != BrdfCompare::none && settings.quality.visibility != Visibility::none)
+    return {"none", "a fitted model is compared"};
+  return {"none", "asked for"};
 }
 
 bool converges(const PictureSettings& settings) {

@@ -72,7 +72,8 @@ struct DrawList {
   shading::FrameFeatures features;
   bool compared = false;  // DrawOptions'
   std::vector<FileCamera> cameras;
-  int overflowed = 0;  // nodes left out because their transform is not finite
+  std::string untraced;  // why light that was to be traced is not; else empty
+  int overflowed = 0;    // nodes left out because their transform is not finite
 
   // All classes of draws, in the order in which they are drawn.
   std::array<const std::vector<Draw>*, 3> classes() const { return {&opaque, &transmitting, &blended}; }
@@ -96,14 +97,15 @@ scene::Bounds boundsOf(const DrawList& list, const std::function<bool(int node)>
 // the list has on the GPU serves both. The channel must stay, and whether there are punctual lights does.
 void setFeatures(DrawList& list, shading::FrameFeatures features);
 
-// A single convex body that lets no light pass: what faces the light gets it, nothing gets it from the body.
-bool nothingInTheWay(const DrawList& list);
+// Radius of a scene [m] within which 32-bit floats hold what rays compute of it, and what drawing does.
+struct SizeRange {
+  double least, most;
+  bool holds(const scene::Bounds& bounds) const;
+};
+inline constexpr SizeRange tracedSizes{1e-12, 1e11}, drawnSizes{1e-18, 1e18};
 
-// Lines or points.
-bool drawsThin(const DrawList& list);
-
-// The features that tracing asks for, where there is light and something that could be in its way. Where nobody has
-// asked for paths by name, they leave a list alone that holds what they do not meet.
+// The features that tracing asks for, where there is light and something that could be in its way; else list.untraced
+// says why not. Where nobody has asked for paths by name, they leave a list alone that holds what they do not meet.
 void setTracing(DrawList& list, const DrawOptions& options);
 
 }  // namespace facet::frame

@@ -1,6 +1,7 @@
 #include "frame/list_notes.hpp"
 
 #include <algorithm>
+#include <sstream>
 
 #include "scene/geometry.hpp"
 
@@ -81,6 +82,19 @@ void noteMeasured(const DrawList& list, Notes& notes) {
          " draws have no tangents: the BRDF's azimuths begin at their level direction");
 }
 
+void noteSize(const DrawList& list, Notes& notes) {
+  const auto warn = [&](const char* what, const SizeRange& sizes) {
+    std::ostringstream text;
+    text << what << ": its radius is " << list.bounds.radius() << " m, and 32-bit floats do for " << sizes.least
+         << " to " << sizes.most << " m; give it another scale";
+    notes.push_back({Note::Severity::warning, "", text.str()});
+  };
+  if (!drawnSizes.holds(list.bounds))
+    warn("the scene cannot be drawn right", drawnSizes);
+  else if (!list.untraced.empty() && !tracedSizes.holds(list.bounds))
+    warn("light is not traced, and nothing stands in its way, in a scene of this size", tracedSizes);
+}
+
 // What rays do not meet.
 void notePaths(const DrawList& list, Notes& notes) {
   size_t thin = 0;
@@ -98,6 +112,7 @@ void notePaths(const DrawList& list, Notes& notes) {
 Notes listNotes(const DrawList& list, const ibl::Needs& needs) {
   Notes notes;
   noteUnlit(list, needs, notes);
+  noteSize(list, notes);
   if (list.features.measured != shading::Measured::none)
     noteMeasured(list, notes);
   else
