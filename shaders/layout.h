@@ -57,6 +57,7 @@ LAYOUT_CONST environmentTexelsUnit = materialSlotCount + 15;
 LAYOUT_CONST rayAlphaUnit = materialSlotCount + 16;
 LAYOUT_CONST lampCubeUnit = materialSlotCount + 17;    // environment_samples.glsl
 LAYOUT_CONST lampPointsUnit = materialSlotCount + 18;
+LAYOUT_CONST groundUnit = materialSlotCount + 19;
 
 // Compute passes: invocations of a work group along x and y; pixels along the edge of the square that one group sums up.
 LAYOUT_CONST groupSize = 8;
@@ -111,6 +112,15 @@ LAYOUT_CONST firstAlbedoLayer = 8;
 LAYOUT_CONST firstNormalLayer = 10;  // a alpha of the sharpest lobe
 LAYOUT_CONST differenceLayers = 11;
 LAYOUT_CONST holesFirstLocation = 0;
+LAYOUT_CONST groundNoiseLocation = 0;
+// Layers of what paths find at the floor [irradiance over pi], and of what is drawn of it (ground.glsl).
+LAYOUT_CONST groundVisibleSum = 0;    // what nothing blocks
+LAYOUT_CONST groundUnblockedSum = 1;  // as if nothing were in its way
+LAYOUT_CONST groundReturnedSum = 2;   // what other surfaces send
+LAYOUT_CONST groundSumLayers = 3;
+LAYOUT_CONST groundShareLayer = 0;
+LAYOUT_CONST groundCoverLayer = 1;
+LAYOUT_CONST groundLayers = 2;
 
 // The LD chain: layer i holds perceptual roughness ldKnot(i) (environment_layers.glsl); how many cubes of which size.
 LAYOUT_CONST ldLayerCount = 13;
@@ -133,6 +143,7 @@ struct FrameUniforms {
   vec4 distanceFromDepth;     // a, b, c, d: distance along the view's axis = (b - d depth) / (a - c depth)
   vec4 stored;                // x what the targets hold of radiance 1, a power of two; y radiance of a stored 1; z the largest that they hold
   vec4 backdrop;              // rgb radiance of a colour put behind the picture later; w 0: there is none
+  vec4 ground;                // the floor: xyz its middle, w half its width
 };
 
 // How a slot's texture is looked up: KHR_texture_transform's rows, each to be multiplied with (u, v, 1).
@@ -212,7 +223,7 @@ constexpr int groupsFor(int size, int perGroup = groupSize) { return (size + per
 #undef MEMBER
 static_assert(sizeof(SlotUniforms) == 2 * 16);
 static_assert(sizeof(MaterialUniforms) == offsetof(MaterialUniforms, baseColorSlot) + materialSlotCount * sizeof(SlotUniforms));
-static_assert(sizeof(FrameUniforms) == 17 * 16);
+static_assert(sizeof(FrameUniforms) == 18 * 16);
 static_assert(sizeof(Instance) == 8 * 16);
 static_assert(sizeof(Joint) == 3 * 16);
 static_assert(sizeof(MorphWeight) == 8);

@@ -1,2 +1,1 @@
-void gather(inout PathState p, vec3 radiance, float broad) { p.radiance.rgb += radiance; }
-void gatherLight(inout PathState p, vec3 radiance, float broad, bool first) { p.radiance.rgb += radiance; }
+#include "paths_sum_ground.glsl" if GROUND

@@ -1,6 +1,7 @@
 // Paths that leave the scene.
 #include "path_class.glsl"
 #include "path_environment.glsl" if HAS_ENVIRONMENT
+#include "ground_seen.glsl" if GROUND_SEEN
 
 layout(local_size_x = groupInvocations) in;
 
@@ -15,12 +16,14 @@ void main() {
   const bool seen = false;
 #endif
   if (camera && !seen) p.radiance.a = 0.0;
+  vec3 share = vec3(1.0);
+  if (camera) seeGround(p, seen, share);
 #ifdef HAS_ENVIRONMENT
   if (p.onMiss.w > 0.0) {
     gather(p, p.onMiss.rgb, p.throughput.w);
   } else if (!camera || seen) {
     float weight = camera ? 1.0 : drawnWeight(p.direction.w, lightChance * environmentDensity(p.direction.xyz));
-    gatherLight(p, p.throughput.rgb * environmentRadiance(p.direction.xyz) * weight, p.throughput.w, p.vertices == 1u);
+    gatherLight(p, p.throughput.rgb * environmentRadiance(p.direction.xyz) * share * weight, p.throughput.w, p.vertices == 1u);
   }
 #endif
   paths[path].radiance = p.radiance;

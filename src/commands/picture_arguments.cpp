@@ -20,6 +20,7 @@ Result<std::string> textOf(const nlohmann::json& value, const options::PictureOp
   };
   if (value.is_string()) return value.get<std::string>();
   if (value.is_number()) return numberText(value);
+  if (value.is_boolean() && option.flag) return value.get<bool>() ? "true" : "false";
   const auto wrong = [&](const nlohmann::json& found) {
     return fail({}, {}, "a value of type " + std::string(found.type_name()) + " is no " + std::string(option.value),
                 "give a text, a number or an array of numbers");
@@ -40,6 +41,12 @@ void addPictureOptions(CLI::App& app, PictureArguments& arguments, std::span<con
   for (const options::PictureOption& option : options::pictureOptions()) {
     if (!only.empty() && std::ranges::find(only, option.name) == only.end()) continue;
     const auto keep = [&arguments, name = option.name](const std::string& text) { arguments[name] = text; };
+    if (option.flag) {
+      app.add_flag_callback(
+             "--" + std::string(option.name), [keep] { keep("true"); }, options::helpOf(option))
+          ->group("Picture");
+      continue;
+    }
     app.add_option_function<std::string>("--" + std::string(option.name), keep, options::helpOf(option))
         ->type_name(std::string(option.value))
         ->group("Picture");

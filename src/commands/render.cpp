@@ -114,6 +114,11 @@ nlohmann::ordered_json statsJson(const Job& job, const frame::Session& session, 
                     {"triangles", s.traced->triangles},
                     {"bytes", s.traced->bytes},
                     {"treesMs", s.traced->buildMs}};
+  if (s.ground)
+    out["ground"] = {{"points", s.ground->size * s.ground->size},
+                     {"samples", s.ground->samples},
+                     {"rays", s.ground->rays},
+                     {"ms", s.ground->milliseconds}};
   if (s.comparison)
     out["brdfComparison"] = {
         {"rms", s.comparison->rms}, {"share", s.comparison->share}, {"largest", s.comparison->largest}};

@@ -102,6 +102,7 @@ DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment) {
   if (correctedByRays(settings)) options.tracing = Tracing::difference;
   options.tracesAnyway =
       settings.quality.transport == Transport::paths || settings.quality.visibility == Visibility::rays;
+  options.ground = settings.frame.ground && settings.look.channel.empty();
   options.sceneLights = settings.look.lights != Lights::none;
   options.demoLights = settings.look.lights == Lights::demo;
   options.moving = !settings.placement.animation.empty();

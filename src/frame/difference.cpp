@@ -129,7 +129,7 @@ Result<void> traceBand(const FrameInput& in, const Region& all, const Region& ba
   rows.firstRow = std::max(all.firstRow, band.firstRow - margin);
   const int count = std::min(all.firstRow + all.rows, band.firstRow + band.rows + margin) - rows.firstRow;
   const Sums sums = makeSums(band.columns, count, imageFormat(in));
-  PathRows traced{0, count};
+  PathRows traced{0, count, PathUse::difference};
   traced.share = 1.0f / static_cast<float>(samples);
   traced.firstColumn = band.firstColumn, traced.columns = band.columns;
   int number = 0;
@@ -185,7 +185,7 @@ Result<void> addDifference(const FrameInput& in, const Targets& targets, const D
 }
 
 std::vector<ProgramGetter> neededDifferencePrograms(const FrameInput& in, ProgramStore& programs) {
-  std::vector<ProgramGetter> out = neededPathPrograms(tracedInput(in), programs);
+  std::vector<ProgramGetter> out = neededPathPrograms(tracedInput(in), PathUse::difference, programs);
   for (const char* step : {"1", "2"}) out.emplace_back([&programs, step] { return filterProgram(step, programs); });
   out.emplace_back([&programs] { return addProgram(programs); });
   return out;

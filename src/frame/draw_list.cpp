@@ -247,7 +247,7 @@ ibl::Needs DrawList::needs(bool environmentVisible) const {
       needs.dfg |= shading::readsDfgTable(draw.key);
       needs.sheen |= shading::usesFeature(draw.key, shading::Feature::sheen);
     }
-  if (features.paths || features.difference) {
+  if (features.paths || features.difference || ground) {
     needs.texels = features.environment;
     needs.background |= features.environment;
     if (features.paths) taps = 0;
@@ -290,6 +290,7 @@ DrawList buildDrawList(const scene::Model& model, int scene, const DrawOptions& 
   list.features = options.features;
   list.features.punctualLights = !list.lights.empty();
   list.compared = options.compared;
+  list.ground = options.ground && tracedSizes.holds(list.bounds) && !list.bounds.empty();
   const std::vector<int> firstJoints = addJoints(list, flat);
   for (const auto& [key, placed] : groups)
     addInstances(list, model.meshes[static_cast<size_t>(std::get<0>(key))], placed, firstJoints, options);

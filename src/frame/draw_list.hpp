@@ -30,6 +30,7 @@ struct DrawOptions {
   int variant = -1;                      // index in Model::variants; -1: the primitives' own materials
   Tracing tracing = Tracing::none;       // where anything is lit
   bool tracesAnyway = false;             // also where nothing can be in the light's way
+  bool ground = false;                   // a floor stands below it
   bool compared = false;                 // drawn a second time, of the model fitted to its measured BRDF
   bool moving = false;  // other poses will follow: morph targets keep their program while all weights are 0
 
@@ -70,7 +71,7 @@ struct DrawList {
   std::vector<Draw> transmitting;  // show what is behind them, of any alpha mode; sorted likewise
   std::vector<Draw> blended;       // one instance each; sorted by distance when drawn
   shading::FrameFeatures features;
-  bool compared = false;  // DrawOptions'
+  bool compared = false, ground = false;  // DrawOptions'
   std::vector<FileCamera> cameras;
   std::string untraced;  // why light that was to be traced is not; else empty
   int overflowed = 0;    // nodes left out because their transform is not finite

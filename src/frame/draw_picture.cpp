@@ -8,6 +8,7 @@
 #include "constants.h"
 #include "frame/difference.hpp"
 #include "frame/gather.hpp"
+#include "frame/ground.hpp"
 #include "frame/max_error.hpp"
 #include "frame/picture.hpp"
 #include "frame/settings.hpp"
@@ -19,6 +20,18 @@ namespace {
 // More than one sample is drawn after the other.
 bool gathers(const PictureSettings& settings) {
   return settings.quality.samples > convergedAbove || tracesPaths(settings);
+}
+
+// The floor of a drawable that has one, as the whole wish asks for it.
+Result<std::optional<GroundStatistics>> traceGround(const FrameInput& in, const Drawable& drawable,
+                                                    shading::ProgramStore& programs, const gl::ContextInfo& context) {
+  if (!drawable.ground) return std::optional<GroundStatistics>();
+  const auto start = std::chrono::steady_clock::now();
+  setTextureDetail(in.gpu, tracedDraws, in.settings.quality.textureFilter, context);
+  if (Result<bool> done = continueGround(in, *drawable.ground, programs); !done) return tl::unexpected(done.error());
+  glFinish();
+  return GroundStatistics{drawable.ground->wish.size, drawable.ground->wish.samples, drawable.ground->rays,
+                          std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count()};
 }
 
 // Rows of a band. Bands save memory and cost the geometry once more each: a few for scenes of little geometry, for
@@ -247,6 +260,11 @@ Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& 
   if (estimate)
     if (Result<void> r = prepareGatherPrograms(programs); !r) return tl::unexpected(r.error());
 
+  Result<std::optional<GroundStatistics>> ground =
+      traceGround(frameInput(drawable, *view, asked), drawable, programs, context);
+  if (!ground) return tl::unexpected(ground.error());
+  statistics.ground = std::move(*ground);
+  if (statistics.ground) stages.mark("light on the floor");
   for (int samples = settings.quality.samples; samples > 0;) {
     settings.quality.samples = samples;
     setTextureDetail(gpu, list.features.paths ? tracedDraws : gatheredDraws(settings, targets),

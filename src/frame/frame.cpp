@@ -11,6 +11,7 @@
 #include "frame/difference.hpp"
 #include "frame/display_pass.hpp"
 #include "frame/fitted_gpu.hpp"
+#include "frame/ground.hpp"
 #include "frame/paths.hpp"
 #include "frame/scene_pass.hpp"
 #include "frame/settings.hpp"
@@ -221,6 +222,7 @@ layout::FrameUniforms frameUniforms(const FrameInput& in, int draw, int draws, c
   u.stored = glm::vec4(1 / unit, unit, largestStored(in.precise), 0);
   if (in.settings.frame.background == Background::color)
     u.backdrop = glm::vec4(in.settings.frame.backgroundColor * std::exp2(-in.settings.display.exposureStops), 1);
+  if (in.ground) u.ground = in.ground->place;
   return u;
 }
 
@@ -244,6 +246,7 @@ Result<FrameStatistics> drawScene(const FrameInput& in, const VisibleDraws& visi
   glBindVertexArray(targets.noAttributes.id());
   Result<void> drawn = drawOpaque(in, visible, programs, statistics);
   if (drawn) drawn = drawSky(in, programs, statistics);
+  if (drawn) drawn = drawGround(in, programs, statistics);
   if (drawn) drawn = drawTransmitting(in, visible, targets, programs, statistics);
   const std::span<const Draw> before = std::span(visible.blended).subspan(visible.blendedBehind);
   if (drawn) drawn = drawBlended(in, before, "blend", programs, statistics);
@@ -265,11 +268,13 @@ std::vector<ProgramGetter> neededPrograms(const FrameInput& in, ProgramStore& pr
     for (const Draw& draw : *draws) keys.insert(draw.key);
   std::vector<ProgramGetter> needed;
   if (in.list.features.paths) {
-    needed = neededPathPrograms(in, programs);
+    needed = neededPathPrograms(in, PathUse::picture, programs);
+    if (in.ground) std::ranges::copy(neededGroundPrograms(in, programs), std::back_inserter(needed));
     needed.push_back([&] { return displayProgram(in, programs); });
     return needed;
   }
   if (in.list.features.difference) needed = neededDifferencePrograms(in, programs);
+  if (in.ground) std::ranges::copy(neededGroundPrograms(in, programs), std::back_inserter(needed));
   for (const shading::VariantKey& key : keys) needed.push_back([&, key] { return meshProgram(key, programs); });
   if (comparing(in))
     for (const shading::VariantKey& key : keys) {

@@ -58,6 +58,7 @@ size_t targetBytes(const Targets& targets);  // of the textures
 
 struct PathScene;
 struct Difference;
+struct Ground;
 
 struct FrameInput {
   const scene::Model& model;
@@ -70,6 +71,7 @@ struct FrameInput {
   const gl::Buffer* fittedModel = nullptr;  // of the model fitted to it, where it is drawn in its place or beside it
   const PathScene* paths = nullptr;         // of the list, where paths are traced
   const Difference* difference = nullptr;   // what is added to the picture, where rays correct it
+  const Ground* ground = nullptr;           // the floor, where there is one
   int firstRow = 0;                         // the targets hold the picture's rows from here on, counted from the bottom
   bool fitted = false;                      // draws the fitted model in the measured BRDF's place
   bool precise = false;                     // as createTargets has it

@@ -120,10 +120,11 @@ Result<void> gatherPaths(const FrameInput& in, const Targets& targets, Gathering
     fitted.fitted = true;
     Result<void> traced;
     if (comparing(in))
-      traced =
-          tracePaths(fitted, {gathering.rows, band, &targets.fitted, share}, gathering.paths, gathering.done, programs);
+      traced = tracePaths(fitted, {gathering.rows, band, PathUse::picture, &targets.fitted, share}, gathering.paths,
+                          gathering.done, programs);
     if (traced)
-      traced = tracePaths(in, {gathering.rows, band, &targets.sum, share}, gathering.paths, gathering.done, programs);
+      traced = tracePaths(in, {gathering.rows, band, PathUse::picture, &targets.sum, share}, gathering.paths,
+                          gathering.done, programs);
     if (!traced) return traced;
     rows -= band;
     gathering.rows += band;

@@ -26,7 +26,7 @@ std::vector<std::string> leftOut(const scene::Model& model, const frame::Picture
   if (!computed(statistics, "LD layers"))
     out.emplace_back("no environment filtered: nothing reflects one, or it was there already");
   const auto textured = [](const scene::Material& m) { return m.occlusion && m.occlusionStrength > 0; };
-  if (statistics.traced && std::ranges::any_of(model.materials, textured))
+  if (statistics.visibility.method != "none" && std::ranges::any_of(model.materials, textured))
     out.emplace_back("occlusion textures not read: rays find what they stand for");
   if (statistics.visibility.method == "paths") {
     out.emplace_back("no draws, no vertex buffers: rays meet everything");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "frame/ground.hpp"
 #include "frame/scene_pass.hpp"
 #include "frame/settings.hpp"
 #include "paths.h"
@@ -25,15 +26,15 @@ BufferTexture bufferTexture(std::span<const std::byte> data, const char* label) 
 }
 
 // What all programs of a scene are compiled with.
-std::vector<Define> commonDefines(const FrameInput& in) {
+std::vector<Define> commonDefines(const FrameInput& in, PathUse use) {
+  if (use == PathUse::ground) return {{"GROUND"}};
   std::vector<Define> defines;
-  if (!in.paths->drawn) return defines;
-  defines.push_back({"DIFFERENCE"});
-  if (in.precise) defines.push_back({"PRECISE"});
+  if (use == PathUse::difference) defines.push_back({"DIFFERENCE"});
+  if (use == PathUse::difference && in.precise) defines.push_back({"PRECISE"});
   return defines;
 }
-std::vector<Define> sceneDefines(const FrameInput& in) {
-  std::vector<Define> defines = commonDefines(in);
+std::vector<Define> sceneDefines(const FrameInput& in, PathUse use) {
+  std::vector<Define> defines = commonDefines(in, use);
   if (in.list.features.environment) defines.push_back({"HAS_ENVIRONMENT"});
   if (in.paths->list.lights > 0) defines.push_back({"HAS_PUNCTUAL_LIGHTS"});
   if (!in.paths->list.scene.placements.empty()) defines.push_back({"RAY_PLACEMENTS"});
@@ -41,19 +42,20 @@ std::vector<Define> sceneDefines(const FrameInput& in) {
   return defines;
 }
 
-std::vector<Define> missDefines(const FrameInput& in) {
-  std::vector<Define> defines = sceneDefines(in);
+std::vector<Define> missDefines(const FrameInput& in, PathUse use) {
+  std::vector<Define> defines = sceneDefines(in, use);
+  if (in.ground && use == PathUse::picture) defines.push_back({"GROUND_SEEN"});
   if (in.list.features.environment && in.settings.frame.background == Background::environment)
     defines.push_back({"BACKGROUND"});
   return defines;
 }
 
-std::vector<Define> classDefines(const FrameInput& in, const PathClass& shaded) {
+std::vector<Define> classDefines(const FrameInput& in, const PathClass& shaded, PathUse use) {
   std::vector<Define> defines =
       shading::variantDefines(in.fitted ? shading::fittedKey(shaded.key, in.list.features.models.diffuse) : shaded.key);
-  for (const Define& define : commonDefines(in)) defines.push_back(define);
+  for (const Define& define : commonDefines(in, use)) defines.push_back(define);
   const bool sun = static_cast<int>(in.list.lights.size()) > in.paths->list.lights;
-  if (in.paths->drawn && sun && in.list.features.environment) defines.push_back({"PATH_SUN"});
+  if (use == PathUse::difference && sun && in.list.features.environment) defines.push_back({"PATH_SUN"});
   if (!in.paths->list.scene.placements.empty()) defines.push_back({"RAY_PLACEMENTS"});
   if (in.paths->list.media) defines.push_back({"SCENE_MEDIA"});
   return defines;
@@ -65,15 +67,15 @@ struct Programs {
   std::vector<const gl::Program*> classes;
 };
 
-Result<Programs> pathPrograms(const FrameInput& in, ProgramStore& store) {
+Result<Programs> pathPrograms(const FrameInput& in, PathUse use, ProgramStore& store) {
   std::vector<const gl::Program*> got;
-  for (const ProgramGetter& get : neededPathPrograms(in, store)) {
+  for (const ProgramGetter& get : neededPathPrograms(in, use, store)) {
     const Result<const gl::Program*> program = get();
     if (!program) return tl::unexpected(program.error());
     got.push_back(*program);
   }
   const gl::Program* end = nullptr;
-  if (!in.paths->drawn) end = got.back(), got.pop_back();
+  if (use == PathUse::picture) end = got.back(), got.pop_back();
   return Programs{{got[0], got[1], got[2]}, got[3], got[4], got[5], got[6], got[7], end, {got.begin() + 8, got.end()}};
 }
 
@@ -212,16 +214,23 @@ void bindScene(const FrameInput& in, const PathWork& work) {
 }
 
 // One sample of some rows, few enough that all of their paths are under way at once.
-void traceRows(const FrameInput& in, const PathWork& work, const Programs& programs, layout::PathUniforms uniforms,
-               int firstRow, int rows) {
+void traceRows(const FrameInput& in, PathUse use, const PathWork& work, const Programs& programs,
+               layout::PathUniforms uniforms, int firstRow, int rows) {
   const size_t paths = static_cast<size_t>(rows) * uniforms.columns;
   uniforms.firstRow = static_cast<uint32_t>(firstRow + in.firstRow), uniforms.rows = static_cast<uint32_t>(rows);
   const gl::Buffer common = gl::Buffer::of(std::vector{uniforms}, "path uniforms");
   glBindBufferBase(GL_UNIFORM_BUFFER, layout::pathsBinding, common.id());
-  const std::array<uint32_t, 4> counts = {0, static_cast<uint32_t>(paths), 0, 0};
+  const bool atSurface = use == PathUse::ground;  // where paths begin, one has been met
+  const std::array<uint32_t, 4> counts = {0, static_cast<uint32_t>(paths), 0, atSurface ? 1u : 0u};
   work.work.update(std::as_bytes(std::span(counts)));
   dispatch(*programs.begin, paths);
   const auto plan = [&](size_t step) { dispatch(*programs.plans[step], 1); };
+  const auto seeLights = [&] {
+    plan(2);
+    dispatchCounted(*programs.light, layout::groupsLights);
+    barrier();
+  };
+  if (atSurface) seeLights();
   for (int vertex = 0; vertex <= in.settings.quality.bounces; ++vertex) {
     plan(0);
     dispatchCounted(*programs.meet, layout::groupsActive);
@@ -236,9 +245,7 @@ void traceRows(const FrameInput& in, const PathWork& work, const Programs& progr
       dispatchCounted(*programs.classes[i], static_cast<uint32_t>(layout::groupsClasses + i + 1));
     }
     barrier();
-    plan(2);
-    dispatchCounted(*programs.light, layout::groupsLights);
-    barrier();
+    seeLights();
   }
   if (programs.end) dispatch(*programs.end, paths);
 }
@@ -275,36 +282,43 @@ Result<PathScene> pathScene(const DrawList& list, const scene::Model& model, con
   return out;
 }
 
-std::vector<ProgramGetter> neededPathPrograms(const FrameInput& in, shading::ProgramStore& programs) {
+std::vector<ProgramGetter> neededPathPrograms(const FrameInput& in, PathUse use, shading::ProgramStore& programs) {
   std::vector<ProgramGetter> out;
   const auto add = [&](const char* name, std::vector<Define> defines) {
     out.emplace_back([&programs, entry = "passes/paths_" + std::string(name) + ".comp.glsl",
                       defines = std::move(defines)] { return programs.compute(entry, defines); });
   };
-  const std::vector<Define> common = commonDefines(in);
+  const std::vector<Define> common = commonDefines(in, use);
   for (const char* step : {"0", "1", "2"}) {
     std::vector<Define> defines = common;
     defines.push_back({"STEP", step});
     add("plan", std::move(defines));
   }
-  add("begin", common), add("meet", sceneDefines(in)), add("sort", common), add("miss", missDefines(in));
-  add("light", sceneDefines(in));
-  for (const PathClass& shaded : in.paths->list.classes) add("shade", classDefines(in, shaded));
-  if (!in.paths->drawn) add("end", {});  // else paths leave their light where they find it
+  if (use == PathUse::ground)
+    add("ground", sceneDefines(in, use));
+  else
+    add("begin", common);
+  add("meet", sceneDefines(in, use)), add("sort", common), add("miss", missDefines(in, use));
+  add("light", sceneDefines(in, use));
+  for (const PathClass& shaded : in.paths->list.classes) add("shade", classDefines(in, shaded, use));
+  if (use == PathUse::picture) add("end", {});  // else paths leave their light where they find it
   return out;
 }
 
 Result<void> tracePaths(const FrameInput& in, const PathRows& rows, PathWork& work, int number, ProgramStore& store) {
-  const Result<Programs> programs = pathPrograms(in, store);
+  const Result<Programs> programs = pathPrograms(in, rows.use, store);
   if (!programs) return tl::unexpected(programs.error());
   const int width = rows.columns > 0 ? rows.columns : in.settings.frame.width;
-  const int count = std::min(rows.count, in.settings.frame.height - in.firstRow - rows.first);
+  const int count = rows.use == PathUse::ground
+                        ? rows.count
+                        : std::min(rows.count, in.settings.frame.height - in.firstRow - rows.first);
   const int atOnce =
       static_cast<int>(std::clamp<int64_t>((rows.sum ? mostPaths : mostPaths / 4) / width, 1, std::max(count, 1)));
   makeRoom(work, static_cast<size_t>(atOnce) * static_cast<size_t>(width), in.paths->list.classes.size() + 1);
   const gl::Buffer frame = gl::Buffer::of(std::vector{frameUniforms(in, number, 1, glm::dvec2(0))}, "frame");
   glBindBufferBase(GL_UNIFORM_BUFFER, layout::frameBinding, frame.id());
   bindScene(in, work);
+  if (in.ground) in.ground->shares.bind(layout::groundUnit);
   glProgramUniform1ui(programs->miss->id(), layout::pathsClassLocation, layout::missClass);
   layout::PathUniforms uniforms = pathUniforms(in, work, number, rows.share);
   uniforms.offset = glm::vec2(rows.offset + 0.5);
@@ -312,7 +326,7 @@ Result<void> tracePaths(const FrameInput& in, const PathRows& rows, PathWork& wo
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
   if (rows.sum) glBindImageTexture(0, rows.sum->id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
   for (int row = 0; row < count; row += atOnce)
-    traceRows(in, work, *programs, uniforms, rows.first + row, std::min(atOnce, count - row));
+    traceRows(in, rows.use, work, *programs, uniforms, rows.first + row, std::min(atOnce, count - row));
   for (GLuint unit = 0; unit < layout::materialSlotCount; ++unit) glBindSampler(unit, 0);
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
                   GL_TEXTURE_UPDATE_BARRIER_BIT);
@@ -323,7 +337,7 @@ FrameInput tracedInput(const FrameInput& in) {
   if (!in.paths->drawn) return in;
   FrameInput traced{in.model, *in.paths->drawn, in.gpu, in.tables, in.view, in.settings};
   traced.measured = in.measured, traced.fittedModel = in.fittedModel, traced.paths = in.paths;
-  traced.firstRow = in.firstRow, traced.precise = in.precise;
+  traced.firstRow = in.firstRow, traced.precise = in.precise, traced.ground = in.ground;
   return traced;
 }
 

@@ -47,10 +47,18 @@ struct PathWork {
   gl::Buffer states, work, groups;
 };
 
+// What paths are traced for.
+enum class PathUse {
+  picture,     // its radiance
+  difference,  // the correction of a drawn picture (difference.hpp)
+  ground       // light on the floor (ground.hpp)
+};
+
 // Rows of the targets from the bottom, and what becomes of them: times `share` onto the texture.
 struct PathRows {
   int first = 0, count = 0;
-  const gl::Texture* sum = nullptr;  // RGBA32F; null: the images of difference_images.glsl, which are bound
+  PathUse use = PathUse::picture;
+  const gl::Texture* sum = nullptr;  // RGBA32F, of the picture; for other uses their images are bound
   float share = 1;
   glm::dvec2 offset = glm::dvec2(0);  // from the pixel's middle, without sum
   int firstColumn = 0, columns = 0;   // of the picture; 0: all
@@ -70,6 +78,6 @@ uint64_t tracedRays(const PathWork& work);
 
 // All that tracePaths uses.
 using ProgramGetter = std::function<Result<const gl::Program*>()>;
-std::vector<ProgramGetter> neededPathPrograms(const FrameInput& in, shading::ProgramStore& programs);
+std::vector<ProgramGetter> neededPathPrograms(const FrameInput& in, PathUse use, shading::ProgramStore& programs);
 
 }  // namespace facet::frame

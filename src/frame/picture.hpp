@@ -27,6 +27,13 @@ struct TracedStatistics {
   double buildMs = 0;  // of its trees
 };
 
+// The light on the floor.
+struct GroundStatistics {
+  int size = 0, samples = 0;  // points along an axis, samples of each
+  uint64_t rays = 0;
+  double milliseconds = 0;  // waited for
+};
+
 struct PictureStatistics {
   FrameStatistics frame;  // of all bands
   int bands = 1;
@@ -42,6 +49,7 @@ struct PictureStatistics {
   std::optional<ComparisonFigures> comparison;  // of a measured BRDF with the model fitted to it, where both are drawn
   VisibilityChosen visibility;
   std::optional<TracedStatistics> traced;  // where paths are
+  std::optional<GroundStatistics> ground;  // where there is a floor
   std::vector<Attempt> attempts;           // with more and more samples; only where an error is to be kept to
 };
 

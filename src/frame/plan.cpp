@@ -131,10 +131,11 @@ Result<Step> nextStep(Plan& plan, const PictureSettings& wish, const Supply& sup
     if (uploadImages(scene.gpu, scene.model(), plan.uses, scene.pixels, keepGoing)) scene.pixels.clear();
     return Step{Progress::working, "upload"};
   }
-  if ((next.list.features.paths || next.list.features.difference) && !next.paths) {
+  if ((next.list.features.paths || next.list.features.difference || next.list.ground) && !next.paths) {
     Result<PathScene> made = pathScene(next.list, scene.model(), scene.gpu, programs);
     if (!made) return tl::unexpected(made.error());
     next.paths = std::make_shared<const PathScene>(std::move(*made));
+    if (next.list.ground) next.ground = std::make_shared<Ground>(placedGround(next.list));
     return Step{Progress::working, "trees"};
   }
   const Result<bool> compiled = prepareNextProgram(frameInput(next, {}, wish), programs);
@@ -187,7 +188,7 @@ FrameInput frameInput(const Drawable& drawable, const DrawList& part, const scen
                       const PictureSettings& settings) {
   FrameInput in{drawable.scene->model(), part, drawable.scene->gpu, drawable.environment->tables, view, settings};
   if (drawable.inputs.list.measured) in.measured = &drawable.inputs.list.measured->buffer;
-  in.paths = drawable.paths.get();
+  in.paths = drawable.paths.get(), in.ground = drawable.ground.get();
   in.precise = drawable.precise;
   if (drawable.inputs.list.fitted) in.fittedModel = &drawable.inputs.list.fitted->buffer;
   return in;

@@ -13,6 +13,7 @@
 #include "frame/choose.hpp"
 #include "frame/fitted_gpu.hpp"
 #include "frame/frame.hpp"
+#include "frame/ground.hpp"
 #include "frame/paths.hpp"
 #include "ibl/cache.hpp"
 #include "ibl/choice.hpp"
@@ -122,6 +123,7 @@ struct Drawable {
   Notes notes;                                  // what the list leaves out of the wish
   std::shared_ptr<const PathScene> paths = {};  // of the list, where paths are traced
   bool precise = false;                         // FrameInput
+  std::shared_ptr<Ground> ground = {};          // likewise, where there is a floor; its light is traced by who draws
 };
 FrameInput frameInput(const Drawable& drawable, const scene::View& view, const PictureSettings& settings);
 // Of a part of its list (partOf).

@@ -129,6 +129,7 @@ struct FrameSettings {
   int width = 1024, height = 1024;  // pixels, [1, 16384]
   Background background = Background::environment;
   glm::vec3 backgroundColor = glm::vec3(0);  // linear Rec. 709; Background::color only
+  bool ground = false;                       // a floor that shows the scene's shadow (ground.hpp)
   float environmentRotationDeg = 0;          // about +Y
   float environmentStrength = 1;             // factor, [0, 1e6]
   float occlusion = 1;                       // scales every material's occlusion strength, [0, 1]

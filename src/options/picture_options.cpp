@@ -308,6 +308,19 @@ Result<void> parseMaxError(Text text, PictureSettings& settings) {
   return {};
 }
 
+Result<void> parseGround(Text text, PictureSettings& settings) {
+  if (text != "true" && text != "false") return fail({}, {}, inQuotes(text) + " is neither", "give true or false");
+  settings.frame.ground = text == "true";
+  return {};
+}
+std::string writeGround(const PictureSettings& settings) { return settings.frame.ground ? "true" : ""; }
+constexpr PictureOption flagOption(Text name, Text help, Result<void> (*parse)(Text, PictureSettings&),
+                                   std::string (*write)(const PictureSettings&)) {
+  PictureOption option{name, "", help, parse, write};
+  option.flag = true;
+  return option;
+}
+
 // As choiceOption, but for how they are written.
 constexpr PictureOption comparisonOption(Text name, Text help) {
   PictureOption option =
@@ -403,6 +416,8 @@ constexpr PictureOption optionTable[] = {
     {"brdf-difference-scale", "X", "factor on that difference (4)",
      parseNumberInto<0, 1000, &S::comparison, &frame::BrdfComparison::brdfDifferenceScale>,
      writeNumber<&S::comparison, &frame::BrdfComparison::brdfDifferenceScale>},
+    flagOption("ground", "a floor below the scene that shows nothing but its shadow and what it reflects", parseGround,
+               writeGround),
     {"occlusion", "0..1", "scales the occlusion textures' strength (1)",
      parseNumberInto<0, 1, &S::frame, &frame::FrameSettings::occlusion>,
      writeNumber<&S::frame, &frame::FrameSettings::occlusion>},
@@ -522,8 +537,9 @@ std::vector<std::string> commandWords(const PictureSettings& settings, const std
   const PictureSettings defaults;
   for (const PictureOption& option : optionTable) {
     const std::string text = option.write(settings);
-    if (!text.empty() && text != option.write(defaults))
-      words.insert(words.end(), {"--" + std::string(option.name), text});
+    if (text.empty() || text == option.write(defaults)) continue;
+    words.push_back("--" + std::string(option.name));
+    if (!option.flag) words.push_back(text);
   }
   return words;
 }

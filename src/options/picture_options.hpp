@@ -26,6 +26,7 @@ struct PictureOption {
   bool isPath = false;                 // in a job relative to the job file's folder
   bool mayBeName = false;              // a path, but a plain word that is no file there is a name
   std::string (*choices)() = nullptr;  // the words that it takes, for its help
+  bool flag = false;                   // on where it is named; in a job true or false
 };
 
 // In the order in which they are applied, whatever order they are given in: a substance comes before what differs from

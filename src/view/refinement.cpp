@@ -50,7 +50,7 @@ Result<bool> prepare(Viewport& viewport, const ViewerState& state, const scene::
       !provided)
     return tl::unexpected(provided.error());
   if (environment.preview) return false;
-  if (viewport.shown.list.features.paths && !viewport.shown.paths) {
+  if (viewport.shown.list.features.paths && (!viewport.shown.paths || viewport.shown.paths->drawn)) {
     Result<frame::PathScene> made =
         frame::pathScene(viewport.shown.list, viewport.scene->model(), viewport.scene->gpu, viewport.programs);
     if (!made) return tl::unexpected(made.error());
@@ -185,7 +185,8 @@ void stopRefinement(Viewport& viewport, ViewerState& state) {
 bool refining(const Viewport& viewport, const ViewerState& state) {
   const bool preview = viewport.environments.shown && viewport.environments.shown->preview;
   return viewport.drawn && !viewport.next && !preview && !viewport.refinement.ended &&
-         frame::converges(state.settings) && !viewport.shadersBroken;
+         frame::converges(state.settings) && !viewport.shadersBroken &&
+         frame::groundComplete(viewport.shown.ground.get(), state.settings);
 }
 
 namespace {

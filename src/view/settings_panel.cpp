@@ -134,6 +134,8 @@ void environmentSection(ViewerState& state) {
   chooseEnum("background", settings.frame.background, backgrounds, usual.frame.background, "what is behind the model");
   if (settings.frame.background == frame::Background::color)
     editColor("background colour", settings.frame.backgroundColor, usual.frame.backgroundColor, "as it is shown");
+  ImGui::Checkbox("floor", &settings.frame.ground);
+  hint("below the scene, seen by nothing but its shadow and what it reflects");
   chooseEnum("lights", settings.look.lights, frame::lightChoices, usual.look.lights,
              "point, spot and directional lights");
   ImGui::TextDisabled(state.shown.sceneLights == 1 ? "the file has %d light" : "the file has %d lights",

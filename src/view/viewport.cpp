@@ -55,7 +55,8 @@ bool sharpenShown(Viewport& viewport, ViewerState& state) {
 bool atWork(const Viewport& viewport, const ViewerState& state) {
   const EnvironmentSlot* slot = viewport.environments.shown;
   const bool tables = slot && (slot->sharpening || !slot->toStore.empty() || !slot->packed.empty());
-  return tables || refining(viewport, state) || !viewport.comparison.sums.empty();
+  const bool ground = frame::groundComplete(viewport.shown.ground.get(), state.settings);
+  return tables || !ground || refining(viewport, state) || !viewport.comparison.sums.empty();
 }
 
 namespace {
@@ -106,6 +107,20 @@ Result<void> drawMoving(Viewport& viewport, ViewerState& state, const scene::Vie
   return compare(viewport, input, targets, 1, true);
 }
 
+// A little more of the light on the floor; what of it is done is drawn.
+void goOnWithGround(Viewport& viewport, ViewerState& state, const scene::View& view) {
+  frame::Ground* ground = viewport.shown.ground.get();
+  if (frame::groundComplete(ground, state.settings) || viewport.environments.shown->preview) return;
+  const int done = ground->done;
+  frame::setTextureDetail(viewport.scene->gpu, frame::tracedDraws, state.settings.quality.textureFilter,
+                          viewport.context);
+  const Result<bool> went = frame::continueGround(frame::frameInput(viewport.shown, view, state.settings), *ground,
+                                                  viewport.programs, [] { return false; });
+  glFinish();
+  if (!went) complain(state, went.error()), viewport.shown.ground.reset();
+  if (!went || ground->done != done) viewport.drawn.reset();
+}
+
 }  // namespace
 
 bool drawViewport(Viewport& viewport, ViewerState& state) {
@@ -118,6 +133,7 @@ bool drawViewport(Viewport& viewport, ViewerState& state) {
   const std::optional<scene::View> view = currentView(viewport, state);
   if (!view || viewport.shadersBroken) return false;
   const DrawnFrame wanted = wantedFrame(viewport, state);
+  goOnWithGround(viewport, state, *view);
   if (viewport.drawn == wanted) {
     const bool refined = refine(viewport, state, *view);
     if (refined || !viewport.shown.list.compared || viewport.comparison.shown == state.settings.comparison)

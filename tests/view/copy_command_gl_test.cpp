@@ -124,6 +124,8 @@ TEST_CASE("copied command: gives the bytes of the picture on the screen", "[gl]"
   const Case c = GENERATE(values<Case>({
       {"orbit", [](view::ViewerState& s) { s.camera.theta = 33.25, s.camera.phi = 71, s.camera.radius = 2.7182818; }},
       {"file camera", [](view::ViewerState& s) { s.settings.viewpoint.camera = "gate"; }},
+      {"floor", [](view::ViewerState& s) { s.settings.frame.ground = true, s.camera.phi = 50; }},
+      {"floor, refined", [](view::ViewerState& s) { s.settings.frame.ground = true, s.settings.quality.samples = 20; }},
       {"orthographic", [](view::ViewerState& s) { s.settings.viewpoint.camera = "1"; }},
       {"file camera, time",
        [](view::ViewerState& s) {

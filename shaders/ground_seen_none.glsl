@@ -1,0 +1,1 @@
+void seeGround(inout PathState p, bool background, inout vec3 share) {}
