@@ -169,6 +169,8 @@ TEST_CASE("each option sets its own field") {
   CHECK(set("brdf-split", "0.25").comparison.brdfSplit == 0.25f);
   CHECK(set("brdf-difference-scale", "10").comparison.brdfDifferenceScale == 10);
   CHECK(set("occlusion", "0.5").frame.occlusion == 0.5f);
+  CHECK(set("ground", "true").frame.ground);
+  CHECK_FALSE(set("ground", "false").frame.ground);
   CHECK(set("exposure", "-1.5").display.exposureStops == -1.5f);
   CHECK(set("tonemap", "agx").display.toneMapper == frame::ToneMapper::agx);
   CHECK(set("samples", "1").quality.samples == 1);
@@ -226,6 +228,7 @@ TEST_CASE("every way to be wrong has its sentence") {
       {"brdf-split", "1.5", "--brdf-split: 1.5 is out of range; give a number from 0 to 1."},
       {"brdf-difference-scale", "-1", "--brdf-difference-scale: -1 is out of range; give a number from 0 to 1000."},
       {"occlusion", "1.01", "--occlusion: 1.01 is out of range; give a number from 0 to 1."},
+      {"ground", "2", "--ground: '2' is neither; give true or false."},
       {"exposure", "1e999", "--exposure: 1e999 is out of range; give a number from -32 to 32."},
       {"exposure", "", "--exposure: '' is not a number; give a number from -32 to 32."},
       {"exposure", "+-1", "--exposure: '+-1' is not a number; give a number from -32 to 32."},
