@@ -53,6 +53,7 @@ void checkEqual(const PictureSettings& a, const PictureSettings& b) {
 PictureSettings unusual() {
   PictureSettings s;
   s.frame.width = 640, s.frame.height = 1;
+  s.frame.ground = true;
   s.viewpoint.orbit = frame::Orbit{.thetaDeg = -30.25, .phiDeg = 0.1, .radius = 0.0105};
   s.viewpoint.target = glm::dvec3(0.0027, -1e-7, 12345678.9);
   s.viewpoint.fovYDeg = 33.3;
