@@ -69,23 +69,23 @@ void bindImages(const Sums& sums) {
 
 // Steps of twice the width each; fewer where many samples leave little noise.
 int smoothingSteps(int samples) { return samples <= 8 ? 4 : samples <= 16 ? 2 : samples <= 64 ? 1 : 0; }
-constexpr float sharpReach = 6;  // pixels, of lobes of alpha 1
+constexpr float sharpReach = 12;        // pixels, of lobes of alpha 1
+constexpr int64_t mostPaths = 450'000;  // for each sample of a picture
 // Of the share of light that is visible, by one sample; each step leaves half of it.
 constexpr float shareNoise = 1.6f;
 
 // What has been smoothed last.
-Result<const gl::Texture*> smooth(const FrameInput& in, const Sums& sums, int width, int rows, ProgramStore& store) {
+Result<const gl::Texture*> smooth(const Sums& sums, int paths, int width, int rows, ProgramStore& store) {
   const auto step = filterProgram("1", store);
   if (!step) return tl::unexpected(step.error());
   sums.all.bind(1), sums.distance.bind(2);
   const gl::Texture *from = &sums.all, *to = &sums.next;
-  const auto samples = static_cast<float>(in.settings.quality.samples);
-  for (int i = 0; i < smoothingSteps(in.settings.quality.samples); ++i) {
+  const float noise = shareNoise / std::sqrt(static_cast<float>(paths));
+  for (int i = 0; i < smoothingSteps(paths); ++i) {
     from->bind(0);
     bindLayers(0, *to, GL_WRITE_ONLY);
-    (*step)->set(
-        layout::differenceStepLocation,
-        glm::vec4(1 << i, sharpReach, i == 0 ? 1 : 0, shareNoise / std::sqrt(samples) / static_cast<float>(1 << i)));
+    (*step)->set(layout::differenceStepLocation,
+                 glm::vec4(1 << i, sharpReach, i == 0 ? 1 : 0, noise / static_cast<float>(1 << i)));
     dispatch(**step, width, rows);
     std::swap(from, to);
   }
@@ -125,34 +125,41 @@ Result<void> traceBand(const FrameInput& in, const Region& all, const Region& ba
   const auto putBack = filterProgram("2", store);
   if (!putBack) return tl::unexpected(putBack.error());
   const int samples = in.settings.quality.samples;
+  const int paths = pathsOfPixel(samples, int64_t{all.columns} * all.rows);
   FrameInput rows = tracedInput(in);
   rows.firstRow = std::max(all.firstRow, band.firstRow - margin);
   const int count = std::min(all.firstRow + all.rows, band.firstRow + band.rows + margin) - rows.firstRow;
   const Sums sums = makeSums(band.columns, count, imageFormat(in));
   PathRows traced{0, count, PathUse::difference};
-  traced.share = 1.0f / static_cast<float>(samples);
+  traced.share = 1.0f / static_cast<float>(paths);
   traced.firstColumn = band.firstColumn, traced.columns = band.columns;
-  int number = 0;
-  for (const glm::dvec2& offset : jitter(samples, in.settings.quality.seed)) {
+  const std::vector<glm::dvec2> offsets = jitter(samples, in.settings.quality.seed);
+  for (int number = 0; number < paths; ++number) {
     bindImages(sums);
-    traced.offset = offset;
-    if (Result<void> r = tracePaths(rows, traced, work, number++, store); !r) return r;
+    traced.offset = offsets[static_cast<size_t>(number)];
+    if (Result<void> r = tracePaths(rows, traced, work, number, store); !r) return r;
   }
   const gl::Buffer frame = gl::Buffer::of(std::vector{frameUniforms(rows, 0, 1, glm::dvec2(0))}, "frame");
   glBindBufferBase(GL_UNIFORM_BUFFER, layout::frameBinding, frame.id());
   const gl::Buffer common = pathUniformBuffer(rows, band.firstColumn, band.columns);
   glBindBufferBase(GL_UNIFORM_BUFFER, layout::pathsBinding, common.id());
-  const Result<const gl::Texture*> smoothed = smooth(rows, sums, band.columns, count, store);
+  const Result<const gl::Texture*> smoothed = smooth(sums, paths, band.columns, count, store);
   if (!smoothed) return tl::unexpected(smoothed.error());
   (*smoothed)->bind(0);
   glBindImageTexture(0, radiance.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, imageFormat(in));
   (*putBack)->set(layout::differenceStepLocation, glm::vec4(band.firstRow - rows.firstRow, band.rows, rows.firstRow,
-                                                            smoothingSteps(samples) == 0 ? 1 : 0));
+                                                            smoothingSteps(paths) == 0 ? 1 : 0));
   dispatch(**putBack, band.columns, band.rows);
   return {};
 }
 
 }  // namespace
+
+int pathsOfPixel(int samples, int64_t pixels) {
+  int paths = samples;
+  while (paths > 1 && pixels * paths > mostPaths * samples) paths = (paths + 1) / 2;
+  return paths;
+}
 
 Result<Difference> traceDifference(const FrameInput& in, ProgramStore& store) {
   Difference out;

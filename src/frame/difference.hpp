@@ -8,6 +8,12 @@
 
 namespace facet::frame {
 
+// Paths of a pixel: one for each sample, in pictures of more pixels one for each of the first draws only (a helmet of 4
+// samples at 1024 x 1024: dRMSE 12.0 with two paths for 10.7 with four, 17.1 without any; 3.7 for 4.8 times the time
+// that it takes without. Drawing it at once instead of sample by sample would save a tenth of that, and be off
+// by 14.1).
+int pathsOfPixel(int samples, int64_t pixels);
+
 struct Difference {
   gl::Texture radiance;  // RGBA16F, RGBA32F where precise; of the whole picture
   uint64_t rays = 0;

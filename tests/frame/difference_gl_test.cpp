@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "frame/difference.hpp"
 #include "frame/left_out.hpp"
 #include "support/picture.hpp"
 
@@ -215,4 +216,13 @@ TEST_CASE("Visibility: what the automatic choice takes, and what it leaves out",
   const frame::Picture unlit = render(test::loadBuilt(dark), settings, Visibility::rays, 4);
   CHECK(chosen(unlit) == "none: nothing is lit");
   CHECK_FALSE(unlit.statistics.traced);
+}
+
+TEST_CASE("Visibility by rays: small pictures have a path for each sample, larger ones for some, each pixel has one") {
+  CHECK(frame::pathsOfPixel(4, 384 * 384) == 4);
+  CHECK(frame::pathsOfPixel(4, 450'000) == 4);
+  CHECK(frame::pathsOfPixel(4, 1024 * 640) == 2);
+  CHECK(frame::pathsOfPixel(4, 2048 * 2048) == 1);
+  CHECK(frame::pathsOfPixel(16, 1024 * 640) == 8);
+  CHECK(frame::pathsOfPixel(1, int64_t{1} << 40) == 1);
 }
