@@ -4,7 +4,7 @@
 
 // A sequence of the pixel's for each lobe that is sampled, and with lampPointsOf one for the lamps that it reflects.
 const uint basePoints = 0u, coatPoints = 1u, sheenPoints = 2u, multiplePoints = 3u, diffusePoints = 4u, sunPoints = 5u,
-           throughPoints = 6u;
+           throughPoints = 6u, maskPoints = 7u;
 const uint lampPointsOf = 8u;
 
 // Of the whole picture, wherever the rows of a band begin.

@@ -19,6 +19,10 @@ layout(location = 3) in vec4 inColor;
 #ifdef HAS_VOLUME
 layout(location = 12) in float inScale;
 #endif
+#ifdef ALPHA_MASK
+layout(location = 13) flat in uint inInstance;
+#include "mask_samples.glsl"
+#endif
 #define DECLARE(n) layout(location = 4 + n) in vec2 inTexCoord##n;
 EACH_TEXCOORD(DECLARE)
 
@@ -73,7 +77,7 @@ void main() {
   Varyings v = readVaryings();
   vec4 baseColor = materialBaseColor(v);
 #ifdef ALPHA_MASK
-  if (baseColor.a < material.alphaCutoff) discard;
+  if (!coverMasked(v, baseColor.a, uint(gl_PrimitiveID) ^ hashedBits(inInstance))) discard;
 #endif
 #ifdef ALPHA_BLEND
   float coverage = clamp(baseColor.a, 0.0, 1.0);

@@ -29,6 +29,9 @@ EACH_TEXCOORD(DECLARE)
 #ifdef HAS_VOLUME
 layout(location = 12) out float outScale;
 #endif
+#ifdef ALPHA_MASK
+layout(location = 13) flat out uint outInstance;
+#endif
 
 // Unit where there is a length at all; far from 1 in meshes of extreme scale otherwise.
 vec3 direction(vec3 v) {
@@ -37,7 +40,11 @@ vec3 direction(vec3 v) {
 }
 
 void main() {
-  Instance instance = instances[visibleInstances[gl_BaseInstanceARB + gl_InstanceID]];
+  uint index = visibleInstances[gl_BaseInstanceARB + gl_InstanceID];
+  Instance instance = instances[index];
+#ifdef ALPHA_MASK
+  outInstance = index;
+#endif
   vec3 position = inPosition;
 #ifdef HAS_NORMAL
   vec3 normal = inNormal;

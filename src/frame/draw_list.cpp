@@ -6,6 +6,7 @@
 #include <map>
 #include <tuple>
 
+#include "frame/mask_levels.hpp"
 #include "frame/material_choice.hpp"
 #include "ibl/layers.hpp"
 #include "ibl/taps.hpp"
@@ -169,6 +170,9 @@ void addMaterials(DrawList& list, const scene::Model& model, const DrawOptions& 
     for (const auto& [index, material] : pose.materials.changed) list.materials[static_cast<size_t>(index)] = material;
   }
   list.materials.emplace_back();
+  const bool showsAlpha = options.features.channel == shading::channelIndex("alpha");
+  for (size_t i = 0; i < list.materials.size(); ++i)
+    list.maskThresholds.push_back(showsAlpha ? 0 : maskThreshold(model, list.materials[i], static_cast<int>(i)));
 }
 
 void sortByProgram(DrawList& list) {
@@ -303,7 +307,7 @@ DrawList partOf(const DrawList& list, const std::function<bool(int node, const s
                 int channel) {
   DrawList part;
   part.origin = list.origin;
-  part.materials = list.materials;
+  part.materials = list.materials, part.maskThresholds = list.maskThresholds;
   part.features = list.features;
   part.features.channel = channel;
   for (const std::vector<Draw>* draws : list.classes())

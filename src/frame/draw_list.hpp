@@ -61,6 +61,7 @@ struct DrawList {
   glm::dvec3 origin = glm::dvec3(0);       // world position of the draw list's zero
   scene::Bounds bounds;                    // world
   std::vector<scene::Material> materials;  // the model's, then the default material
+  std::vector<float> maskThresholds;       // of each, for its base colour's smaller levels (frame/mask_levels.hpp)
   std::vector<layout::Instance> instances;
   std::vector<int> instanceNodes;             // of each instance
   std::vector<scene::Bounds> instanceBounds;  // world; of one primitive in one instance

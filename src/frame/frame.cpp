@@ -37,10 +37,9 @@ bool skyVisible(const FrameInput& in) {
 
 void bindMaterial(const FrameInput& in, const Draw& draw) {
   const auto index = static_cast<size_t>(draw.material);
-  const scene::Material& material = in.list.materials[index];
   glBindBufferRange(GL_UNIFORM_BUFFER, layout::materialBinding, in.gpu.materials.id(),
                     static_cast<GLintptr>(index * in.gpu.materialStride), sizeof(layout::MaterialUniforms));
-  bindTextures(in, material, *draw.primitive);
+  bindTextures(in, draw.material, *draw.primitive);
 }
 
 uint64_t triangleCount(const GpuPrimitive& primitive) {
@@ -178,10 +177,12 @@ void clearTargets(const FrameInput& in, const Targets& targets) {
 
 }  // namespace
 
-void bindTextures(const FrameInput& in, const scene::Material& material, const scene::Primitive& primitive) {
+void bindTextures(const FrameInput& in, int index, const scene::Primitive& primitive) {
+  const scene::Material& material = in.list.materials[static_cast<size_t>(index)];
+  const float mask = in.list.maskThresholds[static_cast<size_t>(index)];
   for (const TextureSlot slot : scene::textureSlots) {
     if (!shading::samplesSlot({material, primitive, in.list.features}, slot)) continue;
-    const BoundTexture bound = boundTexture(in.gpu, in.model, material, slot);
+    const BoundTexture bound = boundTexture(in.gpu, in.model, material, slot, mask);
     glBindTextureUnit(static_cast<GLuint>(slot), bound.texture);
     glBindSampler(static_cast<GLuint>(slot), bound.sampler);
   }

@@ -11,6 +11,7 @@
 #include "frame/choose.hpp"
 #include "frame/gpu_texture.hpp"
 #include "frame/settings.hpp"
+#include "optics/alpha_mask.hpp"
 #include "scene/tangents.hpp"
 
 namespace facet::frame {
@@ -185,17 +186,24 @@ void forEachDraw(const DrawList& list, const std::function<void(const Draw&)>& v
     for (const Draw& draw : *draws) visit(draw);
 }
 
-TextureUse useOf(const scene::Model& model, const scene::Material& material, TextureSlot slot) {
+constexpr uint8_t alphaChannel = 8;
+
+TextureUse useOf(const scene::Model& model, const scene::Material& material, TextureSlot slot, float maskThreshold) {
   const scene::TexelUse texels = scene::texelUse(material, slot);
   const scene::Texture& texture = model.textures[static_cast<size_t>(textureRef(material, slot).texture)];
-  return {texture.image, texels.srgb, texels.channels};
+  return {texture.image, texels.srgb, texels.channels, slot == TextureSlot::baseColor ? maskThreshold : 0};
+}
+
+// What is stored for one use serves the other.
+bool serves(const TextureUse& stored, const TextureUse& use) {
+  return stored.image == use.image && stored.srgb == use.srgb && (stored.channels & use.channels) == use.channels &&
+         (stored.mask == use.mask || (use.channels & alphaChannel) == 0);
 }
 
 const gl::Texture* findTexture(const GpuScene& gpu, const TextureUse& use) {
   for (auto it = gpu.textures.lower_bound({use.image, use.srgb, 0}); it != gpu.textures.end(); ++it) {
-    const TextureUse& key = it->first;
-    if (key.image != use.image || key.srgb != use.srgb) break;
-    if ((key.channels & use.channels) == use.channels) return &it->second;
+    if (it->first.image != use.image || it->first.srgb != use.srgb) break;
+    if (serves(it->first, use)) return &it->second;
   }
   return nullptr;
 }
@@ -294,6 +302,8 @@ void uploadMaterials(GpuScene& gpu, const scene::Model& model, const DrawList& l
   for (size_t i = 0; i < list.materials.size(); ++i) {
     layout::MaterialUniforms uniforms = materialUniforms(list.materials[i]);
     setStretch(uniforms, list.materials[i], model);
+    if (const float threshold = list.maskThresholds[i]; threshold > 0)
+      uniforms.maskPivot = static_cast<float>(optics::maskPivot(static_cast<double>(threshold)));
     std::memcpy(bytes.data() + i * gpu.materialStride, &uniforms, sizeof uniforms);
   }
   gpu.materials = gl::Buffer(bytes, "materials");
@@ -316,19 +326,23 @@ size_t GpuScene::geometryBytes() const {
 }
 
 std::vector<TextureUse> textureUses(const scene::Model& model, const DrawList& list) {
-  std::map<std::pair<int, bool>, uint8_t> channels;  // by image and curve
+  std::map<std::tuple<int, bool, float>, uint8_t> channels;  // by image, curve and mask
   forEachDraw(list, [&](const Draw& draw) {
     const scene::Material& material = list.materials[static_cast<size_t>(draw.material)];
     for (const TextureSlot slot : scene::textureSlots) {
       if (!shading::samplesSlot({material, *draw.primitive, list.features}, slot)) continue;
-      const TextureUse use = useOf(model, material, slot);
+      const TextureUse use = useOf(model, material, slot, list.maskThresholds[static_cast<size_t>(draw.material)]);
       if (use.image < 0) continue;
-      uint8_t& all = channels[{use.image, use.srgb}];
+      uint8_t& all = channels[{use.image, use.srgb, use.mask}];
       all = static_cast<uint8_t>(all | use.channels);
     }
   });
   std::vector<TextureUse> uses;
-  for (const auto& [key, mask] : channels) uses.push_back({key.first, key.second, mask});
+  for (const auto& [key, all] : channels) uses.push_back({std::get<0>(key), std::get<1>(key), all, std::get<2>(key)});
+  // Colour alone is read from what a mask stores.
+  std::erase_if(uses, [uses](const TextureUse& use) {
+    return std::ranges::any_of(uses, [&](const TextureUse& other) { return other != use && serves(other, use); });
+  });
   return uses;
 }
 
@@ -408,9 +422,11 @@ void setTextureDetail(const GpuScene& gpu, int draws, TextureFilter filter, cons
 }
 
 BoundTexture boundTexture(const GpuScene& gpu, const scene::Model& model, const scene::Material& material,
-                          TextureSlot slot) {
-  const TextureUse use = useOf(model, material, slot);
+                          TextureSlot slot, float maskThreshold) {
+  const TextureUse use = useOf(model, material, slot, maskThreshold);
   const gl::Texture* texture = use.image >= 0 ? findTexture(gpu, use) : nullptr;
+  for (auto it = gpu.textures.begin(); !texture && it != gpu.textures.end(); ++it)
+    if (TextureUse other = use; other.mask = it->first.mask, serves(it->first, other)) texture = &it->second;
   const scene::Texture& source = model.textures[static_cast<size_t>(textureRef(material, slot).texture)];
   return {texture ? texture->id() : gpu.placeholder.id(), samplerFor(gpu, source.sampler)};
 }

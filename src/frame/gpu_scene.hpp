@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "frame/draw_list.hpp"
+#include "frame/mask_levels.hpp"
 #include "frame/settings_fwd.hpp"
 #include "gl/buffer.hpp"
 #include "gl/context.hpp"
@@ -50,6 +51,7 @@ struct TextureUse {
   int image = -1;
   bool srgb = false;
   uint8_t channels = 0;  // bit 0 red .. bit 3 alpha
+  float mask = 0;        // maskThreshold of the levels' alpha
   auto operator<=>(const TextureUse&) const = default;
 };
 
@@ -60,6 +62,7 @@ struct TextureUpload {
   std::vector<int> channels;  // of the image, in the order in which they are stored
   bool wide = false;          // 16 bits a channel
   int rows = 0, level = 0;    // rows of level 0 that are there; the last level that is
+  MaskLevel mask = {};        // likewise, where the use has one
 };
 
 // A primitive that is not yet complete.
@@ -115,11 +118,12 @@ void setTextureDetail(const GpuScene& gpu, int draws, TextureFilter filter, cons
 // Paths read the finest level, which no footprint has to stretch: software OpenGL would take minutes over one.
 inline constexpr int tracedDraws = 4096;
 
-// The texture and sampler names of a material's slot.
+// The texture and sampler names of a material's slot. maskThreshold: DrawList's; a texture of other smaller levels is
+// given where there is no such.
 struct BoundTexture {
   GLuint texture = 0, sampler = 0;
 };
 BoundTexture boundTexture(const GpuScene& gpu, const scene::Model& model, const scene::Material& material,
-                          scene::TextureSlot slot);
+                          scene::TextureSlot slot, float maskThreshold = 0);
 
 }  // namespace facet::frame

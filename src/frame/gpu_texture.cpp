@@ -4,7 +4,10 @@
 #include <array>
 #include <bit>
 #include <cassert>
+#include <cmath>
 #include <utility>
+
+#include "optics/alpha_mask.hpp"
 
 namespace facet::frame {
 
@@ -121,6 +124,21 @@ void makeLevel(const gl::Texture& texture, int level) {
   texture.parameter(GL_TEXTURE_MAX_LEVEL, texture.description().levels - 1);
 }
 
+bool masks(const TextureUpload& upload) { return upload.use.mask > 0 && upload.channels.size() == 4 && !upload.wide; }
+
+// The shares of the last level into its alpha.
+void writeMask(const TextureUpload& upload) {
+  const MaskLevel& mask = upload.mask;
+  std::vector<uint8_t> texels(4 * mask.shares.size());
+  const GLuint id = upload.texture.id();
+  glGetTextureImage(id, upload.level, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(texels.size()), texels.data());
+  const double pivot = optics::maskPivot(static_cast<double>(upload.use.mask));
+  for (size_t i = 0; i < mask.shares.size(); ++i)
+    texels[4 * i + 3] =
+        static_cast<uint8_t>(std::lround(255 * optics::maskAlpha(static_cast<double>(mask.shares[i]), pivot)));
+  glTextureSubImage2D(id, upload.level, 0, 0, mask.width, mask.height, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+}
+
 }  // namespace
 
 TextureUpload beginTexture(const io::Pixels& pixels, const TextureUse& use, bool mips) {
@@ -143,8 +161,14 @@ bool continueTexture(TextureUpload& upload, const io::Pixels& pixels) {
   const gl::Texture& texture = upload.texture;
   if (upload.rows < pixels.height)
     uploadRows(upload, pixels);
-  else
+  else {
     makeLevel(texture, ++upload.level);
+    if (masks(upload)) {
+      upload.mask =
+          upload.level == 1 ? firstMaskLevel(pixels, upload.channels[3], upload.use.mask) : nextMaskLevel(upload.mask);
+      writeMask(upload);
+    }
+  }
   return upload.rows == pixels.height && upload.level + 1 == texture.description().levels;
 }
 

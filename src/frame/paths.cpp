@@ -139,13 +139,15 @@ Result<void> addHoles(PathScene& out, const DrawList& list, const scene::Model& 
                       ProgramStore& programs) {
   std::vector<layout::RayHoles> holes;
   Alphas alphas;
-  for (const scene::Material& material : list.materials) {
+  for (size_t i = 0; i < list.materials.size(); ++i) {
+    const scene::Material& material = list.materials[i];
     layout::RayHoles& h = holes.emplace_back();
     h = {};
     h.masked = material.alphaMode == scene::AlphaMode::mask ? 1 : 0;
     if (material.alphaMode == scene::AlphaMode::opaque || !material.baseColor) continue;
     const scene::Texture& texture = model.textures[static_cast<size_t>(material.baseColor.texture)];
-    const Alphas::Source& source = alphas.of(boundTexture(gpu, model, material, scene::TextureSlot::baseColor).texture);
+    const Alphas::Source& source =
+        alphas.of(boundTexture(gpu, model, material, scene::TextureSlot::baseColor, list.maskThresholds[i]).texture);
     h.first = source.first, h.width = source.width, h.height = source.height;
     h.wrapS = wrapOf(texture.sampler.wrapS), h.wrapT = wrapOf(texture.sampler.wrapT);
     h.nearest = texture.sampler.magFilter == scene::Filter::nearest ? 1 : 0;
@@ -190,7 +192,7 @@ layout::PathUniforms pathUniforms(const FrameInput& in, const PathWork& work, in
 
 void bindClass(const FrameInput& in, const PathClass& shaded) {
   if (shaded.material < 0) return;
-  bindTextures(in, in.list.materials[static_cast<size_t>(shaded.material)], *shaded.primitive);
+  bindTextures(in, shaded.material, *shaded.primitive);
 }
 
 void bindScene(const FrameInput& in, const PathWork& work) {

@@ -8,7 +8,7 @@
 namespace facet::frame {
 
 // Those of the material that its shader reads where it draws the primitive, at the units of their slots.
-void bindTextures(const FrameInput& in, const scene::Material& material, const scene::Primitive& primitive);
+void bindTextures(const FrameInput& in, int material, const scene::Primitive& primitive);
 
 // The measured BRDF's table, or the model that was fitted to it.
 void bindMeasured(const FrameInput& in);

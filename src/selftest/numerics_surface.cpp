@@ -3,6 +3,7 @@
 #include <map>
 
 #include "constants.h"
+#include "optics/alpha_mask.hpp"
 #include "optics/bent_normal.hpp"
 #include "optics/bsdf.hpp"
 #include "optics/diffuse.hpp"
@@ -156,6 +157,17 @@ Check checkFootprintReads() {
   };
   check.tolerance = 16 * floatEpsilon;
   check.reason = "8 roundings, and an area that cancels by half at most";
+  return check;
+}
+
+Check checkMaskAlpha() {
+  Check check{"maskAlpha", {{"alpha_mask.glsl"}, "out0.x = maskAlpha(in0.x, in0.y);"}, {"share", "pivot"}, {}};
+  for (const double share : {0.0, 1e-6, 0.01, 0.25, 0.4999, 0.5, 0.50001, 0.7, 0.99, 1.0})
+    for (const double pivot : {0.0, 0.1, 0.5, 0.77, 0.9, 1.0}) check.inputs.emplace_back(share, pivot, 0, 0);
+  check.twin = [](CheckVectors in) { return CheckValues{optics::maskAlpha(in[0].x, in[0].y)}; };
+  check.relative = false;
+  check.tolerance = 4 * floatEpsilon;
+  check.reason = "4 roundings of numbers up to 1";
   return check;
 }
 
@@ -373,6 +385,7 @@ std::vector<Check> surfaceChecks() {
       checkF(),
       checkNormalSpread(),
       checkFootprintReads(),
+      checkMaskAlpha(),
       checkBentNormal(),
       checkLambert(),
       energyCheck(
