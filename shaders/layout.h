@@ -58,6 +58,7 @@ LAYOUT_CONST rayAlphaUnit = materialSlotCount + 16;
 LAYOUT_CONST lampCubeUnit = materialSlotCount + 17;    // environment_samples.glsl
 LAYOUT_CONST lampPointsUnit = materialSlotCount + 18;
 LAYOUT_CONST groundUnit = materialSlotCount + 19;
+LAYOUT_CONST glowingUnit = materialSlotCount + 20;
 
 // Compute passes: invocations of a work group along x and y; pixels along the edge of the square that one group sums up.
 LAYOUT_CONST groupSize = 8;

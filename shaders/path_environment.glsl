@@ -13,9 +13,3 @@ TexelSample sampleEnvironment(vec2 u) {
   drawn.direction = worldFromEnvironment(drawn.direction);
   return drawn;
 }
-
-// Veach 1997, the power heuristic: weight of what was drawn with `density` where the other could have drawn it, too.
-float drawnWeight(float density, float other) {
-  float ratio = other / density;
-  return density > 0.0 ? 1.0 / (1.0 + ratio * ratio) : 0.0;
-}

@@ -1,1 +1,0 @@
-float drawnWeight(float density, float other) { return 1.0; }

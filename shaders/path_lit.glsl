@@ -12,6 +12,7 @@
 
 #endif
 #include "path_difference.glsl" if DIFFERENCE
+#include "path_glow.glsl" if GLOWING
 
 // Vertices from which on paths end by chance.
 const uint rouletteVertices = 4u;
@@ -27,11 +28,25 @@ bool seeLight(inout PathState p, PathSurface at, PathBsdf b) {
   vec3 L, reflected = vec3(0.0);
   float distance = 3e38;
   bool environment = false;
-#ifdef HAS_PUNCTUAL_LIGHTS
+#if defined(HAS_PUNCTUAL_LIGHTS) || defined(GLOWING)
   vec2 choice = pathDraw(p, lightChoicePair);
-  if (lightChance == 1.0 || choice.x >= lightChance) {
+  int kind = min(int(choice.x * float(lightKinds)), lightKinds - 1);
+#endif
+#ifdef GLOWING
+  if (kind == glowingKind) {
+    GlowPoint there = sampleGlow(pathDraw(p, lightPair));
+    vec3 towards = there.position - at.v.position;
+    distance = length(towards);
+    L = towards / max(distance, 1e-30);
+    float density = lightChance * glowSolidAngleDensity(there.radiance, distance, dot(there.facing, L));
+    if (density > 0.0) reflected = there.radiance / density * drawnWeight(density, pathDensity(b, L)) * evaluatePath(b, L);
+    distance *= 0.9999;  // in front of it
+  } else
+#endif
+#ifdef HAS_PUNCTUAL_LIGHTS
+  if (kind == punctualKind) {
     LightUniforms light = lights[min(uint(choice.y * float(pathsShared.lights)), pathsShared.lights - 1u)];
-    vec3 arriving = arrivingLight(light, at.v.position, at.Ng, L) * float(pathsShared.lights) / (lightChance == 1.0 ? 1.0 : 1.0 - lightChance);
+    vec3 arriving = arrivingLight(light, at.v.position, at.Ng, L) * float(pathsShared.lights) / lightChance;
     if (arriving != vec3(0.0)) reflected = arriving * evaluatePath(b, L);
     if (light.position.w > 0.5) distance = length(light.position.xyz - at.v.position);
   } else
@@ -59,6 +74,13 @@ bool seeLight(inout PathState p, PathSurface at, PathBsdf b) {
   return true;
 }
 
+// Of emission that a drawn direction meets, where light is looked for there, too.
+float emissionWeight(PathState p, PathSurface at) {
+  if (p.direction.w == 0.0 || !at.glowing) return 1.0;
+  float density = lightChance * glowSolidAngleDensity(material.emission, p.distance, dot(at.Ng, p.direction.xyz));
+  return drawnWeight(p.direction.w, density);
+}
+
 PathTurn turnAt(PathState p, PathSurface at, vec3 baseColor) {
   PathTurn turn;
   turn.lit = turn.goesOn = false;
@@ -67,7 +89,7 @@ PathTurn turnAt(PathState p, PathSurface at, vec3 baseColor) {
   if (correcting(p))
     rememberFirst(p, at, b);
   else
-    gather(p, p.throughput.rgb * materialEmission(at.v) * emissionLeft(b), p.throughput.w);
+    gather(p, p.throughput.rgb * materialEmission(at.v) * emissionLeft(b) * emissionWeight(p, at), p.throughput.w);
   turn.path = p;
   if (p.vertices >= pathsShared.mostVertices) return turn;
   bool tables = byTables(p, b);

@@ -9,6 +9,7 @@ struct PathSurface {
   Varyings v;
   vec3 Ng;        // geometric normal, unit, on the ray's side
   bool front;     // the front face was met
+  bool glowing;   // rayGlowing
   uint material;
   float rounding;  // how far the point may be off its plane [m]
 };
@@ -29,6 +30,7 @@ PathSurface pathSurface(PathState p) {
   SceneHit hit = SceneHit(primitive, t.triangle, vec3(1.0 - p.weights.x - p.weights.y, p.weights));
   PathSurface at;
   at.v = varyingsAt(hit);
+  at.glowing = (t.primitive & rayGlowing) != 0u;
   at.material = scenePrimitives[primitive].material;
   vec3 position = t.corner + p.weights.x * t.edge1 + p.weights.y * t.edge2;
   vec3 extent = max(max(abs(t.corner), abs(t.corner + t.edge1)), abs(t.corner + t.edge2));

@@ -12,12 +12,28 @@ layout(std140, binding = pathsBinding) uniform PathUniformsBlock { PathUniforms 
 uint listAt(uint list, uint i) { return workClasses + 3u * pathsShared.classes + list * pathsShared.paths + i; }
 uint activeList() { return work[workTurn] & 1u; }
 uint nextList() { return 1u - activeList(); }
-// Chance that a surface looks at the environment rather than at one of the lights.
-#if defined(HAS_ENVIRONMENT) && defined(HAS_PUNCTUAL_LIGHTS)
-const float lightChance = 0.5;
+// Kinds of light, one of which a surface looks at, in this order: the environment, the punctual lights, what glows.
+#ifdef HAS_ENVIRONMENT
+const int punctualKind = 1;
 #else
-const float lightChance = 1.0;
+const int punctualKind = 0;
 #endif
+#ifdef HAS_PUNCTUAL_LIGHTS
+const int glowingKind = punctualKind + 1;
+#else
+const int glowingKind = punctualKind;
+#endif
+#ifdef GLOWING
+const int lightKinds = glowingKind + 1;
+#else
+const int lightKinds = glowingKind;
+#endif
+const float lightChance = 1.0 / float(max(lightKinds, 1));  // of each
+// Veach 1997, the power heuristic: weight of what was drawn with `density` where the other could have drawn it, too.
+float drawnWeight(float density, float other) {
+  float ratio = other / density;
+  return density > 0.0 ? 1.0 / (1.0 + ratio * ratio) : 0.0;
+}
 const uint sortedList = 2u, lightsList = 3u;
 
 uvec2 pathPixel(PathState p) { return uvec2(p.pixel & 0xffffu, p.pixel >> 16); }

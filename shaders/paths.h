@@ -39,6 +39,9 @@ struct PathUniforms {
   float share;          // of the picture
   vec2 offset;          // within the pixel, where paths correct what is drawn at it
   uint firstColumn, columns;  // of the picture
+  uint glowing;               // triangles that paths look at as lights (path_glow.glsl)
+  float perGlow;              // 1 over their luminance times area [1 / (nt m^2)]
+  float unused1, unused2;
 };
 
 // Words of the work buffer: how many paths are at what, then lists of their indices.
@@ -64,6 +67,6 @@ LAYOUT_UINT texelTableLargest = 2048u;
 
 #ifdef __cplusplus
 static_assert(sizeof(PathState) == 10 * 16);
-static_assert(sizeof(PathUniforms) == 9 * 16);
+static_assert(sizeof(PathUniforms) == 10 * 16);
 #endif
 LAYOUT_END

@@ -17,14 +17,17 @@ LAYOUT_UINT rayMostInLeaf = 4u;
 // Texels (four 32-bit words) of each element in its buffer texture.
 LAYOUT_UINT rayNodeTexels = 7u;       // least x, greatest x, least y, greatest y, least z, greatest z of four boxes; children
 LAYOUT_UINT rayTriangleTexels = 3u;   // corner and RayTriangle.primitive; edges to the other two, .triangle and .instance
+LAYOUT_UINT glowingTexels = 4u;       // corner and share of light up to it; two edges; radiance and its share
 LAYOUT_UINT rayPlacementTexels = 4u;  // rows of meshFromWorld; root, instance, 0, 0
 
 // Of RayTriangle.primitive, above its index: its material may let a ray pass; the camera does not see its back; its
-// corners stand in the world and wind the other way round, because its node is mirrored.
+// corners stand in the world and wind the other way round, because its node is mirrored; it is among the lights that
+// paths look at (path_glow.glsl).
 LAYOUT_UINT rayHoled = 0x80000000u;
 LAYOUT_UINT rayOneSided = 0x40000000u;
 LAYOUT_UINT rayMirrored = 0x20000000u;
-LAYOUT_UINT rayPrimitiveMask = 0x1fffffffu;
+LAYOUT_UINT rayGlowing = 0x10000000u;
+LAYOUT_UINT rayPrimitiveMask = 0x0fffffffu;
 // Of RayTriangle.instance: that of the placement that was entered.
 LAYOUT_UINT rayOfPlacement = 0xffffffffu;
 

@@ -17,9 +17,9 @@ bool seeLightFromGround(inout PathState p) {
   float distance = 3e38;
 #ifdef HAS_PUNCTUAL_LIGHTS
   vec2 choice = pathDraw(p, lightChoicePair);
-  if (lightChance == 1.0 || choice.x >= lightChance) {
+  if (min(int(choice.x * float(lightKinds)), lightKinds - 1) == punctualKind) {
     LightUniforms chosen = lights[min(uint(choice.y * float(pathsShared.lights)), pathsShared.lights - 1u)];
-    light = arrivingLight(chosen, p.origin.xyz, N, L) * float(pathsShared.lights) / (lightChance == 1.0 ? 1.0 : 1.0 - lightChance);
+    light = arrivingLight(chosen, p.origin.xyz, N, L) * float(pathsShared.lights) / lightChance;
     if (chosen.position.w > 0.5) distance = length(chosen.position.xyz - p.origin.xyz);
   } else
 #endif

@@ -19,9 +19,9 @@ using shading::ProgramStore;
 // Paths that are under way at once.
 constexpr int64_t mostPaths = int64_t{1} << 19;
 
-BufferTexture bufferTexture(std::span<const std::byte> data, const char* label) {
+BufferTexture bufferTexture(std::span<const std::byte> data, GLenum format, const char* label) {
   BufferTexture out{gl::Buffer(data, label), {}};
-  out.texture = gl::Texture::ofBuffer(out.buffer.id(), GL_RGBA32UI, label);
+  out.texture = gl::Texture::ofBuffer(out.buffer.id(), format, label);
   return out;
 }
 
@@ -33,10 +33,15 @@ std::vector<Define> commonDefines(const FrameInput& in, PathUse use) {
   if (use == PathUse::difference && in.precise) defines.push_back({"PRECISE"});
   return defines;
 }
+// Where a picture is corrected such light is no part of what is drawn.
+bool looksAtGlow(const FrameInput& in, PathUse use) {
+  return use == PathUse::picture && !in.paths->list.glowing.empty();
+}
 std::vector<Define> sceneDefines(const FrameInput& in, PathUse use) {
   std::vector<Define> defines = commonDefines(in, use);
   if (in.list.features.environment) defines.push_back({"HAS_ENVIRONMENT"});
   if (in.paths->list.lights > 0) defines.push_back({"HAS_PUNCTUAL_LIGHTS"});
+  if (looksAtGlow(in, use)) defines.push_back({"GLOWING"});
   if (!in.paths->list.scene.placements.empty()) defines.push_back({"RAY_PLACEMENTS"});
   if (in.paths->list.scene.holed) defines.push_back({"RAY_HOLES"});
   return defines;
@@ -58,6 +63,7 @@ std::vector<Define> classDefines(const FrameInput& in, const PathClass& shaded, 
   if (use == PathUse::difference && sun && in.list.features.environment) defines.push_back({"PATH_SUN"});
   if (!in.paths->list.scene.placements.empty()) defines.push_back({"RAY_PLACEMENTS"});
   if (in.paths->list.media) defines.push_back({"SCENE_MEDIA"});
+  if (looksAtGlow(in, use)) defines.push_back({"GLOWING"});
   return defines;
 }
 
@@ -186,6 +192,8 @@ layout::PathUniforms pathUniforms(const FrameInput& in, const PathWork& work, in
   uniforms.number = static_cast<uint32_t>(number);
   uniforms.mostVertices = static_cast<uint32_t>(in.settings.quality.bounces);
   uniforms.lights = static_cast<uint32_t>(in.paths->list.lights);
+  uniforms.glowing = static_cast<uint32_t>(in.paths->list.glowing.size());
+  if (in.paths->list.glow > 0) uniforms.perGlow = static_cast<float>(1 / in.paths->list.glow);
   uniforms.share = share;
   return uniforms;
 }
@@ -199,6 +207,7 @@ void bindScene(const FrameInput& in, const PathWork& work) {
   const PathScene& scene = *in.paths;
   scene.nodes.texture.bind(layout::rayNodesUnit);
   scene.triangles.texture.bind(layout::rayTrianglesUnit);
+  if (scene.glowing.texture) scene.glowing.texture.bind(layout::glowingUnit);
   if (scene.holes) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::rayHolesBinding, scene.holes.id());
   if (scene.alpha.texture) scene.alpha.texture.bind(layout::rayAlphaUnit);
   if (scene.placements.texture) scene.placements.texture.bind(layout::rayPlacementsUnit);
@@ -271,10 +280,12 @@ Result<PathScene> pathScene(const DrawList& list, const scene::Model& model, con
   out.buildMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   rays::TracedScene& scene = out.list.scene;
   out.triangleCount = static_cast<int>(scene.triangles.size());
-  out.nodes = bufferTexture(std::as_bytes(std::span(scene.nodes)), "ray nodes");
-  out.triangles = bufferTexture(std::as_bytes(std::span(scene.triangles)), "ray triangles");
+  out.nodes = bufferTexture(std::as_bytes(std::span(scene.nodes)), GL_RGBA32UI, "ray nodes");
+  out.triangles = bufferTexture(std::as_bytes(std::span(scene.triangles)), GL_RGBA32UI, "ray triangles");
   if (!scene.placements.empty())
-    out.placements = bufferTexture(std::as_bytes(std::span(scene.placements)), "ray placements");
+    out.placements = bufferTexture(std::as_bytes(std::span(scene.placements)), GL_RGBA32UI, "ray placements");
+  if (!out.list.glowing.empty())
+    out.glowing = bufferTexture(std::as_bytes(std::span(out.list.glowing)), GL_RGBA32F, "glowing triangles");
   out.buffers = sceneBuffers(out.list.parts, list.materials, false);
   out.instances = gl::Buffer::of(out.list.instances, "path instances");
   if (scene.holed)

@@ -27,7 +27,7 @@ struct BufferTexture {
 struct PathScene {
   std::optional<DrawList> drawn;  // the list as paths shade it, where it is drawn as well
   TracedList list;                // without what is on the GPU
-  BufferTexture nodes, triangles, placements;
+  BufferTexture nodes, triangles, placements, glowing;
   gl::Buffer holes;     // layout::RayHoles by material, where there are any
   BufferTexture alpha;  // of their textures
   SceneBuffers buffers;

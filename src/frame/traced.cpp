@@ -123,6 +123,7 @@ class Lister {
       for (const Draw& draw : *draws) add(draw);
     std::vector<rays::TracedMesh> meshes = {std::move(single_)};
     for (auto& [primitive, mesh] : shared_) meshes.push_back(std::move(mesh));
+    shareGlow();
     out_.scene = rays::tracedScene(std::move(meshes));
     return std::move(out_);
   }
@@ -137,10 +138,12 @@ class Lister {
     out_.media |= shading::usesFeature(draw.key, Feature::volume);
     for (uint32_t i = draw.firstInstance; i < draw.firstInstance + draw.instanceCount; ++i) {
       const layout::Instance& instance = list_.instances[i];
+      const size_t first = single_.triangles.size();
       if (deforms(draw)) {
         const auto world = static_cast<uint32_t>(list_.instances.size() + (draw.mirrored ? 1 : 0));
         const scene::Primitive& moved = out_.deformed.emplace_back(deformed(list_, draw, instance));
         appendTriangles(single_.triangles, moved, partOf(draw, &moved) | flags(draw, true), world, nullptr);
+        addGlow(draw, first);
         continue;
       }
       const uint32_t part = known(draw);
@@ -148,12 +151,40 @@ class Lister {
       if (uses_[draw.primitive] == 1 || uses_[draw.primitive] * triangles <= mostCopied ||
           glm::determinant(glm::dmat3(world)) == 0) {
         appendTriangles(single_.triangles, *draw.primitive, part | flags(draw, true), i, &world);
+        addGlow(draw, first);
         continue;
       }
       rays::TracedMesh& mesh = shared_[draw.primitive];
       if (mesh.triangles.empty())
         appendTriangles(mesh.triangles, *draw.primitive, part | flags(draw, false), layout::rayOfPlacement, nullptr);
       mesh.places.push_back({world, i});
+    }
+  }
+
+  // Triangles of the world as lights, from the one with that index on.
+  void addGlow(const Draw& draw, size_t first) {
+    const scene::Material& material = list_.materials[static_cast<size_t>(draw.material)];
+    const glm::vec3 radiance = material.emissiveFactor * material.emissiveStrength;
+    const double luminance = glm::dot(glm::dvec3(radiance), glm::dvec3(0.2126, 0.7152, 0.0722));
+    if (!(luminance > 0) || material.emissive || material.clearcoatFactor > 0 ||
+        material.alphaMode != scene::AlphaMode::opaque || !shading::usesFeature(draw.key, Feature::paths))
+      return;
+    for (size_t i = first; i < single_.triangles.size(); ++i) {
+      rays::Triangle& t = single_.triangles[i];
+      const double glow = luminance * glm::length(glm::cross(glm::dvec3(t.edge1), glm::dvec3(t.edge2))) / 2;
+      if (!(glow > 0) || !std::isfinite(glow)) continue;
+      t.primitive |= layout::rayGlowing;
+      out_.glow += glow;
+      out_.glowing.push_back({t.corner, 0, glm::vec4(t.edge1, 0), glm::vec4(t.edge2, 0), radiance, 0});
+      glows_.push_back(glow);
+    }
+  }
+  void shareGlow() {
+    double sum = 0;
+    for (size_t i = 0; i < glows_.size(); ++i) {
+      sum += glows_[i];
+      out_.glowing[i].share = static_cast<float>(glows_[i] / out_.glow);
+      out_.glowing[i].shareUpTo = static_cast<float>(sum / out_.glow);
     }
   }
 
@@ -186,6 +217,7 @@ class Lister {
   const DrawList& list_;
   TracedList out_;
   rays::TracedMesh single_;
+  std::vector<double> glows_;  // of out_.glowing
   std::map<const scene::Primitive*, rays::TracedMesh> shared_;
   std::map<const scene::Primitive*, size_t> uses_;
   std::map<const scene::Primitive*, uint32_t> parts_;

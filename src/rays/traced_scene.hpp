@@ -13,7 +13,7 @@ namespace facet::rays {
 // As the shader reads it. Corners in the space of their tree.
 struct Triangle {
   glm::vec3 corner = glm::vec3(0);
-  uint32_t primitive = 0;  // its index, with layout::rayHoled, rayOneSided, rayMirrored
+  uint32_t primitive = 0;  // its index, with layout::rayHoled, rayOneSided, rayMirrored, rayGlowing
   glm::vec3 edge1 = glm::vec3(0);
   uint32_t triangle = 0;  // of the primitive
   glm::vec3 edge2 = glm::vec3(0);

@@ -268,7 +268,7 @@ TEST_CASE("Paths lie in memory as C++ lays them out") {
 #define MEMBER(name) \
   Member { "pathsShared." #name, offsetof(layout::PathUniforms, name) }
   for (const Member& member : {MEMBER(paths), MEMBER(classes), MEMBER(number), MEMBER(mostVertices), MEMBER(firstRow),
-                               MEMBER(rows), MEMBER(lights), MEMBER(share)}) {
+                               MEMBER(rows), MEMBER(lights), MEMBER(share), MEMBER(glowing), MEMBER(perGlow)}) {
     INFO(member.name);
     CHECK(property(id, GL_UNIFORM, member.name, GL_OFFSET) == GLint(member.offset));
   }

@@ -1,0 +1,1 @@
+float glowSolidAngleDensity(vec3 radiance, float distance, float cosine) { return 0.0; }
