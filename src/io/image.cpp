@@ -246,9 +246,14 @@ Result<std::vector<uint8_t>> encodePng(const Pixels& pixels, const std::string& 
 }
 
 Result<void> writePng(const std::filesystem::path& path, const Pixels& pixels) {
-  const auto bytes = encodePng(pixels, path.string());
-  if (!bytes) return tl::unexpected(bytes.error());
-  return writeWholeFile(path, std::as_bytes(std::span(*bytes)));
+  if (auto ok = checkWritable(pixels, path.string()); !ok) return ok;
+  std::vector<uint8_t> bytes;
+  try {
+    bytes = pngOf(pixels);
+  } catch (const std::bad_alloc&) {
+  }
+  if (bytes.empty()) return fail(path.string(), "", "there is not enough memory for the PNG", "choose a smaller size");
+  return writeWholeFile(path, std::as_bytes(std::span(bytes)));
 }
 
 Result<Pixels> readImage(const std::filesystem::path& path, const Limits& limits) {

@@ -34,10 +34,11 @@ std::vector<Pixels> decodeImages(const scene::Model& model, const std::vector<bo
 
 Pixels placeholderImage();  // magenta and black checks
 
-// 8-bit RGB or RGBA, whole or not at all (base/whole_file.hpp). Errors: the file cannot be written.
+// 8-bit RGB or RGBA by all cores, the same bytes for the same pixels; whole or not at all (base/whole_file.hpp).
+// Errors: the file cannot be written.
 Result<void> writePng(const std::filesystem::path& path, const Pixels& pixels);
 
-// The same into memory; `name` leads the error.
+// A small one into memory; `name` leads the error.
 Result<std::vector<uint8_t>> encodePng(const Pixels& pixels, const std::string& name);
 
 // 8-bit PNG read back as RGBA (for compare). Errors as decodeImage.

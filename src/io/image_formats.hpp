@@ -40,4 +40,7 @@ bool isWebp(std::span<const uint8_t> bytes);
 Result<ImageHeader> readWebpHeader(std::span<const uint8_t> bytes);
 Result<Pixels> decodeWebp(std::span<const uint8_t> bytes, const ImageHeader& header);
 
+// The pixels as a PNG file, 8 bits a channel; empty where memory does not do.
+std::vector<uint8_t> pngOf(const Pixels& pixels);
+
 }  // namespace facet::io

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <functional>
 
 #include "support/gltf_builder.hpp"
 
@@ -448,6 +449,41 @@ TEST_CASE("PNG written and read again", "[io][image]") {
       }
     }
   }
+}
+
+TEST_CASE("PNG of many bands: every pixel comes back, smooth, noisy or plain, in files of a known size",
+          "[io][image]") {
+  test::TemporaryFolder folder;
+  struct Row {
+    const char* name;
+    std::function<int(int x, int y, int c)> value;
+    double mostOfRaw;  // size of the file
+  };
+  uint32_t state = 1;
+  const auto noise = [&](int, int, int) { return static_cast<int>((state = state * 1664525u + 1013904223u) >> 24); };
+  for (const Row& row :
+       {Row{"plain", [](int, int, int) { return 77; }, 0.006},
+        Row{"smooth", [](int x, int y, int c) { return (x + 2 * y + 40 * c) / 8; }, 0.02}, Row{"noise", noise, 1.01}})
+    for (const auto& [width, height] :
+         {std::pair(700, 901), std::pair(1, 1), std::pair(3, 70000), std::pair(16384, 33)}) {
+      io::Pixels pixels;
+      pixels.width = width, pixels.height = height, pixels.channels = 3;
+      for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+          for (int c = 0; c < 3; ++c) pixels.data.push_back(static_cast<uint8_t>(row.value(x, y, c)));
+      INFO(row.name << " " << width << " x " << height);
+      const auto path = folder.path() / "bands.png";
+      REQUIRE(io::writePng(path, pixels));
+      const double size = static_cast<double>(std::filesystem::file_size(path));
+      CHECK(size <= row.mostOfRaw * static_cast<double>(pixels.data.size() + static_cast<size_t>(height)) + 400);
+      if (height > 16384) continue;  // more than is read
+      const auto read = io::readImage(path);
+      REQUIRE(read);
+      size_t wrong = 0;
+      for (size_t i = 0; i < pixels.data.size() / 3; ++i)
+        for (size_t c = 0; c < 3; ++c) wrong += read->data[4 * i + c] != pixels.data[3 * i + c];
+      CHECK(wrong == 0);
+    }
 }
 
 TEST_CASE("Reading a picture turns 16 bits and grey into 8-bit RGBA", "[io][image]") {
