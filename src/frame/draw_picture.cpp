@@ -226,12 +226,8 @@ scene::Bounds framingOf(const Drawable& drawable, const PictureSettings& setting
   const Viewpoint& viewpoint = settings.viewpoint;
   const Placement& placement = settings.placement;
   const bool viewGiven = !viewpoint.camera.empty() || (viewpoint.target && viewpoint.orbit && viewpoint.orbit->radius);
-  if (placement.animation.empty() || viewGiven) return poseBounds;
-  const int scene = drawable.inputs.list.scene;
-  std::optional<Framing>& known = drawable.scene->framing;
-  if (!known || known->scene != scene || known->animation != placement.animation)
-    known = Framing{scene, placement.animation, framingBounds(placement, drawable.scene->model(), scene, poseBounds)};
-  return known->bounds;
+  if (viewGiven) return poseBounds;
+  return animatedBounds(*drawable.scene, drawable.inputs.list.scene, placement, poseBounds);
 }
 
 }  // namespace

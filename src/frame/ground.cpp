@@ -68,14 +68,14 @@ GroundWish groundWish(const PictureSettings& settings) {
   return {size, 16, settings.quality.seed, settings.frame.environmentRotationDeg, settings.frame.environmentStrength};
 }
 
-Ground placedGround(const DrawList& list) {
+Ground placedGround(const DrawList& list, const scene::Bounds& bounds) {
   Ground ground;
-  if (list.bounds.empty()) return ground;
-  const glm::dvec3 size = list.bounds.max - list.bounds.min;
+  if (bounds.empty()) return ground;
+  const glm::dvec3 size = bounds.max - bounds.min;
   const double width = std::max(0.5 * std::hypot(size.x, size.z) + 1.5 * size.y, 1e-30);
-  const glm::dvec3 center = list.bounds.center() - list.origin;
+  const glm::dvec3 center = bounds.center() - list.origin;
   constexpr double below = 1e-4;  // of what stands on it; what lies on it is not in its place
-  const double y = list.bounds.min.y - list.origin.y - below * list.bounds.radius();
+  const double y = bounds.min.y - list.origin.y - below * bounds.radius();
   ground.place = glm::vec4(glm::dvec4(center.x, y, center.z, width));
   return ground;
 }

@@ -33,8 +33,9 @@ struct Ground {
   size_t bytes() const { return shares.bytes(); }
 };
 
-// Just below the list's bounds, and wide enough for the shadows of light that is 40 degrees high.
-Ground placedGround(const DrawList& list);
+// Just below the bounds, which may be those of all poses of an animation: the floor does not move with them; and wide
+// enough for the shadows of light that is 40 degrees high.
+Ground placedGround(const DrawList& list, const scene::Bounds& bounds);
 
 // Goes on with the grid of what in.settings ask for, from the start where that has changed, some thousand paths at a
 // time; in.paths is there. True: it is complete.

@@ -135,7 +135,9 @@ Result<Step> nextStep(Plan& plan, const PictureSettings& wish, const Supply& sup
     Result<PathScene> made = pathScene(next.list, scene.model(), scene.gpu, programs);
     if (!made) return tl::unexpected(made.error());
     next.paths = std::make_shared<const PathScene>(std::move(*made));
-    if (next.list.ground) next.ground = std::make_shared<Ground>(placedGround(next.list));
+    if (next.list.ground)
+      next.ground = std::make_shared<Ground>(
+          placedGround(next.list, animatedBounds(scene, next.inputs.list.scene, wish.placement, next.list.bounds)));
     return Step{Progress::working, "trees"};
   }
   const Result<bool> compiled = prepareNextProgram(frameInput(next, {}, wish), programs);
@@ -144,6 +146,14 @@ Result<Step> nextStep(Plan& plan, const PictureSettings& wish, const Supply& sup
 }
 
 }  // namespace
+
+scene::Bounds animatedBounds(LoadedScene& scene, int index, const Placement& placement, const scene::Bounds& pose) {
+  if (placement.animation.empty()) return pose;
+  std::optional<Framing>& known = scene.framing;
+  if (!known || known->scene != index || known->animation != placement.animation)
+    known = Framing{index, placement.animation, framingBounds(placement, scene.model(), index, pose)};
+  return known->bounds;
+}
 
 void findSun(LoadedEnvironment& environment) {
   environment.sun.reset();

@@ -42,6 +42,9 @@ struct LoadedScene {
   const scene::Model& model() const { return loaded->model; }
 };
 
+// Bounds of a pose, or of all poses of the animation where one is chosen; kept in scene.framing.
+scene::Bounds animatedBounds(LoadedScene& scene, int index, const Placement& placement, const scene::Bounds& pose);
+
 // An environment that was read, and its tables. "none" has no texels; the DFG table may still be needed.
 struct LoadedEnvironment {
   std::string source;

@@ -159,3 +159,26 @@ TEST_CASE("Ground: a floor that no light reaches shows nothing, one that is not 
   settings.look.channel = "baseColor";
   CHECK_FALSE(studio.render(plateOverFloor(plate), settings).statistics.ground);
 }
+
+TEST_CASE("Ground: it stays where it is while an animation lifts what stands on it", "[gl]") {
+  test::Studio studio;
+  GltfBuilder builder = emptyScene();
+  const int node = test::addMeshNode(builder, test::addSphere(builder, 0.5, 24, 48),
+                                     builder.append("materials", test::material({0, 0, 0, 1})));
+  const std::vector<float> times = {0, 1}, heights = {0, 0, 0, 0, 1, 0};
+  builder.append("animations",
+                 {{"samplers",
+                   {{{"input", builder.add(times, test::floatType, "SCALAR")},
+                     {"output", builder.add(heights, test::floatType, "VEC3")}}}},
+                  {"channels", {{{"sampler", 0}, {"target", {{"node", node}, {"path", "translation"}}}}}}});
+  PictureSettings settings = fromAbove("builtin:white");
+  settings.placement.animation = "0";
+  const io::LoadedModel model = test::loadBuilt(builder);
+  const auto cover = [&](double time) {
+    settings.placement.timeSeconds = time;
+    return test::pixel(studio.render(model, settings).radiance, pixelAt(0.6), 32).w;
+  };
+  // Beside the sphere, which covers r^2 h / d^3 of the light (its centre h above the floor, d away).
+  CHECK(double(cover(0)) == Approx(0.25 * 0.5 / std::pow(0.594 * 0.594 + 0.5 * 0.5, 1.5)).margin(0.03));
+  CHECK(double(cover(1)) == Approx(0.25 * 1.5 / std::pow(0.594 * 0.594 + 1.5 * 1.5, 1.5)).margin(0.02));
+}
