@@ -65,12 +65,13 @@ void aim(const Viewport& viewport, ViewerState& state) {
 }
 
 void tellNewScene(ViewerState& state, bool again) {
-  const size_t warnings = state.shown.warnings.size();
+  for (Message& message : state.messages) message.past = true;
   say(state, (again ? "reloaded: " : "model: ") + state.shown.model);
-  for (const std::string& warning : state.shown.warnings) log::warning(warning);
-  if (warnings > 0)
-    state.status = {state.shown.model + ": " + std::to_string(warnings) + (warnings > 1 ? " warnings" : " warning"),
-                    true};
+  const std::vector<std::string>& warnings = state.shown.warnings;
+  for (const std::string& warning : warnings) log::warning(warning), note(state, warning, false);
+  if (!warnings.empty())
+    state.status.text =
+        warnings.size() == 1 ? warnings.front() : std::to_string(warnings.size()) + " warnings: " + warnings.front();
 }
 
 void show(Viewport& viewport, ViewerState& state, frame::Drawable next) {

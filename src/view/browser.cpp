@@ -93,6 +93,7 @@ bool isShown(const ViewerState& state, const Entry& entry) {
 }
 
 void open(Drawing& drawing, const Entry& entry) {
+  drawing.state.status = {};  // of another file
   drawing.browser.cursor = entry.source;
   if (entry.kind == FileKind::model) {
     drawing.result.model = entry.source;
@@ -280,7 +281,8 @@ void drawSearch(Browser& browser, ViewerState& state) {
   state.searchAsked = false;
   browser.focusing = std::max(0, browser.focusing - 1);
   ImGui::SetNextItemWidth(-1);
-  ImGui::InputTextWithHint("##search", "search (/)", browser.query, sizeof browser.query);
+  ImGui::InputTextWithHint("##search", withKeys("search", state.keys, Command::search).c_str(), browser.query,
+                           sizeof browser.query);
 }
 
 }  // namespace

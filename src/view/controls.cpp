@@ -1,8 +1,5 @@
 #include "view/controls.hpp"
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-
 #include <algorithm>
 
 #include "view/camera_control.hpp"
@@ -26,105 +23,113 @@ void moveCamera(const Input& input, const Flight& flight, double windowHeight, V
   if (flight.rightUpForward != glm::dvec3(0)) camera = flown(camera, flight.rightUpForward * speed);
 }
 
-// What is open or chosen first; the program last.
+// What is open or chosen first. Never the program: a second press that was meant for a list would cost the view.
 void takeEscape(ViewerState& state, Actions& actions) {
   if (!state.loading.empty())
     actions.cancel = true;
+  else if (state.screenshotWaits)
+    state.screenshotWaits = false, say(state, "no screenshot");
   else if (state.helpVisible)
     state.helpVisible = false;
   else if (state.selection.node >= 0 || state.selection.material >= 0)
     state.selection = {}, state.inspection = {};
-  else
-    actions.quit = true;
+  else if (const std::string keys = keysText(state.keys, Command::quit); !keys.empty())
+    say(state, keys + " quits");
 }
 
-// As many programs have it: 1 front, 3 right, 7 top, with Ctrl from the other side.
-void lookAlong(const KeyPress& press, ViewFrom side, ViewFrom opposite, const std::optional<scene::View>& view,
-               ViewerState& state) {
+void lookFrom(ViewFrom side, const std::optional<scene::View>& view, ViewerState& state) {
   if (view) freeCamera(state, *view);
-  state.camera = seenFrom(state.camera, press.control ? opposite : side);
+  state.camera = seenFrom(state.camera, side);
 }
 
-void takeKey(const KeyPress& press, const std::optional<scene::View>& view, ViewerState& state, Actions& actions) {
-  const double aspect = static_cast<double>(state.settings.frame.width) / state.settings.frame.height;
-  switch (press.key) {
-    case GLFW_KEY_F:
-      if (state.selection.node >= 0 && !press.shift) {
-        actions.frameSelection = true;
-        break;
-      }
-      [[fallthrough]];
-    case GLFW_KEY_HOME:
-      if (view) freeCamera(state, *view);
-      state.camera = framedAll(state.camera, state.shown.bounds, aspect);
-      break;
-    case GLFW_KEY_1:
-    case GLFW_KEY_KP_1:
-      lookAlong(press, ViewFrom::front, ViewFrom::back, view, state);
-      break;
-    case GLFW_KEY_3:
-    case GLFW_KEY_KP_3:
-      lookAlong(press, ViewFrom::right, ViewFrom::left, view, state);
-      break;
-    case GLFW_KEY_7:
-    case GLFW_KEY_KP_7:
-      lookAlong(press, ViewFrom::top, ViewFrom::bottom, view, state);
-      break;
-    case GLFW_KEY_O:
-      state.turntable.on = !state.turntable.on;
-      break;
-    case GLFW_KEY_F1:
-      state.helpVisible = !state.helpVisible;
-      break;
-    case GLFW_KEY_SLASH:
-      if (press.shift)
-        state.helpVisible = !state.helpVisible;
-      else
-        state.browserVisible = state.panelVisible = state.searchAsked = true;
-      break;
-    case GLFW_KEY_R:
+void frameAll(const std::optional<scene::View>& view, ViewerState& state) {
+  if (view) freeCamera(state, *view);
+  state.camera =
+      framedAll(state.camera, state.shown.bounds,
+                static_cast<double>(state.settings.frame.width) / static_cast<double>(state.settings.frame.height));
+}
+
+void showPart(ViewerState& state, bool& part) {
+  part = !part;
+  state.panelVisible = true;
+}
+
+void take(Command command, const std::optional<scene::View>& view, ViewerState& state, Actions& actions) {
+  switch (command) {
+    case Command::flyForward:
+    case Command::flyLeft:
+    case Command::flyBack:
+    case Command::flyRight:
+    case Command::flyUp:
+    case Command::flyDown:
+      return;  // as long as it is held: Flight
+    case Command::viewFront:
+      return lookFrom(ViewFrom::front, view, state);
+    case Command::viewRight:
+      return lookFrom(ViewFrom::right, view, state);
+    case Command::viewTop:
+      return lookFrom(ViewFrom::top, view, state);
+    case Command::viewBack:
+      return lookFrom(ViewFrom::back, view, state);
+    case Command::viewLeft:
+      return lookFrom(ViewFrom::left, view, state);
+    case Command::viewBottom:
+      return lookFrom(ViewFrom::bottom, view, state);
+    case Command::frameSelection:
+      if (state.selection.node < 0) return frameAll(view, state);
+      actions.frameSelection = true;
+      return;
+    case Command::frameAll:
+      return frameAll(view, state);
+    case Command::resetCamera:
       state.settings.viewpoint.camera.clear();
       state.camera = state.startCamera;
-      break;
-    case GLFW_KEY_E:
+      return;
+    case Command::turntable:
+      state.turntable.on = !state.turntable.on;
+      return;
+    case Command::nextEnvironment:
       state.settings.sources.environment = nextEnvironment(state.shown.environment);
-      break;
-    case GLFW_KEY_SPACE:
-      togglePlaying(state);
-      break;
-    case GLFW_KEY_P:
-    case GLFW_KEY_F12:
-      actions.screenshot = true;
-      break;
-    case GLFW_KEY_H:
-    case GLFW_KEY_TAB:
+      return;
+    case Command::play:
+      return togglePlaying(state);
+    case Command::panels:
       state.panelVisible = !state.panelVisible;
-      break;
-    case GLFW_KEY_B:
-      state.browserVisible = !state.browserVisible;
-      state.panelVisible = true;
-      break;
-    case GLFW_KEY_N:
-      state.settingsVisible = !state.settingsVisible;
-      state.panelVisible = true;
-      break;
-    case GLFW_KEY_T:
-      state.timelineVisible = !state.timelineVisible;
-      state.panelVisible = true;
-      break;
-    case GLFW_KEY_ESCAPE:
-      takeEscape(state, actions);
-      break;
-    case GLFW_KEY_Q:
-      actions.quit = actions.quit || press.control;
-      break;
-    default:
-      break;
+      return;
+    case Command::browser:
+      return showPart(state, state.browserVisible);
+    case Command::settings:
+      return showPart(state, state.settingsVisible);
+    case Command::timeline:
+      return showPart(state, state.timelineVisible);
+    case Command::search:
+      state.browserVisible = state.panelVisible = state.searchAsked = true;
+      return;
+    case Command::screenshot:
+      actions.screenshot = true;
+      return;
+    case Command::screenshotConverged:
+      state.screenshotWaits = true;
+      return;
+    case Command::copyCommand:
+      actions.copyCommand = true;
+      return;
+    case Command::messages:
+      state.messagesAsked = true;
+      return;
+    case Command::help:
+      state.helpVisible = !state.helpVisible;
+      return;
+    case Command::escape:
+      return takeEscape(state, actions);
+    case Command::quit:
+      actions.quit = true;
   }
 }
 
 void takeFile(const std::string& path, ViewerState& state, Actions& actions) {
   const Result<FileKind> kind = fileKind(path);
+  state.status = {};  // of another file
   if (!kind) {
     state.status = {describe(kind.error()), true};
   } else if (*kind == FileKind::model) {
@@ -142,32 +147,28 @@ void takeFile(const std::string& path, ViewerState& state, Actions& actions) {
 
 }  // namespace
 
-const std::vector<Shortcut> shortcuts = {
-    {"Camera", "left drag", "orbit; the horizon stays level"},
-    {"Camera", "middle or Shift drag", "pan"},
-    {"Camera", "wheel", "nearer, farther"},
-    {"Camera", "right drag", "look around"},
-    {"Camera", "W A S D, PgUp PgDn", "fly; Shift: faster"},
-    {"Camera", "1, 3, 7", "from the front, the right, above; Ctrl: from the other side"},
-    {"Camera", "F", "frame the selection, or everything"},
-    {"Camera", "Shift+F, Home", "frame everything"},
-    {"Camera", "R", "reset the camera"},
-    {"Camera", "O", "turntable: go round the target about +Y"},
-    {"Scene", "left click", "select a node, read its values there"},
-    {"Scene", "E", "next built-in environment"},
-    {"Scene", "Space", "play, pause"},
-    {"Scene", "drop", ".glb .gltf, .hdr .exr, MERL's .binary, UTIA's .bin, a folder"},
-    {"Window", "H, Tab", "hide or show all panels"},
-    {"Window", "B, N, T", "browser, settings, timeline"},
-    {"Window", "/", "search in the browser"},
-    {"Window", "P, F12", "screenshot"},
-    {"Window", "F1, ?", "this help"},
-    {"Window", "Esc", "cancel loading, close the help, deselect, quit"},
-    {"Window", "Ctrl+Q", "quit"},
-};
+std::vector<Shortcut> shortcuts(const KeyMap& keys) {
+  std::vector<Shortcut> rows = {{"Camera", "left drag", "orbit; the horizon stays level"},
+                                {"Camera", "middle or Shift drag", "pan"},
+                                {"Camera", "wheel", "nearer, farther"},
+                                {"Camera", "right drag", "look around"}};
+  for (const CommandRow& row : commandRows()) {
+    if (rows.back().group == std::string("Camera") && row.group == std::string("Scene"))
+      rows.push_back({"Scene", "left click", "select a node, read its values there"});
+    if (rows.back().group == std::string("Scene") && row.group == std::string("Window"))
+      rows.push_back({"Scene", "drop", ".glb .gltf, .hdr .exr, MERL's .binary, UTIA's .bin, a folder"});
+    const std::string chords = keysText(keys, row.command);
+    if (rows.back().does == row.does)
+      rows.back().keys += (rows.back().keys.empty() || chords.empty() ? "" : "  ") + chords;
+    else
+      rows.push_back({row.group, chords, row.does});
+  }
+  std::erase_if(rows, [](const Shortcut& row) { return row.keys.empty(); });
+  return rows;
+}
 
 bool isAbout(const Shortcut& shortcut, std::string_view query) {
-  return hasWords(std::string(shortcut.group) + " " + shortcut.keys + " " + shortcut.does, query);
+  return hasWords(shortcut.group + " " + shortcut.keys + " " + shortcut.does, query);
 }
 
 Actions control(const Input& input, const Flight& flight, const std::optional<scene::View>& view, double windowHeight,
@@ -178,7 +179,7 @@ Actions control(const Input& input, const Flight& flight, const std::optional<sc
   if (moves && view) freeCamera(state, *view);
   if (moves) moveCamera(input, flight, windowHeight, state);
   Actions actions;
-  for (const KeyPress& press : input.keys) takeKey(press, view, state, actions);
+  for (const Command command : input.commands) take(command, view, state, actions);
   for (const std::string& path : input.dropped) takeFile(path, state, actions);
   return actions;
 }

@@ -17,7 +17,7 @@
 namespace facet::view {
 
 struct Actions {
-  bool screenshot = false, quit = false, frameSelection = false;
+  bool screenshot = false, copyCommand = false, quit = false, frameSelection = false;
   bool cancel = false;               // what is being loaded
   std::string model;                 // to be loaded
   std::vector<std::string> folders;  // to be listed
@@ -31,11 +31,9 @@ struct Flight {
 
 // What the keys and the mouse are for; the help shows it. Rows of a group lie together.
 struct Shortcut {
-  const char* group;
-  const char* keys;
-  const char* does;
+  std::string group, keys, does;
 };
-extern const std::vector<Shortcut> shortcuts;
+std::vector<Shortcut> shortcuts(const KeyMap& keys);
 
 // Every word of the query, in any case, is part of its group, its keys or what it does.
 bool isAbout(const Shortcut& shortcut, std::string_view query);

@@ -3,7 +3,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <string_view>
 
 #include "view/controls.hpp"
 #include "view/panel_window.hpp"
@@ -13,22 +12,23 @@ namespace facet::view {
 
 namespace {
 
-void shortcutRows(const std::string& filter) {
-  std::string_view group;
-  for (const Shortcut& shortcut : shortcuts) {
+void shortcutRows(const ViewerState& state) {
+  const std::string& filter = state.helpFilter;
+  std::string group;
+  for (const Shortcut& shortcut : shortcuts(state.keys)) {
     if (!isAbout(shortcut, filter)) continue;
     if (group != shortcut.group) {
       if (!group.empty()) ImGui::TableNextRow(ImGuiTableRowFlags_None, 0.5f * ImGui::GetFontSize());
       ImGui::TableNextRow();
       ImGui::TableNextColumn();
-      ImGui::TextDisabled("%s", shortcut.group);
+      ImGui::TextDisabled("%s", shortcut.group.c_str());
       ImGui::TableNextRow();
     }
     group = shortcut.group;
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(shortcut.keys);
+    ImGui::TextUnformatted(shortcut.keys.c_str());
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(shortcut.does);
+    ImGui::TextUnformatted(shortcut.does.c_str());
   }
   if (!group.empty()) return;
   ImGui::TableNextColumn();
@@ -65,7 +65,7 @@ void drawHelp(ViewerState& state, PanelResult& result) {
     if (ImGui::BeginTable("shortcuts", 2)) {
       ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 12 * em);
       ImGui::TableSetupColumn("does", ImGuiTableColumnFlags_WidthFixed, 26 * em);
-      shortcutRows(state.helpFilter);
+      shortcutRows(state);
       ImGui::EndTable();
     }
     result.areas.push_back(windowArea());

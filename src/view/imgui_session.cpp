@@ -57,6 +57,26 @@ void restyle(Theme theme, float scale) {
   ImGui_ImplOpenGL3_Init(glslVersion);
 }
 
+void beginFrame(ImGuiSession& imgui, const std::vector<HandEvent>& hands) {
+  using Kind = HandEvent::Kind;
+  const HandEvent* button = nullptr;
+  for (const HandEvent& event : hands) {
+    if (event.kind == Kind::press || event.kind == Kind::release)
+      ImGui_ImplGlfw_KeyCallback(imgui.window, event.key, event.scancode,
+                                 event.kind == Kind::press ? GLFW_PRESS : GLFW_RELEASE, event.modifiers);
+    else if (event.kind == Kind::character)
+      ImGui_ImplGlfw_CharCallback(imgui.window, event.character);
+    else if (event.key >= 0 && event.key < static_cast<int>(imgui.buttons.size()))
+      imgui.buttons[static_cast<size_t>(event.key)] = event.kind == Kind::buttonDown, button = &event;
+  }
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui_ImplGlfw_NewFrame();
+  ImGuiIO& io = ImGui::GetIO();
+  for (size_t i = 0; i < imgui.buttons.size(); ++i) io.MouseDown[i] = imgui.buttons[i];
+  if (button) io.MousePos = {static_cast<float>(button->at.x), static_cast<float>(button->at.y)};
+  ImGui::NewFrame();
+}
+
 bool followStyle(ImGuiSession& imgui, const Preferences& preferences) {
   const float scale = contentScale(imgui.window, preferences);
   if (scale == imgui.scale && preferences.theme == imgui.theme) return false;

@@ -2,8 +2,10 @@
 
 // Dear ImGui's context and backends, which end in the reverse order, and how they look.
 
+#include <array>
 #include <string>
 
+#include "view/key_queue.hpp"
 #include "view/viewer_state.hpp"
 
 struct GLFWwindow;
@@ -20,7 +22,11 @@ struct ImGuiSession {
   std::string layoutFile;  // read by the first frame, written now and then and at the end
   float scale;             // that the style has
   Theme theme;
+  std::array<bool, 3> buttons{};  // that are down as far as frames have seen
 };
+
+// Begins a frame in which this has happened.
+void beginFrame(ImGuiSession& imgui, const std::vector<HandEvent>& hands);
 
 // Other colours and letters from the next frame on; between frames, with the OpenGL backend at work.
 void restyle(Theme theme, float scale);

@@ -39,6 +39,11 @@ void onCursor(GLFWwindow* window, double x, double y) {
 
 void onButton(GLFWwindow* window, int button, int action, int modifiers) {
   Input& input = inputOf(window);
+  HandEvent event{.kind = action == GLFW_RELEASE ? HandEvent::Kind::buttonUp : HandEvent::Kind::buttonDown,
+                  .key = button,
+                  .modifiers = modifiers};
+  event.at = input.cursor;  // GLFW would say where the pointer is by now
+  input.hands.push_back(event);
   if (action == GLFW_RELEASE) {
     if (button != input.dragButton) return;
     if (button == GLFW_MOUSE_BUTTON_LEFT && !input.dragging) input.clicks.push_back(input.pressedAt);
@@ -61,11 +66,19 @@ void onScroll(GLFWwindow* window, double, double y) {
   if (isScene(input)) input.wheel += y;
 }
 
-void onKey(GLFWwindow* window, int key, int, int action, int modifiers) {
+void onKey(GLFWwindow* window, int key, int scancode, int action, int modifiers) {
   Input& input = inputOf(window);
-  // No text has a use for F1, which closes the help that it has opened.
-  if (action == GLFW_PRESS && (!input.keyboardTaken || key == GLFW_KEY_F1))
-    input.keys.push_back({key, (modifiers & GLFW_MOD_CONTROL) != 0, (modifiers & GLFW_MOD_SHIFT) != 0});
+  if (action == GLFW_REPEAT) return;  // what it types comes by itself
+  const char* label = glfwGetKeyName(key, scancode);
+  input.hands.push_back({.kind = action == GLFW_PRESS ? HandEvent::Kind::press : HandEvent::Kind::release,
+                         .key = key,
+                         .scancode = scancode,
+                         .modifiers = modifiers,
+                         .label = label ? label : ""});
+}
+
+void onCharacter(GLFWwindow* window, unsigned character) {
+  inputOf(window).hands.push_back({.kind = HandEvent::Kind::character, .character = character});
 }
 
 void onDrop(GLFWwindow* window, int count, const char** paths) {
@@ -79,15 +92,29 @@ void listen(GLFWwindow* window, Input& input) {
   glfwSetWindowUserPointer(window, &input);
   glfwGetCursorPos(window, &input.cursor.x, &input.cursor.y);
   glfwSetCursorPosCallback(window, onCursor);
-  glfwSetMouseButtonCallback(window, onButton);
   glfwSetScrollCallback(window, onScroll);
-  glfwSetKeyCallback(window, onKey);
   glfwSetDropCallback(window, onDrop);
-  glfwSetCharCallback(window, [](GLFWwindow* w, unsigned) { inputOf(w); });
   glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int) { inputOf(w); });
   glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int) { inputOf(w); });
   glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { inputOf(w); });
   glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { inputOf(w); });
+}
+
+void listenToHands(GLFWwindow* window) {
+  glfwSetMouseButtonCallback(window, onButton);
+  glfwSetKeyCallback(window, onKey);
+  glfwSetCharCallback(window, onCharacter);
+}
+
+std::vector<int> keysCalled(const std::string& name) {
+  std::vector<int> keys;
+  for (int key = GLFW_KEY_SPACE; key <= GLFW_KEY_LAST; ++key) {
+    const bool types = key > GLFW_KEY_SPACE && key <= GLFW_KEY_WORLD_2;
+    const char* label = types ? glfwGetKeyName(key, 0) : nullptr;
+    const std::string called = label ? chordsOf({.key = key, .label = label}).front().key : keyName(key);
+    if (called == name) keys.push_back(key);
+  }
+  return keys;
 }
 
 Input takeInput(Input& input) {
@@ -95,7 +122,7 @@ Input takeInput(Input& input) {
   input.orbit = input.pan = input.look = glm::dvec2(0);
   input.wheel = 0;
   input.clicks.clear();
-  input.keys.clear();
+  input.commands.clear();
   input.dropped.clear();
   input.any = false;
   return taken;

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "view/key_queue.hpp"
+
 struct GLFWwindow;
 
 namespace facet::view {
@@ -17,19 +19,14 @@ struct Area {
   bool holds(const glm::dvec2& p) const { return p.x >= min.x && p.y >= min.y && p.x < max.x && p.y < max.y; }
 };
 
-struct KeyPress {
-  int key = 0;  // GLFW_KEY_...
-  bool control = false, shift = false;
-};
-
 enum class Drag { none, orbit, pan, look };
 
 struct Input {
   // Since the last look; cleared by takeInput.
   glm::dvec2 orbit = glm::dvec2(0), pan = glm::dvec2(0), look = glm::dvec2(0);  // pixels dragged, y down
   double wheel = 0;
-  std::vector<glm::dvec2> clicks;  // of the left button, where it was pressed and let go without a drag
-  std::vector<KeyPress> keys;
+  std::vector<glm::dvec2> clicks;    // of the left button, where it was pressed and let go without a drag
+  std::vector<Command> commands;     // of the keys that the window had
   std::vector<std::string> dropped;  // paths
   bool any = false;                  // something happened
 
@@ -43,10 +40,23 @@ struct Input {
   // Set by the window each frame: what belongs to the panel.
   std::vector<Area> panels;
   bool mouseTaken = false, keyboardTaken = false;
+  int handingOver = 0;           // frames until it is known who has the keyboard
+  int textAwaited = 0;           // frames until a text field that has been asked for has the keyboard, at most
+  std::vector<HandEvent> hands;  // keys and buttons that no frame has seen yet
+
+  Keyboard keyboard() const {
+    return textAwaited > 0 || handingOver > 0 ? Keyboard::awaited : keyboardTaken ? Keyboard::panels : Keyboard::window;
+  }
 };
 
 // Installs the callbacks; the input must outlive the window. Call before ImGui's backend, which calls them along.
 void listen(GLFWwindow* window, Input& input);
+// Those of keys and buttons, in the place of ImGui's: it learns of them frame by frame, from Input::hands. Call after
+// its backend.
+void listenToHands(GLFWwindow* window);
+
+// The keys that have this on them, as far as they type something, and those of that name: GLFW's numbers.
+std::vector<int> keysCalled(const std::string& name);
 
 // The input so far; what is told "since the last look" starts anew.
 Input takeInput(Input& input);

@@ -1,6 +1,7 @@
 #include "view/panel.hpp"
 
 #include <imgui.h>
+#include <imgui/imgui_internal.h>
 
 #include <algorithm>
 
@@ -30,14 +31,16 @@ void header(ViewerState& state, PanelResult& result) {
   }
   ImGui::BeginDisabled(state.shown.model.empty());
   if (ImGui::Button("copy command")) result.copyCommand = true;
-  hint("the facet render line that makes this very picture");
+  hint(withKeys("the facet render line that makes this very picture", state.keys, Command::copyCommand));
   ImGui::SameLine();
   if (ImGui::Button("screenshot")) result.screenshot = true;
-  hint("the picture without panels, as PNG into the folder in which facet was started (P)");
+  hint(withKeys("the picture without panels as it is now, as PNG into the folder in which facet was started",
+                state.keys, Command::screenshot) +
+       withKeys("\nonce it has converged", state.keys, Command::screenshotConverged));
   ImGui::EndDisabled();
   ImGui::SameLine();
   if (ImGui::Button("help")) state.helpVisible = !state.helpVisible;
-  hint("keys and mouse (F1)");
+  hint(withKeys("keys and mouse", state.keys, Command::help));
   ImGui::Spacing();
 }
 
@@ -57,14 +60,52 @@ void tabs(ViewerState& state, PanelResult& result) {
   ImGui::EndTabBar();
 }
 
-void problemList(const ViewerState& state) {
-  if (!ImGui::BeginPopup("problems")) return;
-  ImGui::PushTextWrapPos(40 * ImGui::GetFontSize());
-  for (auto problem = state.problems.rbegin(); problem != state.problems.rend(); ++problem) {
-    ImGui::Bullet();
-    ImGui::TextWrapped("%s", problem->c_str());
+void copyMessages(ViewerState& state, const std::string& text) {
+  ImGui::SetClipboardText(text.c_str());
+  state.status = {"copied", false};
+}
+
+// The newest first; those of models before are quiet.
+void messageRows(ViewerState& state) {
+  for (size_t i = state.messages.size(); i-- > 0;) {
+    const Message message = state.messages[i];
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextDisabled("%s", message.time.c_str());
+    ImGui::TableNextColumn();
+    ImGui::PushID(static_cast<int>(i));
+    ImGui::PushStyleColor(ImGuiCol_Text, message.past ? quietColor : message.isError ? errorColor : warningColor);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::TextWrapped("%s", message.text.c_str());
+    ImGui::PopStyleColor();
+    ImGui::SetCursorScreenPos(at);
+    if (ImGui::InvisibleButton("copy", {ImGui::GetContentRegionAvail().x, ImGui::GetItemRectSize().y}))
+      copyMessages(state, message.text);
+    hint("click: copy");
+    ImGui::PopID();
   }
-  ImGui::PopTextWrapPos();
+}
+
+void messageList(ViewerState& state) {
+  if (state.messagesAsked) ImGui::OpenPopup("messages");
+  state.messagesAsked = false;
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const float em = ImGui::GetFontSize(), width = std::min(48 * em, screen.x - 2 * em);
+  ImGui::SetNextWindowPos({screen.x - 0.5f * em, screen.y - statusHeight()}, ImGuiCond_Always, {1, 1});
+  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, std::max(8 * em, 0.7f * screen.y)});
+  if (!ImGui::BeginPopup("messages")) return;
+  if (state.messages.empty()) ImGui::TextDisabled("no message as yet");
+  if (!state.messages.empty() && ImGui::SmallButton("copy all")) {
+    std::string all;
+    for (const Message& message : state.messages) all += message.time + "  " + message.text + "\n";
+    copyMessages(state, all);
+  }
+  if (ImGui::BeginTable("messages", 2)) {
+    ImGui::TableSetupColumn("time", ImGuiTableColumnFlags_WidthFixed);
+    ImGui::TableSetupColumn("text", ImGuiTableColumnFlags_WidthStretch);
+    messageRows(state);
+    ImGui::EndTable();
+  }
   ImGui::EndPopup();
 }
 
@@ -77,16 +118,14 @@ void statusText(ViewerState& state) {
   if (state.status.isError) ImGui::PushStyleColor(ImGuiCol_Text, errorColor);
   ImGui::TextUnformatted(state.status.text.c_str());
   if (state.status.isError) ImGui::PopStyleColor();
-  if (!state.problems.empty() && ImGui::IsItemClicked()) ImGui::OpenPopup("problems");
+  if (!state.messages.empty() && ImGui::IsItemClicked()) state.messagesAsked = true;
   hint(state.status.text);
 }
 
 void rightOfStatus(ViewerState& state) {
   const std::string refined = refinementText(state.refinement);
-  const size_t count = state.problems.size();
-  const std::string problems =
-      count == 0 ? ""
-                 : std::to_string(count) + (count == 1 ? " problem" : " problems") + (refined.empty() ? "" : "   ");
+  const std::string count = messageCount(state.messages);
+  const std::string problems = count.empty() ? "" : count + (refined.empty() ? "" : "   ");
   const std::string both = problems + refined;
   if (both.empty()) return;
   ImGui::SameLine(std::max(0.0f, ImGui::GetWindowWidth() - ImGui::CalcTextSize(both.c_str()).x - 12));
@@ -98,8 +137,8 @@ void rightOfStatus(ViewerState& state) {
     ImGui::PushStyleColor(ImGuiCol_Text, warningColor);
     ImGui::TextUnformatted(problems.c_str());
     ImGui::PopStyleColor();
-    if (ImGui::IsItemClicked()) ImGui::OpenPopup("problems");
-    hint("click: all of them");
+    if (ImGui::IsItemClicked()) state.messagesAsked = true;
+    hint(withKeys("click: all of them", state.keys, Command::messages));
     ImGui::SameLine(0, 0);
   }
   ImGui::TextDisabled("%s", refined.c_str());
@@ -107,7 +146,8 @@ void rightOfStatus(ViewerState& state) {
 
 // Below everything; where the panels are hidden only what is under way and what went wrong.
 void statusLine(ViewerState& state, PanelResult& result) {
-  if (state.loading.empty() && !state.status.isError && !state.panelVisible) return;
+  const bool asked = state.messagesAsked || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId);
+  if (state.loading.empty() && !state.status.isError && !state.panelVisible && !asked) return;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float height = statusHeight();
   ImGui::SetNextWindowPos({0, screen.y - height});
@@ -117,7 +157,7 @@ void statusLine(ViewerState& state, PanelResult& result) {
     statusText(state);
     rightOfStatus(state);
     ImGui::PopStyleVar();
-    problemList(state);
+    messageList(state);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12, 6});
     result.areas.push_back(windowArea());
   }
@@ -134,6 +174,10 @@ Area windowArea() {
 
 void drawPanel(ViewerState& state, PanelResult& result) {
   noteProblem(state);
+  // Escape closes what has opened last, a list or a picker, as a click beside it does.
+  if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel) &&
+      ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false))
+    ImGui::ClosePopupToLevel(ImGui::GetCurrentContext()->OpenPopupStack.Size - 1, true);
   if (state.panelVisible && state.settingsVisible) {
     if (beginSide("settings", Side::right, panelEms, result)) {
       header(state, result);

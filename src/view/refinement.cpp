@@ -109,7 +109,7 @@ bool takeErrors(Refinement& r, bool compared, ViewerState& state) {
   // Of the cheap picture and the gathered one, whose errors are independent.
   r.parts.push_back(errors.parts);
   const frame::ErrorEstimate gathered = frame::errorEstimate(r.parts);
-  const double cheap = std::sqrt(std::max(0.0, errors.shown * errors.shown - gathered.likely * gathered.likely));
+  const double cheap = cheapError(errors.shown, gathered);
   const bool better = compared ? r.gathering->done >= frame::convergedAbove : gathered.most < cheap;
   const bool change = !r.shown && (better || r.gathering->complete());
   r.shown |= change;
@@ -180,6 +180,19 @@ void stopRefinement(Viewport& viewport, ViewerState& state) {
   r.estimate = {};
   state.refinement = {};
   if (frame::converges(state.settings)) state.refinement.wanted = r.samples;
+}
+
+std::string samplesShown(const Viewport& viewport, const ViewerState& state) {
+  const Refinement& r = viewport.refinement;
+  const RefinementStatus& s = state.refinement;
+  if (!frame::converges(state.settings) || (r.ended && r.shown)) return {};
+  const int cheap = std::min(frame::convergedAbove, state.settings.quality.samples);
+  return std::to_string(s.shown > 0 ? s.shown : cheap) + " of " + std::to_string(s.wanted) + " samples";
+}
+
+double cheapError(double shown, const frame::ErrorEstimate& gathered) {
+  const double square = shown * shown - gathered.likely * gathered.likely;
+  return gathered.likely >= 0 && square > 0.5 * shown * shown ? std::sqrt(square) : -1;
 }
 
 bool refining(const Viewport& viewport, const ViewerState& state) {

@@ -44,6 +44,13 @@ void stopRefinement(Viewport& viewport, ViewerState& state);
 // The next step, where there is one and the last one is through. True where the display picture is new.
 bool refine(Viewport& viewport, ViewerState& state, const scene::View& view);
 
+// "12 of 256 samples": what is on the screen of what is asked for; empty: all of it.
+std::string samplesShown(const Viewport& viewport, const ViewerState& state);
+
+// What the cheap picture is off by, which differs from the gathered one by `shown`, root mean square: below 0, not
+// known, where what the gathered one is off by itself makes up the greater part of that.
+double cheapError(double shown, const frame::ErrorEstimate& gathered);
+
 // There is more to come: refine() is to be called again soon.
 bool refining(const Viewport& viewport, const ViewerState& state);
 

@@ -206,7 +206,7 @@ void nodeDetails(ViewerState& state, PanelResult& result) {
   }
   ImGui::EndTable();
   if (ImGui::Button("frame")) result.frameSelection = true;
-  hint("brings it into the middle of the picture (F)");
+  hint(withKeys("brings it into the middle of the picture", state.keys, Command::frameSelection));
   ImGui::SameLine();
   if (ImGui::Button("deselect")) selectNode(state, -1);
 }

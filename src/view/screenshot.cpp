@@ -19,7 +19,8 @@ Result<std::string> writeScreenshot(const frame::Targets& targets, const frame::
   const std::time_t now = std::time(nullptr);
   std::tm local{};
   localtime_r(&now, &local);
-  const std::string name = screenshotName(local, {}).string();
+  std::error_code ignored;
+  const std::string name = screenshotName(local, std::filesystem::current_path(ignored)).string();
   const bool withAlpha = settings.frame.background == frame::Background::transparent;
   if (Result<void> written = io::writePng(name, frame::readDisplay(targets, withAlpha)); !written)
     return tl::unexpected(written.error());

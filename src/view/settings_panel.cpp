@@ -56,44 +56,45 @@ void sceneChoice(ViewerState& state) {
   ImGui::EndCombo();
 }
 
-void viewButtons(PanelResult& result) {
+void viewButtons(const KeyMap& keys, PanelResult& result) {
   struct Button {
     const char* label;
     ViewFrom from;
-    const char* key;
+    Command command;
   };
-  constexpr Button buttons[] = {{"front", ViewFrom::front, "1"},    {"right", ViewFrom::right, "3"},
-                                {"top", ViewFrom::top, "7"},        {"back", ViewFrom::back, "Ctrl+1"},
-                                {"left", ViewFrom::left, "Ctrl+3"}, {"bottom", ViewFrom::bottom, "Ctrl+7"}};
+  constexpr Button buttons[] = {
+      {"front", ViewFrom::front, Command::viewFront}, {"right", ViewFrom::right, Command::viewRight},
+      {"top", ViewFrom::top, Command::viewTop},       {"back", ViewFrom::back, Command::viewBack},
+      {"left", ViewFrom::left, Command::viewLeft},    {"bottom", ViewFrom::bottom, Command::viewBottom}};
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
   const float width = (ImGui::GetContentRegionAvail().x - 2 * spacing) / 3;
   for (size_t i = 0; i < std::size(buttons); ++i) {
     if (i % 3 != 0) ImGui::SameLine();
     if (ImGui::Button(buttons[i].label, {width, 0})) result.viewFrom = buttons[i].from;
-    hint(std::string("looks at the target from there (") + buttons[i].key + ")");
+    hint(withKeys("looks at the target from there", keys, buttons[i].command));
   }
   if (ImGui::Button("frame all", {width, 0})) result.frameAll = true;
-  hint("brings everything into the picture (Home)");
+  hint(withKeys("brings everything into the picture", keys, Command::frameAll));
   ImGui::SameLine();
   if (ImGui::Button("selection", {width, 0})) result.frameSelection = true;
-  hint("brings the selected node into the picture (F)");
+  hint(withKeys("brings the selected node into the picture", keys, Command::frameSelection));
   ImGui::SameLine();
   if (ImGui::Button("reset", {width, 0})) result.resetCamera = true;
-  hint("the view that the model came with (R)");
+  hint(withKeys("the view that the model came with", keys, Command::resetCamera));
 }
 
 void cameraSection(ViewerState& state, PanelResult& result) {
   if (!section("Camera")) return;
   sceneChoice(state);
   cameraChoice(state, result);
-  viewButtons(result);
+  viewButtons(state.keys, result);
   if (state.settings.viewpoint.camera.empty()) {
     auto fovY = static_cast<float>(state.camera.fovY);
     if (slider("field of view", fovY, 5, 120, "%.0f\xc2\xb0", 45, "vertical"))
       state.camera.fovY = static_cast<double>(fovY);
   }
   ImGui::Checkbox("turntable", &state.turntable.on);
-  hint("the camera goes round the target about +Y (O)");
+  hint(withKeys("the camera goes round the target about +Y", state.keys, Command::turntable));
   if (state.turntable.on) {
     auto speed = static_cast<float>(state.turntable.degreesPerSecond);
     if (slider("speed", speed, -180, 180, "%.0f\xc2\xb0/s", 24, "negative: the other way"))
@@ -120,7 +121,8 @@ void environmentSection(ViewerState& state) {
     }
     ImGui::EndCombo();
   } else {
-    hint("what lights the scene from afar: E takes the next built-in one; drop a .hdr or .exr");
+    hint(withKeys("what lights the scene from afar; drop a .hdr or .exr\nnext built-in one", state.keys,
+                  Command::nextEnvironment));
   }
   slider("rotation", settings.frame.environmentRotationDeg, -180, 180, "%.0f\xc2\xb0",
          usual.frame.environmentRotationDeg, "of the environment, about +Y");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <set>
 
 #include "base/log.hpp"
@@ -38,6 +39,7 @@ std::string refinementText(const RefinementStatus& status) {
   std::string text = std::to_string(status.gathered) + " of " + std::to_string(status.wanted) + " samples";
   if (status.gathered == status.wanted) text = std::to_string(status.wanted) + " samples";
   if (status.error < 0) return text;
+  if (status.error < 0.005) return text + ", error below 0.01/255";
   char error[48];
   std::snprintf(error, sizeof error, ", error %s %.*f/255", status.shown > 0 ? "up to" : "about",
                 status.error < 1 ? 2 : 1, status.error);
@@ -54,12 +56,32 @@ void complain(ViewerState& state, const Error& error) {
   log::error(state.status.text);
 }
 
-void noteProblem(ViewerState& state) {
+void note(ViewerState& state, const std::string& text, bool isError) {
   constexpr size_t most = 100;
-  std::vector<std::string>& problems = state.problems;
-  if (!state.status.isError || (!problems.empty() && problems.back() == state.status.text)) return;
-  problems.push_back(state.status.text);
-  if (problems.size() > most) problems.erase(problems.begin());
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&now, &local);
+  char time[16];
+  std::strftime(time, sizeof time, "%H:%M:%S", &local);
+  state.messages.push_back({time, text, isError});
+  if (state.messages.size() > most) state.messages.erase(state.messages.begin());
+}
+
+void noteProblem(ViewerState& state) {
+  const auto last = std::ranges::find_if(state.messages.rbegin(), state.messages.rend(), &Message::isError);
+  const bool known = last != state.messages.rend() && !last->past && last->text == state.status.text;
+  if (state.status.isError && !known) note(state, state.status.text, true);
+}
+
+std::string messageCount(const std::vector<Message>& messages) {
+  const auto count = [&](bool isError) {
+    return std::ranges::count_if(messages, [&](const Message& m) { return !m.past && m.isError == isError; });
+  };
+  const auto words = [](ptrdiff_t n, const char* word) {
+    return n == 0 ? std::string() : std::to_string(n) + " " + word + (n == 1 ? "" : "s");
+  };
+  const std::string problems = words(count(true), "problem"), warnings = words(count(false), "warning");
+  return problems + (problems.empty() || warnings.empty() ? "" : ", ") + warnings;
 }
 
 MaterialSource materialSource(const frame::PictureSettings& settings) {

@@ -18,6 +18,7 @@
 #include "scene/camera.hpp"
 #include "scene/pick.hpp"
 #include "shading/features.hpp"
+#include "view/keys.hpp"
 #include "view/listing.hpp"
 #include "view/preferences.hpp"
 #include "view/scene_tree.hpp"
@@ -33,6 +34,14 @@ std::string presetText(std::string_view name);
 struct Status {
   std::string text;
   bool isError = false;
+};
+
+// What the status line has told of what went wrong or is not as the file wants it.
+struct Message {
+  std::string time;  // "14:03:27"
+  std::string text;
+  bool isError = false;  // else a warning
+  bool past = false;     // of a model that was shown before
 };
 
 struct ViewerStatistics {
@@ -139,6 +148,7 @@ struct ViewerState {
   Selection selection;
   SceneTree tree;
   Preferences preferences;
+  KeyMap keys = usualKeys();
   Inspection inspection;
   std::vector<std::string> environments;  // that are offered: the built-in ones, those that were given, "none"
   std::vector<Entry> databases;           // of measured BRDFs, as the browser has found them
@@ -148,15 +158,17 @@ struct ViewerState {
 
   ShownScene shown;
   Status status;
-  std::vector<std::string> problems;  // that the status line told, oldest first
+  std::vector<Message> messages;  // oldest first
   RefinementStatus refinement;
   std::string loading;       // what is being loaded; empty: nothing
   bool modelFailed = false;  // one at least could not be shown
   std::string openGL;        // version and renderer
   bool helpVisible = false;
   std::string helpFilter;
-  bool searchAsked = false;  // the browser's search is to take the keyboard
-  bool panelVisible = true;  // the panels that are chosen to be shown; one key hides all
+  bool searchAsked = false;      // the browser's search is to take the keyboard
+  bool messagesAsked = false;    // the list of messages is to open
+  bool screenshotWaits = false;  // for the picture to converge
+  bool panelVisible = true;      // the panels that are chosen to be shown; one key hides all
   bool browserVisible = true, settingsVisible = true, timelineVisible = true;
 };
 
@@ -164,8 +176,12 @@ struct ViewerState {
 void say(ViewerState& state, const std::string& text);
 void complain(ViewerState& state, const Error& error);
 
-// Keeps what the status line says in state.problems where it is a new error; at most a hundred.
+// Into the list of messages, of which a hundred are kept.
+void note(ViewerState& state, const std::string& text, bool isError);
+// The same of what the status line says, where it is a new error.
 void noteProblem(ViewerState& state);
+// How many there are of what is shown, worded: "1 problem", "2 problems, 1 warning"; empty: none.
+std::string messageCount(const std::vector<Message>& messages);
 
 // Where materials come from: the file, one for everything, a measured BRDF.
 enum class MaterialSource { file, one, measured };

@@ -53,9 +53,7 @@ bool searchField(const char* id, const char* emptyText, std::string& text) {
 }
 
 bool beginList(const char* label, const std::string& chosen) {
-  if (!ImGui::BeginCombo(label, chosen.c_str(), ImGuiComboFlags_HeightLarge)) return false;
-  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) ImGui::CloseCurrentPopup();
-  return true;
+  return ImGui::BeginCombo(label, chosen.c_str(), ImGuiComboFlags_HeightLarge);
 }
 
 bool beginDetails(const char* id) {

@@ -32,7 +32,7 @@ bool searchField(const char* id, const char* emptyText, std::string& text);
 // A tooltip that says how to reset, too.
 void resettableHint(const char* explanation);
 
-// Ends with ImGui::EndCombo where true. Escape closes the list.
+// Ends with ImGui::EndCombo where true.
 bool beginList(const char* label, const std::string& chosen);
 
 // A list of the rows by their labels, notes as tooltips. True where the index has changed.

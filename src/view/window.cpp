@@ -1,8 +1,6 @@
 #include "view/window.hpp"
 
 #include <imgui.h>
-#include <imgui/backends/imgui_impl_glfw.h>
-#include <imgui/backends/imgui_impl_opengl3.h>
 
 #include "options/picture_options.hpp"
 #define GLFW_INCLUDE_NONE
@@ -69,10 +67,21 @@ void keepPreferences(const ViewerState& state, const Preferences& before) {
 
 bool isDown(GLFWwindow* window, int key) { return glfwGetKey(window, key) == GLFW_PRESS; }
 
-glm::dvec3 flightDirection(const Loop& loop) {
+bool isHeld(GLFWwindow* window, const KeyMap& keys, Command command) {
+  const auto chords = keys.find(command);
+  if (chords == keys.end()) return false;
+  return std::ranges::any_of(chords->second, [&](const Chord& chord) {
+    return std::ranges::any_of(keysCalled(chord.key), [&](int key) { return isDown(window, key); });
+  });
+}
+
+glm::dvec3 flightDirection(const Loop& loop, const KeyMap& keys) {
   if (loop.input.keyboardTaken || isDown(loop.window, GLFW_KEY_LEFT_CONTROL)) return glm::dvec3(0);
-  const auto axis = [&](int plus, int minus) { return isDown(loop.window, plus) - isDown(loop.window, minus); };
-  return {axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_PAGE_UP, GLFW_KEY_PAGE_DOWN), axis(GLFW_KEY_W, GLFW_KEY_S)};
+  const auto axis = [&](Command plus, Command minus) {
+    return isHeld(loop.window, keys, plus) - isHeld(loop.window, keys, minus);
+  };
+  return {axis(Command::flyRight, Command::flyLeft), axis(Command::flyUp, Command::flyDown),
+          axis(Command::flyForward, Command::flyBack)};
 }
 
 // Sleeps until there is something to do; seconds since the last time, at most a quarter, for flight.
@@ -80,7 +89,7 @@ double waitForEvents(Loop& loop, const Loader& loader, const Viewport& viewport,
   const bool watches = !loop.shaders.folder.empty() || !loop.followed.modelFiles.files.empty() ||
                        !loop.followed.environmentFiles.files.empty() || !loop.followed.measuredFiles.files.empty();
   const double idle = watches ? fileWatchSeconds : idleWait;
-  if (loop.framesToDraw > 0 || flightDirection(loop) != glm::dvec3(0))
+  if (loop.framesToDraw > 0 || !loop.input.hands.empty() || flightDirection(loop, state.keys) != glm::dvec3(0))
     glfwPollEvents();
   else
     glfwWaitEventsTimeout(atWork(viewport, state) || viewport.comingUp || loader.measured.running() ? stepWait
@@ -103,7 +112,7 @@ void followFramebuffer(GLFWwindow* window, frame::PictureSettings& settings) {
 
 void copyCommand(const std::string& command, ViewerState& state) {
   ImGui::SetClipboardText(command.c_str());
-  state.status = {"copied: " + command, false};
+  say(state, "copied: " + command);
 }
 
 void applyPanel(const PanelResult& panel, Viewport& viewport, ViewerState& state, Input& input, Actions& actions) {
@@ -149,9 +158,28 @@ void nameWhatLoads(const Loader& loader, const Viewport& viewport, const std::st
 
 void takeScreenshot(const Viewport& viewport, ViewerState& state) {
   if (!viewport.targets.shown) return;
+  const std::string of = samplesShown(viewport, state);
   const Result<std::string> written = writeScreenshot(viewport.targets, state.settings);
-  state.status = written ? Status{"screenshot: " + *written, false} : Status{describe(written.error()), true};
-  written ? log::info("screenshot written: " + *written) : log::error(state.status.text);
+  if (!written) return complain(state, written.error());
+  state.status = {
+      "screenshot" + (of.empty() ? of : " of " + of) + ": " + *written +
+          (of.empty() ? of : withKeys("; of all once they are there", state.keys, Command::screenshotConverged)),
+      false};
+  log::info((of.empty() ? of : of + "; ") + "screenshot written: " + *written);
+}
+
+// The one that waits for the picture to converge.
+void followScreenshot(const Viewport& viewport, ViewerState& state) {
+  if (!state.screenshotWaits) return;
+  const std::string of = samplesShown(viewport, state);
+  if (!of.empty() || viewport.comingUp || !state.loading.empty()) {
+    state.status = {withKeys("the screenshot waits for the picture to converge: " + of + "; not at all", state.keys,
+                             Command::escape),
+                    false};
+    return;
+  }
+  state.screenshotWaits = false;
+  takeScreenshot(viewport, state);
 }
 
 // Clicks into the picture, what was asked of the selection, and its line.
@@ -194,11 +222,16 @@ void followFiles(Loop& loop, const Viewport& viewport, Loader& loader) {
 // One turn of the loop. True while the window stays.
 bool turn(Loop& loop, ImGuiSession& imgui, Viewport& viewport, ViewerState& state, Loader& loader) {
   const double seconds = waitForEvents(loop, loader, viewport, state);
+  const Delivery delivery = deliver(loop.input.hands, loop.input.keyboard(), state.keys);
+  loop.input.commands = delivery.commands;
+  if (delivery.handsOver) loop.input.handingOver = settlingFrames;
+  for (const Command command : delivery.commands)
+    if (command == Command::search || command == Command::help) loop.input.textAwaited = settlingFrames;
   const Input input = takeInput(loop.input);
   followFramebuffer(loop.window, state.settings);
   int width = 1, height = 1;
   glfwGetWindowSize(loop.window, &width, &height);
-  const Flight flight{flightDirection(loop) * seconds, isDown(loop.window, GLFW_KEY_LEFT_SHIFT)};
+  const Flight flight{flightDirection(loop, state.keys) * seconds, isDown(loop.window, GLFW_KEY_LEFT_SHIFT)};
   Actions actions = control(input, flight, currentView(viewport, state), height, state);
   const bool wasLoading = loader.running() || viewport.comingUp || viewport.clock.waiting();
   takeLoaded(viewport, state, loader);
@@ -208,7 +241,9 @@ bool turn(Loop& loop, ImGuiSession& imgui, Viewport& viewport, ViewerState& stat
   tellBrowser(loop, state);
   const bool collected = collect(loop.browser);
   if (state.databases.empty() || collected) state.databases = databases(loop.browser);
-  if (input.any || reloaded || collected || flight.rightUpForward != glm::dvec3(0)) loop.framesToDraw = settlingFrames;
+  if (input.any || !delivery.toPanels.empty() || loop.input.keyboard() == Keyboard::awaited || reloaded || collected ||
+      flight.rightUpForward != glm::dvec3(0))
+    loop.framesToDraw = settlingFrames;
   advance(state, seconds);
   if (state.turntable.on) {
     if (const std::optional<scene::View> view = currentView(viewport, state)) freeCamera(state, *view);
@@ -219,15 +254,15 @@ bool turn(Loop& loop, ImGuiSession& imgui, Viewport& viewport, ViewerState& stat
 
   if (followStyle(imgui, state.preferences)) loop.framesToDraw = settlingFrames;
   if (loop.framesToDraw > 0) {
-    ImGui_ImplOpenGL3_NewFrame();
-    ImGui_ImplGlfw_NewFrame();
-    ImGui::NewFrame();
+    beginFrame(imgui, delivery.toPanels);
     PanelResult panel;
     drawBrowser(loop.browser, state, panel);
     drawPanel(state, panel);
-    if (panel.copyCommand)
+    if ((panel.copyCommand || actions.copyCommand) && !state.shown.model.empty())
       copyCommand(options::commandLine(commandSettings(state), state.shown.model, "picture.png"), state);
     applyPanel(panel, viewport, state, loop.input, actions);
+    loop.input.handingOver = std::max(0, loop.input.handingOver - 1);
+    loop.input.textAwaited = ImGui::GetIO().WantTextInput ? 0 : std::max(0, loop.input.textAwaited - 1);
   }
   loop.input.keyboardTaken |= state.searchAsked || loop.browser.focusing > 0;
   if (!actions.model.empty()) {
@@ -246,6 +281,7 @@ bool turn(Loop& loop, ImGuiSession& imgui, Viewport& viewport, ViewerState& stat
   }
   if (updateOutline(viewport, state, imgui.scale)) loop.framesToDraw = std::max(loop.framesToDraw, 1);
   if (actions.screenshot) takeScreenshot(viewport, state);
+  followScreenshot(viewport, state);
   if (loop.framesToDraw > 0) {
     present(loop.window, viewport, state);
     noteGap(loop.load, !state.loading.empty());
@@ -313,10 +349,15 @@ Result<bool> runWindow(const WindowOptions& options) {
   loop.shaders = watchShaders(options.settings.sources.shaderDir);
   listen(loop.window, loop.input);
   ImGuiSession imgui(loop.window, state);
+  listenToHands(loop.window);
   state.settings = options.settings;
   state.playback.playing = !state.settings.placement.animation.empty();
   state.environments = builtinEnvironmentSources();
   state.openGL = openGLText(context->info());
+  if (Result<KeyMap> keys = readKeys(userConfigFolder() / "keys.json"))
+    state.keys = std::move(*keys);
+  else
+    complain(state, keys.error());
   Viewport viewport = createViewport(context->info(), options);
   std::vector<std::string> folders = options.folders;
   for (const std::filesystem::path& folder : io::brdfFolders(state.settings.sources.brdfDir)) folders.push_back(folder);

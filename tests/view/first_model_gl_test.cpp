@@ -118,3 +118,22 @@ TEST_CASE("viewport: an environment that cannot be read at the start leaves the 
   CHECK(viewer.state.status.isError);
   CHECK(viewer.state.status.text.find("cut.hdr") != std::string::npos);
 }
+
+TEST_CASE("viewport: a model's warnings are told, each whole, and no longer counted once another is shown", "[gl]") {
+  const test::TemporaryFolder folder;
+  test::GltfBuilder odd = test::triangle();
+  odd.json["nodes"][0]["rotation"] = {0, 0, 0, 0};
+  odd.append("nodes", {{"rotation", {0, 0, 0, 0}}});
+  test::Viewer viewer;
+  viewer.load(folder.write("odd.glb", odd.glb()));
+  const std::vector<std::string> warnings = viewer.state.shown.warnings;
+  REQUIRE_FALSE(warnings.empty());
+  CHECK_FALSE(viewer.state.status.isError);
+  CHECK(viewer.state.status.text.find(warnings.front()) != std::string::npos);
+  REQUIRE(viewer.state.messages.size() == warnings.size());
+  CHECK(viewer.state.messages.back().text == warnings.back());
+  CHECK_FALSE(view::messageCount(viewer.state.messages).empty());
+  viewer.load("builtin:spheres");
+  CHECK(viewer.state.messages.size() == warnings.size());
+  CHECK(view::messageCount(viewer.state.messages).empty());
+}

@@ -189,6 +189,44 @@ TEST_CASE("refinement: the automatic visibility rests as facet render shows it",
   CHECK((viewer.display().data == renderedWhole("builtin:poster", viewer.state.settings).data));
 }
 
+TEST_CASE("refinement: what the cheap picture is off by is only stated where it outweighs what the gathered one is") {
+  CHECK(view::cheapError(5, {3, 4}) == Approx(4));
+  CHECK(view::cheapError(5, {0, 0}) == 5);
+  CHECK(view::cheapError(5, {3.6, 4}) < 0);
+  CHECK(view::cheapError(5, {6, 8}) < 0);
+  CHECK(view::cheapError(0, {0, 0}) < 0);
+  CHECK(view::cheapError(5, {}) < 0);
+  view::RefinementStatus status{.wanted = 256, .gathered = 4};
+  CHECK(view::refinementText(status) == "4 of 256 samples");
+  status.error = 0.001;
+  CHECK(view::refinementText(status) == "4 of 256 samples, error below 0.01/255");
+  status.error = 0.25;
+  CHECK(view::refinementText(status) == "4 of 256 samples, error about 0.25/255");
+}
+
+TEST_CASE("refinement: every error that is stated on the way is near the true one", "[gl]") {
+  Viewer viewer;
+  viewer.state.settings.quality.visibility = frame::Visibility::none;
+  viewer.load("builtin:marbles");
+  viewer.state.settings.quality.samples = 512;
+  const io::Pixels truth = renderedWhole("builtin:marbles", viewer.state.settings);
+  viewer.state.settings.quality.samples = 32;
+  view::drawViewport(viewer.viewport, viewer.state);
+  int stated = 0;
+  while (view::refining(viewer.viewport, viewer.state)) {
+    view::drawViewport(viewer.viewport, viewer.state);
+    glFinish();
+    const view::RefinementStatus& r = viewer.state.refinement;
+    if (r.error < 0) continue;
+    ++stated;
+    const double error = rmsDifference(viewer.display(), truth);
+    INFO(r.gathered << " samples, " << r.shown << " shown, stated " << r.error << ", true " << error);
+    CHECK(r.error > 0.5 * error);
+    CHECK(r.error < 3 * error);
+  }
+  CHECK(stated > 0);
+}
+
 // The true error is that against 512 samples.
 TEST_CASE("refinement: the error that is stated follows the true one", "[gl]") {
   Viewer viewer;

@@ -147,3 +147,24 @@ TEST_CASE("Presets: a metal brings colour and conductor, a dielectric its index,
   CHECK(view::presetText("diamond").find("2.417") != std::string::npos);
   CHECK(view::presetText("unobtainium").empty());
 }
+
+TEST_CASE("viewer state: messages are kept whole, with their time, and counted while what they are about is shown") {
+  view::ViewerState state;
+  CHECK(view::messageCount(state.messages).empty());
+  view::note(state, "chair.glb: /meshes/0: has no normals.", false);
+  CHECK(view::messageCount(state.messages) == "1 warning");
+  state.status = {"table.glb: no such file.", true};
+  view::noteProblem(state);
+  view::noteProblem(state);  // each frame
+  CHECK(view::messageCount(state.messages) == "1 problem, 1 warning");
+  REQUIRE(state.messages.size() == 2);
+  CHECK(state.messages[1].text == "table.glb: no such file.");
+  CHECK(state.messages[0].time.size() == 8);
+  for (view::Message& message : state.messages) message.past = true;
+  CHECK(view::messageCount(state.messages).empty());
+  view::noteProblem(state);  // again, of what is shown now
+  CHECK(view::messageCount(state.messages) == "1 problem");
+  for (int i = 0; i < 300; ++i) view::note(state, std::to_string(i), true);
+  CHECK(state.messages.size() == 100);
+  CHECK(state.messages.back().text == "299");
+}
