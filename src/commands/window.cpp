@@ -2,11 +2,14 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <fstream>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "base/log.hpp"
 #include "commands/commands.hpp"
 #include "commands/picture_arguments.hpp"
+#include "view/last.hpp"
 
 namespace facet::commands {
 
@@ -15,7 +18,7 @@ namespace {
 struct WindowArguments {
   PictureArguments picture;
   std::vector<std::string> sources;
-  bool noCache = false, glDebug = false;
+  bool noCache = false, glDebug = false, last = false;
 };
 
 // One model at most, any number of folders.
@@ -35,11 +38,35 @@ Result<void> sortSources(const std::vector<std::string>& sources, view::WindowOp
   return {};
 }
 
+// What was shown when the window was closed last.
+Result<void> applyLast(view::WindowOptions& options) {
+  const std::string file = view::lastFile().string();
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return fail(file, "", "is not there yet", "close a window on a model first");
+  const nlohmann::json last = nlohmann::json::parse(stream, nullptr, false);
+  const auto isText = [&](const char* key) { return last.contains(key) && last[key].is_string(); };
+  if (!last.is_object() || !isText("folder") || !isText("model") || !last.contains("picture") ||
+      !last["picture"].is_object())
+    return fail(file, "", "is not what a window has written", "delete it");
+  const std::string folder = last["folder"], model = last["model"];
+  options.model = model.starts_with("builtin:") ? model : (std::filesystem::path(folder) / model).string();
+  return applyObject(last["picture"], {}, folder, file, "/picture", options.settings);
+}
+
 int runViewer(const WindowArguments& arguments) {
   view::WindowOptions options;
   options.settings.frame.width = 1280;
   options.settings.frame.height = 800;
   options.settings.quality.samples = 256;  // a resting picture converges
+  const bool asItWas = arguments.sources.empty() && arguments.picture.empty() && view::startsWithLast();
+  if (arguments.last || asItWas) {
+    view::WindowOptions last = options;
+    Result<void> r = applyLast(last);
+    if (r) r = view::checkStart(last);
+    if (!r && arguments.last) return badInput(r.error());
+    if (r) options = last;
+    if (!r && std::filesystem::exists(view::lastFile())) log::warning(describe(r.error()));
+  }
   if (Result<void> r = options::apply(arguments.picture, options.settings); !r) return badInput(r.error());
   options.sizeGiven = arguments.picture.contains("size");
   if (Result<void> r = sortSources(arguments.sources, options); !r) return badInput(r.error());
@@ -61,6 +88,8 @@ std::function<int()> addWindow(CLI::App& app) {
   app.add_option("model", arguments->sources,
                  "a .gltf or .glb file, or builtin:NAME (builtin:poster); folders are browsed")
       ->type_name("MODEL|FOLDER");
+  app.add_flag("--last", arguments->last,
+               "what was shown when the window was closed last, with its camera and settings");
   app.add_flag("--no-cache", arguments->noCache,
                "neither read nor write the caches of compiled shaders and of light tables");
   app.add_flag("--gl-debug", arguments->glDebug, "log OpenGL's debug messages");

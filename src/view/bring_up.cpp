@@ -8,6 +8,7 @@
 #include "base/log.hpp"
 #include "scene/animation.hpp"
 #include "view/describe.hpp"
+#include "view/playback.hpp"
 
 namespace facet::view {
 
@@ -52,7 +53,7 @@ void move(Viewport& viewport, ViewerState& state, frame::Drawable next) {
 
 // The view of a scene that was not shown before.
 void aim(const Viewport& viewport, ViewerState& state) {
-  const double aspect = frame::aspectOf(state.settings.frame);
+  const double aspect = framingAspect(state);
   frame::Viewpoint& viewpoint = state.settings.viewpoint;
   if (!viewpoint.camera.empty()) {
     state.camera = state.startCamera = scene::frameBounds(state.shown.bounds, state.camera.fovY, aspect);
@@ -104,6 +105,7 @@ void show(Viewport& viewport, ViewerState& state, frame::Drawable next) {
   }
   if (!newScene) return;
   tellNewScene(state, again);
+  if (!again && state.preferences.playOnOpening && state.settings.placement.animation.empty()) togglePlaying(state);
   if (complained) state.status = told;
 }
 

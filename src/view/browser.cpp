@@ -4,11 +4,14 @@
 #include <imgui/imgui_internal.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "base/log.hpp"
 #include "view/layout.hpp"
 #include "view/recent.hpp"
 #include "view/style.hpp"
+#include "view/text_fit.hpp"
+#include "view/widgets.hpp"
 
 namespace facet::view {
 
@@ -57,6 +60,10 @@ bool takeScans(Browser& browser) {
       continue;
     }
     FolderListing listing = scan->get();
+    if (const auto asked = std::ranges::find(browser.dropped, listing.folder); asked != browser.dropped.end()) {
+      browser.dropped.erase(asked);
+      browser.found = listing;
+    }
     log::debug("listed: " + listing.folder.filename().string() + ", " + std::to_string(listing.entries.size()));
     scan = browser.scans.erase(scan);
     const auto old = std::ranges::find(browser.listings, listing.folder, &FolderListing::folder);
@@ -121,7 +128,7 @@ void drawPreview(Drawing& drawing, const Entry& entry, ImVec2 min, float side) {
   const ImVec2 size = ImGui::CalcTextSize(sign);
   const ImU32 color = failed ? warningColor : ImGui::GetColorU32(ImGuiCol_TextDisabled);
   draw.AddText({min.x + (side - size.x) / 2, min.y + (side - size.y) / 2}, color, sign);
-  if (!failed) drawing.wanted.push_back({entry.kind, entry.source});
+  drawing.wanted.push_back({entry.kind, entry.source});  // what has failed: after a while
 }
 
 void drawTooltip(const Drawing& drawing, const Entry& entry) {
@@ -136,16 +143,6 @@ void drawTooltip(const Drawing& drawing, const Entry& entry) {
   }
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
-}
-
-// As many of the innermost folders as have room.
-std::string innermost(const std::string& place, float room) {
-  std::string text = place;
-  for (size_t at = place.find('/'); at != std::string::npos; at = place.find('/', at + 1)) {
-    if (ImGui::CalcTextSize(text.c_str()).x <= room) break;
-    text = "..." + place.substr(at);
-  }
-  return text;
 }
 
 void drawRow(Drawing& drawing, const Entry& entry) {
@@ -163,16 +160,13 @@ void drawRow(Drawing& drawing, const Entry& entry) {
   drawPreview(drawing, entry, {left, min.y + margin}, side);
   const float textLeft = left + side + 3 * margin, line = ImGui::GetTextLineHeight();
   const auto text = [&](float y, const std::string& words, ImGuiCol color) {
-    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(color));
-    ImGui::RenderTextEllipsis(&draw, {textLeft, y}, {max.x - margin, y + line}, max.x - margin, max.x - margin,
-                              words.c_str(), words.c_str() + words.size(), nullptr);
-    ImGui::PopStyleColor();
+    draw.AddText({textLeft, y}, ImGui::GetColorU32(color),
+                 middleCut(words, max.x - margin - textLeft, textWidth).c_str());
   };
   const float top = min.y + (height - 2 * line - margin) / 2;
   text(top, entry.name, ImGuiCol_Text);
   const bool loads = !drawing.state.loading.empty() && sameFile(drawing.state.loading, entry.source);
-  text(top + line + margin, loads ? "loading" : innermost(entry.place, max.x - margin - textLeft),
-       ImGuiCol_TextDisabled);
+  text(top + line + margin, loads ? "loading" : entry.place, ImGuiCol_TextDisabled);
   if (hovered) drawTooltip(drawing, entry);
   ImGui::PopID();
 }
@@ -220,7 +214,7 @@ void drawSection(Drawing& drawing, FileKind kind, const char* title, float heigh
   const std::vector<int>& found = browser.rows[static_cast<size_t>(kind)];
   bool& open = browser.open[static_cast<size_t>(kind)];
   const std::string label = std::string(title) + " (" + std::to_string(found.size()) + ")###" + title;
-  open = ImGui::CollapsingHeader(label.c_str(), ImGuiTreeNodeFlags_DefaultOpen);
+  open = section(drawing.state.layout, label.c_str());
   if (!open) return;
   if (ImGui::BeginChild(title, {0, height})) {
     if (found.empty()) ImGui::TextDisabled("none matches");
@@ -315,10 +309,41 @@ void browseFolder(Browser& browser, const std::string& folder, const ScanLimits&
       }));
 }
 
+void dropFolder(Browser& browser, const std::string& folder) {
+  std::error_code ignored;
+  fs::path path = fs::absolute(folder, ignored).lexically_normal();
+  browser.dropped.push_back(path.has_filename() ? path : path.parent_path());  // as scanFolder has it
+  browser.query[0] = '\0';
+  browseFolder(browser, folder);
+}
+
+std::string takeDropped(Browser& browser, ViewerState& state) {
+  if (!browser.found) return {};
+  const FolderListing listing = *std::exchange(browser.found, {});
+  const auto count = [&](FileKind kind) { return std::ranges::count(listing.entries, kind, &Entry::kind); };
+  const auto words = [](ptrdiff_t n, const char* what) { return std::to_string(n) + " " + what + (n == 1 ? "" : "s"); };
+  const ptrdiff_t models = count(FileKind::model), maps = count(FileKind::environment), brdfs = count(FileKind::brdf);
+  if (listing.entries.empty()) {
+    complain(state, {listing.folder.string(), "",
+                     listing.problem.empty() ? "holds nothing that can be shown" : listing.problem,
+                     "drop one with .gltf, .glb, .hdr, .exr, .binary or .bin files in it"});
+    return {};
+  }
+  say(state, listing.folder.string() + ": " + words(models, "model") + ", " + words(maps, "environment") + ", " +
+                 words(brdfs, "measured BRDF"));
+  browser.cursor = listing.entries.front().source;
+  browser.showCursor = true;
+  const auto only = std::ranges::find(listing.entries, FileKind::model, &Entry::kind);
+  return models == 1 ? only->source : std::string();
+}
+
 void noteOpened(Browser& browser, FileKind kind, const std::string& source) {
   std::error_code problem;
-  const fs::path path = fs::absolute(source, problem).lexically_normal();
-  if (problem || source.starts_with("builtin:") || source == "none") return;
+  const bool file = !source.starts_with("builtin:") && source != "none";
+  const fs::path path = file ? fs::absolute(source, problem).lexically_normal() : fs::path(source);
+  if (problem) return;
+  if (kind == FileKind::model) browser.cursor = path.string(), browser.showCursor = true;
+  if (!file) return;
   noteRecent(recentFile(), path.string());
   const auto listed = [&](const Entry& entry) { return entry.source == path; };
   if (std::ranges::any_of(browser.entries, listed)) return;
@@ -362,7 +387,7 @@ bool collect(Browser& browser) {
 void drawBrowser(Browser& browser, ViewerState& state, PanelResult& result) {
   if (!state.panelVisible || !state.browserVisible) return browser.maker->want({});
   Drawing drawing{browser, state, result, {}};
-  if (beginSide("browser", Side::left, 18, result)) {
+  if (beginSide("browser", Side::left, state, result)) {
     drawSearch(browser, state);
     filter(browser);
     drawSections(drawing);

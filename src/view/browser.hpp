@@ -38,6 +38,8 @@ struct Browser {
   std::optional<std::string> filteredBy;
   std::array<bool, 3> open = {true, true, true};  // sections, last frame
   std::vector<std::future<FolderListing>> scans;
+  std::vector<std::filesystem::path> dropped;  // folders whose scan is waited for
+  std::optional<FolderListing> found;          // of one of them
   std::stop_source stopScans;
   std::function<void()> wake;
 
@@ -57,7 +59,12 @@ void openBrowser(Browser& browser, const std::vector<std::string>& folders, Disk
 
 // Lists all that is in the folder; a folder that is listed already is read anew.
 void browseFolder(Browser& browser, const std::string& folder, const ScanLimits& limits = {});
-// A file that is shown: listed with those beside it, and remembered for the next time.
+// The same of one that was dropped, beside which no search hides anything.
+void dropFolder(Browser& browser, const std::string& folder);
+// Tells what such a folder holds, once it is known; its model where it is the only one, which is to be opened then.
+std::string takeDropped(Browser& browser, ViewerState& state);
+// A file that is shown: listed with those beside it, scrolled into sight where it is a
+// model, and remembered for the next time.
 void noteOpened(Browser& browser, FileKind kind, const std::string& source);
 // The file has changed: its preview is made anew.
 void forgetThumbnail(Browser& browser, const std::string& source);

@@ -44,14 +44,18 @@ void lookFrom(ViewFrom side, const std::optional<scene::View>& view, ViewerState
 
 void frameAll(const std::optional<scene::View>& view, ViewerState& state) {
   if (view) freeCamera(state, *view);
-  state.camera =
-      framedAll(state.camera, state.shown.bounds,
-                static_cast<double>(state.settings.frame.width) / static_cast<double>(state.settings.frame.height));
+  state.camera = framedAll(state.camera, state.shown.bounds, framingAspect(state));
 }
 
+// Shows or hides it; one that is folded is shown.
 void showPart(ViewerState& state, bool& part) {
   part = !part;
   state.panelVisible = true;
+}
+void showSide(ViewerState& state, Side side) {
+  bool& part = side == Side::left ? state.browserVisible : state.settingsVisible;
+  if (!state.panelVisible || !part || state.layout.folded != side) showPart(state, part);
+  if (part) state.layout.last = side;
 }
 
 void take(Command command, const std::optional<scene::View>& view, ViewerState& state, Actions& actions) {
@@ -97,13 +101,14 @@ void take(Command command, const std::optional<scene::View>& view, ViewerState& 
       state.panelVisible = !state.panelVisible;
       return;
     case Command::browser:
-      return showPart(state, state.browserVisible);
+      return showSide(state, Side::left);
     case Command::settings:
-      return showPart(state, state.settingsVisible);
+      return showSide(state, Side::right);
     case Command::timeline:
       return showPart(state, state.timelineVisible);
     case Command::search:
       state.browserVisible = state.panelVisible = state.searchAsked = true;
+      state.layout.last = Side::left;
       return;
     case Command::screenshot:
       actions.screenshot = true;
@@ -139,6 +144,7 @@ void takeFile(const std::string& path, ViewerState& state, Actions& actions) {
     state.settings.sources.environment = path;
   } else if (*kind == FileKind::folder) {
     actions.folders.push_back(path);
+    say(state, "looking through " + path);
     state.browserVisible = state.panelVisible = true;
   } else {
     chooseBrdf(state, path);

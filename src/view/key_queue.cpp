@@ -48,13 +48,16 @@ Delivery deliver(std::vector<HandEvent>& queue, Keyboard keyboard, const KeyMap&
   if (keyboard == Keyboard::awaited) return out;
   std::vector<HandEvent> left;
   std::vector<int> changed;  // keys, in this frame
+  bool pressed = false;      // one of them has been
   bool full = false;         // only what is let go still has room
   const auto has = [](const std::vector<int>& list, int key) { return std::ranges::find(list, key) != list.end(); };
   for (size_t i = 0; i < queue.size(); ++i) {
     const HandEvent& event = queue[i];
     if (event.kind == Kind::release) {
       // The order of one key's events stays.
-      const bool waits = has(changed, event.key) || std::ranges::any_of(left, [&](const HandEvent& e) {
+      // What was held stays held while the frame looks at what was pressed with it.
+      const bool waits = has(changed, event.key) || (isModifier(event.key) && pressed) ||
+                         std::ranges::any_of(left, [&](const HandEvent& e) {
                            return !isButton(e) && e.kind != Kind::character && e.key == event.key;
                          });
       if (waits) {
@@ -88,6 +91,7 @@ Delivery deliver(std::vector<HandEvent>& queue, Keyboard keyboard, const KeyMap&
     const Command command = found.value_or(Command::escape);
     out.toPanels.push_back(event);
     changed.push_back(event.key);
+    pressed = true;
     if (found && (keyboard == Keyboard::window || passesText(command, stroke))) {
       out.commands.push_back(command);
       if (opensText(command)) full = true, i += types ? 1 : 0;  // its own sign is no text

@@ -10,11 +10,9 @@
 
 namespace facet::view {
 
-enum class Side { left, right };
-
-// A window over the whole height at that side, as wide as the user has made it (first: ems font sizes). To be followed
-// by ImGui::End, whatever it returns; result learns what it covers.
-bool beginSide(const char* name, Side side, float ems, PanelResult& result);
+// A window over the whole height at that side, as wide as sideWidths has it, or the strip that it is folded to (false).
+// To be followed by ImGui::End, whatever it returns; result learns what it covers.
+bool beginSide(const char* name, Side side, ViewerState& state, PanelResult& result);
 
 // $XDG_CONFIG_HOME/facet, else ~/.config/facet; empty where neither is known.
 std::filesystem::path userConfigFolder();

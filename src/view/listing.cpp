@@ -44,6 +44,18 @@ std::string placeOf(const fs::path& file, const fs::path& root) {
 
 }  // namespace
 
+std::string fileName(const fs::path& file) {
+  static const std::set<std::string> plain = {"scene", "model",       "index", "untitled",      "mesh",
+                                              "gltf",  "gltf-binary", "glb",   "gltf-embedded", "source"};
+  std::string name = file.filename().string();
+  if (!plain.contains(lower(file.stem().string()))) return name;
+  for (fs::path above = file.parent_path(); !above.filename().empty(); above = above.parent_path()) {
+    name = (above.filename() / name).string();
+    if (!plain.contains(lower(above.filename().string()))) break;
+  }
+  return name;
+}
+
 std::vector<Entry> builtinEntries() {
   std::vector<Entry> entries;
   for (const scene::BuiltinScene& scene : scene::builtinScenes())
@@ -58,7 +70,7 @@ std::vector<Entry> builtinEntries() {
 }
 
 Entry fileEntry(FileKind kind, const fs::path& file) {
-  return {kind, file.string(), file.filename().string(), file.parent_path().filename().string()};
+  return {kind, file.string(), fileName(file), file.parent_path().filename().string()};
 }
 
 FolderListing scanFolder(const fs::path& folder, const ScanLimits& limits, const std::stop_token& stop) {
@@ -87,8 +99,7 @@ FolderListing scanFolder(const fs::path& folder, const ScanLimits& limits, const
     }
     const Result<FileKind> kind = fileKind(it->path().native());
     if (hidden || !kind || !isListed(*it, *kind)) continue;
-    listing.entries.push_back(
-        {*kind, it->path().string(), it->path().filename().string(), placeOf(it->path(), listing.folder)});
+    listing.entries.push_back({*kind, it->path().string(), fileName(it->path()), placeOf(it->path(), listing.folder)});
   }
   std::ranges::sort(listing.entries, {},
                     [](const Entry& entry) { return std::pair(lower(entry.place), lower(entry.name)); });

@@ -43,6 +43,14 @@ struct FolderListing {
 FolderListing scanFolder(const std::filesystem::path& folder, const ScanLimits& limits = {},
                          const std::stop_token& stop = {});
 
+// "chair.glb"; of a name that says nothing ("chair/scene.gltf"), with its folder's, and with that of the folder above
+// where that says nothing either ("chair/glTF/model.gltf").
+std::string fileName(const std::filesystem::path& file);
+
+// "chair.glb"; of a name that says nothing ("chair/scene.gltf"), with its folder's, and with that of the folder above
+// where that says nothing either ("chair/glTF/model.gltf").
+std::string fileName(const std::filesystem::path& file);
+
 // Every word of the query, in any case, is part of the text.
 bool hasWords(std::string_view text, std::string_view query);
 

@@ -179,7 +179,7 @@ void drawPanel(ViewerState& state, PanelResult& result) {
       ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false))
     ImGui::ClosePopupToLevel(ImGui::GetCurrentContext()->OpenPopupStack.Size - 1, true);
   if (state.panelVisible && state.settingsVisible) {
-    if (beginSide("settings", Side::right, panelEms, result)) {
+    if (beginSide("settings", Side::right, state, result)) {
       header(state, result);
       tabs(state, result);
     }

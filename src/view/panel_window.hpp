@@ -12,7 +12,6 @@ namespace facet::view {
 inline constexpr ImGuiWindowFlags fixedWindow = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                                 ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                                                 ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNavFocus;
-inline constexpr float panelEms = 21;  // the settings' width in font sizes, at first
 // Of the status line.
 inline float statusHeight() { return ImGui::GetFrameHeight() + 6; }
 

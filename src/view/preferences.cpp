@@ -10,6 +10,8 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
+constexpr std::pair<const char*, bool Preferences::*> wishes[] = {{"startWithLast", &Preferences::startWithLast},
+                                                                  {"playOnOpening", &Preferences::playOnOpening}};
 constexpr const char* remedy = "correct or delete it";
 
 }  // namespace
@@ -32,6 +34,11 @@ Result<Preferences> readPreferences(const std::filesystem::path& file) {
     const double value = scale->get<double>();
     read.scale = value == 0 ? 0 : static_cast<float>(std::clamp(value, 0.5, 4.0));
   }
+  for (const auto& [key, wish] : wishes)
+    if (const auto value = values.find(key); value != values.end()) {
+      if (!value->is_boolean()) return wrong(key);
+      read.*wish = value->get<bool>();
+    }
   if (const auto size = values.find("size"); size != values.end()) {
     const bool pair = size->is_array() && size->size() == 2 && (*size)[0].is_number() && (*size)[1].is_number();
     if (!pair) return wrong("size");
@@ -43,6 +50,8 @@ Result<Preferences> readPreferences(const std::filesystem::path& file) {
 
 Result<void> writePreferences(const std::filesystem::path& file, const Preferences& preferences) {
   json values = {{"theme", preferences.theme == Theme::light ? "light" : "dark"}, {"scale", preferences.scale}};
+  for (const auto& [key, wish] : wishes)
+    if (preferences.*wish) values[key] = true;
   if (preferences.width > 0) values["size"] = {preferences.width, preferences.height};
   std::error_code ignored;
   std::filesystem::create_directories(file.parent_path(), ignored);

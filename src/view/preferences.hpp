@@ -12,7 +12,8 @@ enum class Theme { dark, light };
 
 struct Preferences {
   Theme theme = Theme::dark;
-  float scale = 0;            // of letters and controls, [0.5, 4]; 0: the monitor's
+  float scale = 0;  // of letters and controls, [0.5, 4]; 0: the monitor's
+  bool startWithLast = false, playOnOpening = false;
   int width = 0, height = 0;  // of the window as it was left; 0: not known
 
   bool operator==(const Preferences&) const = default;

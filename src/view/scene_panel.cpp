@@ -12,6 +12,7 @@
 #include "view/scene_tree.hpp"
 #include "view/statistics_panel.hpp"
 #include "view/style.hpp"
+#include "view/text_fit.hpp"
 #include "view/widgets.hpp"
 
 namespace facet::view {
@@ -60,7 +61,9 @@ void materialLink(ViewerState& state, PanelResult& result, int material) {
     return;
   }
   ImGui::PushID(material);
-  if (ImGui::SmallButton(materialName(model, material).c_str())) chooseMaterial(state, result, material);
+  const float room = ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().FramePadding.x;
+  if (ImGui::SmallButton(middleCut(materialName(model, material), room, textWidth).c_str()))
+    chooseMaterial(state, result, material);
   ImGui::PopID();
   hint("shows the material");
 }
@@ -110,14 +113,15 @@ void nodeRow(ViewerState& state, const TreeRow& row) {
   }
   ImGui::SameLine(0, 0.2f * em);
   ImGui::AlignTextToFramePadding();
-  if (ImGui::Selectable(nodeName(model, row.index).c_str(), state.selection.node == row.index))
-    selectNode(state, row.index);
-  nodeTooltip(model, row.index);
   const std::string kinds = nodeKinds(model.nodes[index]);
-  if (kinds.empty()) return;
-  const float width = ImGui::CalcTextSize(kinds.c_str()).x;
-  const float right = ImGui::GetWindowContentRegionMax().x - width;
-  ImGui::SameLine(right);
+  const float kindsWidth = ImGui::CalcTextSize(kinds.c_str()).x, all = ImGui::GetContentRegionAvail().x;
+  // The kinds yield where there is no room for both.
+  const bool both = !kinds.empty() && all > kindsWidth + 5 * em;
+  const std::string name = middleCut(nodeName(model, row.index), both ? all - kindsWidth - 0.7f * em : all, textWidth);
+  if (ImGui::Selectable((name + "###node").c_str(), state.selection.node == row.index)) selectNode(state, row.index);
+  nodeTooltip(model, row.index);
+  if (!both) return;
+  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - kindsWidth);
   ImGui::TextDisabled("%s", kinds.c_str());
 }
 
@@ -172,7 +176,7 @@ void nodeDetails(ViewerState& state, PanelResult& result) {
   const scene::Model& model = *state.shown.content;
   const int index = state.selection.node;
   const scene::Node& node = model.nodes[static_cast<size_t>(index)];
-  if (!section("Node")) return;
+  if (!section(state.layout, "Node")) return;
   if (!beginDetails("node")) return;
   detail("name", nodeName(model, index));
   if (node.parent >= 0) detail("below", nodeName(model, node.parent));
@@ -199,8 +203,7 @@ void nodeDetails(ViewerState& state, PanelResult& result) {
     std::vector<int> used;
     for (const scene::Primitive& p : mesh.primitives)
       if (std::ranges::find(used, p.material) == used.end() && used.size() < 32) used.push_back(p.material);
-    ImGui::TableNextColumn();
-    ImGui::TextDisabled("%s", used.size() == 1 ? "material" : "materials");
+    detailName(used.size() == 1 ? "material" : "materials");
     ImGui::TableNextColumn();
     for (const int material : used) materialLink(state, result, material);
   }
@@ -220,8 +223,8 @@ void swatch(const char* id, const glm::vec3& linear) {
   ImGui::SameLine();
 }
 
-void pointValues(const Inspection& at, const scene::Model& model) {
-  if (!section("At the point")) return;
+void pointValues(PanelLayout& layout, const Inspection& at, const scene::Model& model) {
+  if (!section(layout, "At the point")) return;
   if (!beginDetails("point")) return;
   const scene::Mesh& mesh = model.meshes[static_cast<size_t>(at.hit.mesh)];
   detail("position", vectorText(at.hit.position, "%.4g  %.4g  %.4g") + " m");
@@ -236,28 +239,25 @@ void pointValues(const Inspection& at, const scene::Model& model) {
     if (!value) continue;
     const shading::ChannelKind kind = shading::channelKind(channel);
     const std::string name(shading::channels[channel].label);
-    ImGui::TableNextColumn();
-    ImGui::TextDisabled("%s", name.c_str());
+    detailName(name);
     ImGui::TableNextColumn();
     if (kind == shading::ChannelKind::color) swatch(name.c_str(), *value);
     const glm::dvec3 v(*value);
-    ImGui::TextUnformatted(kind == shading::ChannelKind::number ? format("%.4f", v.x).c_str()
-                                                                : format("%.3f  %.3f  %.3f", v.x, v.y, v.z).c_str());
+    wrappedText(kind == shading::ChannelKind::number ? format("%.4f", v.x) : format("%.3f  %.3f  %.3f", v.x, v.y, v.z));
   }
   if (at.radiance) {
     const glm::dvec3 v(*at.radiance);
-    ImGui::TableNextColumn();
-    ImGui::TextDisabled("radiance");
+    detailName("radiance");
     hint("what the picture has at this pixel, before exposure and tone mapping; linear Rec. 709");
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(format("%.3g  %.3g  %.3g", v.x, v.y, v.z).c_str());
+    wrappedText(format("%.3g  %.3g  %.3g", v.x, v.y, v.z));
   }
   ImGui::EndTable();
   if (at.nextChannel < shading::channelCount) ImGui::TextDisabled("reading ...");
 }
 
-void materialTable(const ViewerState& state, const std::string& name) {
-  if (!section("Material")) return;
+void materialTable(ViewerState& state, const std::string& name) {
+  if (!section(state.layout, "Material###point's material")) return;
   if (!beginDetails("material")) return;
   detail("name", name);
   for (const Detail& row : state.inspection.materialDetails) detail(row.name, row.value);
@@ -275,7 +275,7 @@ void scenePanel(ViewerState& state, PanelResult& result) {
   treeList(state, result, chosen ? 0.36f * all : std::max(all, 1.0f));
   if (!chosen) return;
   if (ImGui::BeginChild("chosen")) {
-    if (state.inspection.on) pointValues(state.inspection, model);
+    if (state.inspection.on) pointValues(state.layout, state.inspection, model);
     const int material = state.selection.material;
     if (state.inspection.on)
       materialTable(state, state.inspection.materialName);

@@ -84,7 +84,7 @@ void viewButtons(const KeyMap& keys, PanelResult& result) {
 }
 
 void cameraSection(ViewerState& state, PanelResult& result) {
-  if (!section("Camera")) return;
+  if (!section(state.layout, "Camera")) return;
   sceneChoice(state);
   cameraChoice(state, result);
   viewButtons(state.keys, result);
@@ -108,7 +108,7 @@ void cameraSection(ViewerState& state, PanelResult& result) {
 // ---- Environment and lights -----------------------------------------------------------------------------------------
 
 void environmentSection(ViewerState& state) {
-  if (!section("Environment and lights")) return;
+  if (!section(state.layout, "Environment and lights")) return;
   frame::PictureSettings& settings = state.settings;
   const std::string& wanted =
       settings.sources.environment.empty() ? state.shown.environment : settings.sources.environment;
@@ -195,7 +195,7 @@ void presetChoice(MaterialChoice& material) {
 void materialSection(ViewerState& state) {
   MaterialChoice& material = state.settings.look.material;
   MaterialSource source = materialSource(state.settings);
-  if (!section("Material", source != MaterialSource::file || !state.shown.variants.empty())) return;
+  if (!section(state.layout, "Material", source != MaterialSource::file || !state.shown.variants.empty())) return;
   variantChoice(state);
   static constexpr Choice<MaterialSource> sources[] = {
       {MaterialSource::file, "", "the file's", "each surface has the material that the file gives it"},
@@ -235,7 +235,7 @@ void samplesChoice(frame::PictureSettings& settings) {
 }
 
 void pictureSection(ViewerState& state) {
-  if (!section("Picture")) return;
+  if (!section(state.layout, "Picture")) return;
   frame::PictureSettings& settings = state.settings;
   slider("exposure", settings.display.exposureStops, -8, 8, "%+.1f stops", usual.display.exposureStops,
          "each stop doubles the light, before tone mapping");
@@ -259,7 +259,7 @@ void pictureSection(ViewerState& state) {
 }
 
 void modelsSection(ViewerState& state) {
-  if (!section("Models", false)) return;
+  if (!section(state.layout, "Models", false)) return;
   frame::PictureSettings& settings = state.settings;
   diffuseChoice(settings);
   chooseEnum("environment", settings.look.models.imageLight, optics::imageLights, usual.look.models.imageLight,
@@ -287,7 +287,7 @@ void budgetChoice(frame::PictureSettings& settings) {
   if (!settings.quality.maxError) return;
   auto percent = static_cast<float>(100 * *settings.quality.maxError);
   ImGui::SetNextItemWidth(-FLT_MIN);
-  if (ImGui::SliderFloat("##error", &percent, 0.1f, 10, "%.2g %%", ImGuiSliderFlags_Logarithmic))
+  if (numberedSlider("##error", percent, 0.1f, 10, "%.2g %%", ImGuiSliderFlags_Logarithmic))
     settings.quality.maxError = std::clamp(std::round(static_cast<double>(percent) * 100) / 1e4, 1e-4, 1.0);
   hint("root mean square of what one sees, in per cent of white");
 }
@@ -301,7 +301,7 @@ void seedChoice(frame::PictureSettings& settings) {
 }
 
 void accuracySection(ViewerState& state) {
-  if (!section("Accuracy")) return;
+  if (!section(state.layout, "Accuracy")) return;
   budgetChoice(state.settings);
   if (frame::converges(state.settings)) seedChoice(state.settings);
   if (!beginDetails("accuracy")) return;
@@ -331,7 +331,7 @@ void accuracySection(ViewerState& state) {
 // ---- The file, the window -------------------------------------------------------------------------------------------
 
 void animationSection(ViewerState& state) {
-  if (state.shown.animations.empty() || !section("Animation", false)) return;
+  if (state.shown.animations.empty() || !section(state.layout, "Animation", false)) return;
   const AnimationName* current = chosenAnimation(state);
   if (beginList("animation", current ? current->label : "at rest")) {
     if (ImGui::Selectable("at rest", !current)) chooseAnimation(state, "");
@@ -346,11 +346,11 @@ void animationSection(ViewerState& state) {
   ImGui::Checkbox("loop##animation", &state.playback.loop);
 }
 
-void notesSection(const ShownScene& shown) {
+void notesSection(PanelLayout& layout, const ShownScene& shown) {
   if (shown.warnings.empty() && shown.infos.empty()) return;
   const size_t count = shown.warnings.size() + shown.infos.size();
   const std::string title = "Notes (" + std::to_string(count) + ")###notes";
-  if (!section(title.c_str(), !shown.warnings.empty())) return;
+  if (!section(layout, title.c_str(), !shown.warnings.empty())) return;
   const auto list = [](const std::vector<std::string>& lines, ImU32 color) {
     ImGui::PushStyleColor(ImGuiCol_Text, color);
     for (const std::string& line : lines) ImGui::TextWrapped("%s", line.c_str());
@@ -361,7 +361,7 @@ void notesSection(const ShownScene& shown) {
 }
 
 void windowSection(ViewerState& state) {
-  if (!section("Window", false)) return;
+  if (!section(state.layout, "Window", false)) return;
   static constexpr Choice<Theme> themes[] = {{Theme::dark, "", "dark"}, {Theme::light, "", "light"}};
   chooseEnum("theme", state.preferences.theme, themes, Theme::dark, "of the panels; the picture stays as it is");
   static constexpr float scales[] = {0, 0.75f, 1, 1.25f, 1.5f, 1.75f, 2, 2.5f, 3, 4};
@@ -376,6 +376,15 @@ void windowSection(ViewerState& state) {
     if (resetAsked()) state.preferences.scale = 0;
     hint("of letters and controls\nright click: reset");
   }
+  ImGui::Checkbox("play animations on opening", &state.preferences.playOnOpening);
+  hint("the first one of a model, as soon as it is shown");
+  ImGui::Checkbox("start with what was shown last", &state.preferences.startWithLast);
+  hint("where facet is started without a model; --last does it once");
+  if (ImGui::Button("reset layout")) {
+    state.layout = {};
+    state.browserVisible = state.settingsVisible = state.timelineVisible = true;
+  }
+  hint("widths of the panels, what of them is hidden or folded");
 }
 
 }  // namespace
@@ -394,7 +403,7 @@ void settingsPanel(ViewerState& state, PanelResult& result) {
   modelsSection(state);
   accuracySection(state);
   animationSection(state);
-  notesSection(state.shown);
+  notesSection(state.layout, state.shown);
   statisticsSection(state);
   windowSection(state);
   ImGui::PopItemWidth();

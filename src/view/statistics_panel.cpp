@@ -4,6 +4,8 @@
 
 #include <cstdio>
 
+#include "view/widgets.hpp"
+
 namespace facet::view {
 
 namespace {
@@ -50,8 +52,8 @@ std::string byteText(uint64_t bytes) {
   return text;
 }
 
-void statisticsSection(const ViewerState& state) {
-  if (!ImGui::CollapsingHeader("Statistics", ImGuiTreeNodeFlags_DefaultOpen)) return;
+void statisticsSection(ViewerState& state) {
+  if (!section(state.layout, "Statistics")) return;
   if (!ImGui::BeginTable("statistics", 2)) return;
   ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed);
   ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);

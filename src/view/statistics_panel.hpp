@@ -7,7 +7,7 @@
 namespace facet::view {
 
 // What the last frame took, within the panel's window.
-void statisticsSection(const ViewerState& state);
+void statisticsSection(ViewerState& state);
 
 // "3.25 ms", "568 ms".
 std::string milliseconds(double ms);

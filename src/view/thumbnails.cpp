@@ -140,8 +140,9 @@ DiskCache thumbnailCache() {
   return {folder.empty() ? folder : folder / "thumbnails", uintmax_t{64} << 20};
 }
 
-ThumbnailMaker::ThumbnailMaker(fs::path program, DiskCache cache, std::function<void()> made)
-    : program_(std::move(program)), cache_(std::move(cache)), made_(std::move(made)) {
+ThumbnailMaker::ThumbnailMaker(fs::path program, DiskCache cache, std::function<void()> made,
+                               std::chrono::milliseconds retry)
+    : program_(std::move(program)), cache_(std::move(cache)), made_(std::move(made)), retry_(retry) {
   thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
 }
 
@@ -180,15 +181,20 @@ void ThumbnailMaker::work(const std::stop_token& stop) {
     lock.unlock();
     const std::string key = thumbnailKey(request);
     lock.lock();
-    if (begun_.insert(key).second) {
+    using Clock = std::chrono::steady_clock;
+    const auto begun = begun_.find(key);
+    const bool due = begun == begun_.end() || begun->second <= Clock::now();
+    if (due) {
+      begun_[key] = Clock::time_point::max();
       lock.unlock();
       Result<io::Pixels> pixels = make(request, key, stop);
       lock.lock();
+      if (!pixels) begun_[key] = Clock::now() + retry_;
       done_.push_back({request.source, std::move(pixels)});
     }
     working_ = false;
     if (stop.stop_requested()) return;
-    made_();
+    if (due) made_();
   }
 }
 

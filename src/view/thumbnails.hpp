@@ -7,8 +7,8 @@
 #include <deque>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <mutex>
-#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -44,7 +44,9 @@ DiskCache thumbnailCache();  // of the user; 64 MB
 class ThumbnailMaker {
  public:
   // program: its executable. made: called from another thread whenever there is something to take.
-  ThumbnailMaker(std::filesystem::path program, DiskCache cache, std::function<void()> made);
+  // retry: what has failed and is still wanted is tried again after that time.
+  ThumbnailMaker(std::filesystem::path program, DiskCache cache, std::function<void()> made,
+                 std::chrono::milliseconds retry = std::chrono::seconds(30));
   ~ThumbnailMaker();  // ends the process that runs
 
   // In this order, in place of those that still wait. What is being made or was made is not made again, unless the file
@@ -64,7 +66,9 @@ class ThumbnailMaker {
   std::mutex mutex_;
   std::condition_variable_any wake_;
   std::deque<ThumbnailRequest> wanted_;
-  std::set<std::string> begun_;  // keys
+  std::chrono::milliseconds retry_;
+  // By key: when it may be tried again, if ever.
+  std::map<std::string, std::chrono::steady_clock::time_point> begun_;
   std::vector<ThumbnailMade> done_;
   bool working_ = false;
   std::jthread thread_;  // last: ends first

@@ -139,6 +139,13 @@ Result<scene::View> viewOf(const ViewerState& state, const scene::Model& model, 
   return scene::orbitView(state.camera, aspect, list.bounds);
 }
 
+double framingAspect(const ViewerState& state) {
+  constexpr double leastShare = 0.3;  // else it would be seen from far off for the sake of a panel
+  const double width = state.settings.frame.width;
+  const double seen = width - 2 * std::max(state.coveredLeft, state.coveredRight);
+  return std::max(seen, leastShare * width) / state.settings.frame.height;
+}
+
 void freeCamera(ViewerState& state, const scene::View& view) {
   if (state.settings.viewpoint.camera.empty()) return;
   state.settings.viewpoint.camera.clear();

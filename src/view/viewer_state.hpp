@@ -20,6 +20,7 @@
 #include "shading/features.hpp"
 #include "view/keys.hpp"
 #include "view/listing.hpp"
+#include "view/panel_layout.hpp"
 #include "view/preferences.hpp"
 #include "view/scene_tree.hpp"
 
@@ -149,6 +150,8 @@ struct ViewerState {
   SceneTree tree;
   Preferences preferences;
   KeyMap keys = usualKeys();
+  PanelLayout layout;
+  double coveredLeft = 0, coveredRight = 0;  // by panels, of the picture [pixels]
   Inspection inspection;
   std::vector<std::string> environments;  // that are offered: the built-in ones, those that were given, "none"
   std::vector<Entry> databases;           // of measured BRDFs, as the browser has found them
@@ -202,6 +205,9 @@ frame::PictureSettings commandSettings(const ViewerState& state);
 
 // Errors: the settings name a camera that the scene doesn't have.
 Result<scene::View> viewOf(const ViewerState& state, const scene::Model& model, const frame::DrawList& list);
+
+// Width over height of what a view of everything should fit into: as much of the picture's middle as no panel covers.
+double framingAspect(const ViewerState& state);
 
 // Leaves the file's camera for an orbit around the same view; nothing changes where there is none.
 void freeCamera(ViewerState& state, const scene::View& view);

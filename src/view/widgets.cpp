@@ -1,13 +1,26 @@
 #include "view/widgets.hpp"
 
+#include <imgui/imgui_internal.h>
+
+#include <algorithm>
+#include <cstdio>
 #include <cstring>
 
 #include "base/srgb.hpp"
+#include "view/listing.hpp"
+#include "view/text_fit.hpp"
 
 namespace facet::view {
 
-bool section(const char* name, bool open) {
-  return ImGui::CollapsingHeader(name, open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+bool section(PanelLayout& layout, const char* name, bool open) {
+  const std::string_view whole = name;
+  const size_t mark = whole.find("###");
+  const std::string key(mark == std::string_view::npos ? whole : whole.substr(mark + 3));
+  const auto known = layout.sections.find(key);
+  if (known != layout.sections.end()) ImGui::SetNextItemOpen(known->second);
+  const bool isOpen = ImGui::CollapsingHeader(name, open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+  if (ImGui::IsItemToggledOpen()) layout.sections[key] = isOpen;
+  return isOpen;
 }
 
 void hint(const std::string& text) {
@@ -27,9 +40,44 @@ void resettableHint(const char* explanation) {
 
 bool resetAsked() { return ImGui::IsItemHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Right); }
 
+bool numberedSlider(const char* label, float& value, float low, float high, const char* format,
+                    ImGuiSliderFlags flags) {
+  const auto text = [&](float number) {
+    char out[64];
+    std::snprintf(out, sizeof out, format, static_cast<double>(number));
+    return std::string(out);
+  };
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x, em = ImGui::GetFontSize(), width = ImGui::CalcItemWidth();
+  const float number =
+      std::max({2.6f * em, ImGui::CalcTextSize(text(low).c_str()).x, ImGui::CalcTextSize(text(high).c_str()).x,
+                ImGui::CalcTextSize(text(value).c_str()).x});
+  ImGui::BeginGroup();
+  ImGui::PushID(label);
+  const bool typing = ImGui::TempInputIsActive(ImGui::GetID("##slider"));
+  ImGui::SetNextItemWidth(std::max(2 * em, width - number - gap));
+  const float left = ImGui::GetCursorPosX();
+  // The format rounds; what it writes is written beside.
+  if (!typing) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0, 0, 0, 0));
+  const bool changed = ImGui::SliderFloat("##slider", &value, low, high, format, flags | ImGuiSliderFlags_AlwaysClamp);
+  if (!typing) ImGui::PopStyleColor();
+  const std::string written = text(value);
+  const float end = left + std::max(width, 2 * em + gap + number);
+  ImGui::SameLine(0, 0);
+  ImGui::SetCursorPosX(end - ImGui::CalcTextSize(written.c_str()).x);
+  ImGui::TextUnformatted(written.c_str());
+  const std::string_view shown = std::string_view(label).substr(0, std::string_view(label).find("##"));
+  if (!shown.empty()) {
+    ImGui::SameLine(0, gap);
+    ImGui::TextUnformatted(shown.data(), shown.data() + shown.size());
+  }
+  ImGui::PopID();
+  ImGui::EndGroup();
+  return changed;
+}
+
 bool slider(const char* label, float& value, float low, float high, const char* format, float usual,
             const char* explanation, ImGuiSliderFlags flags) {
-  bool changed = ImGui::SliderFloat(label, &value, low, high, format, flags | ImGuiSliderFlags_AlwaysClamp);
+  bool changed = numberedSlider(label, value, low, high, format, flags);
   if (resetAsked()) value = usual, changed = true;
   resettableHint(explanation);
   return changed;
@@ -63,17 +111,32 @@ bool beginDetails(const char* id) {
   return true;
 }
 
+float textWidth(std::string_view text) { return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x; }
+
+void wrappedText(const std::string& text) {
+  ImGui::BeginGroup();
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 0});
+  for (const std::string& line : wrapped(text, ImGui::GetContentRegionAvail().x, textWidth))
+    ImGui::TextUnformatted(line.data(), line.data() + line.size());
+  ImGui::PopStyleVar();
+  ImGui::EndGroup();
+}
+
+void detailName(const std::string& name) {
+  ImGui::TableNextColumn();
+  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+  wrappedText(name);
+  ImGui::PopStyleColor();
+}
+
 void detail(const std::string& name, const std::string& value) {
+  detailName(name);
   ImGui::TableNextColumn();
-  ImGui::TextDisabled("%s", name.c_str());
-  if (ImGui::CalcTextSize(name.c_str()).x > 7.5f * ImGui::GetFontSize()) hint(name);
-  ImGui::TableNextColumn();
-  ImGui::TextWrapped("%s", value.c_str());
+  wrappedText(value);
 }
 
 std::string shortName(const std::string& source) {
-  if (source.starts_with("builtin:")) return source.substr(8);
-  return source.substr(source.find_last_of('/') + 1);
+  return source.starts_with("builtin:") ? source.substr(8) : fileName(source);
 }
 
 }  // namespace facet::view

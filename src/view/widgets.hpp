@@ -8,17 +8,23 @@
 #include <string>
 
 #include "base/choice.hpp"
+#include "view/panel_layout.hpp"
 
 namespace facet::view {
 
-// A header that opens and closes.
-bool section(const char* name, bool open = true);
+// A header that opens and closes, which the layout remembers once it has been clicked. open: until then. What is before
+// "###" in its name may change.
+bool section(PanelLayout& layout, const char* name, bool open = true);
 
 // A tooltip on the last item, wrapped; at once, or where the pointer rests.
 void hint(const std::string& text);
 
 // The right mouse button on the last item: what it shows goes back to what it was made for. True where it did.
 bool resetAsked();
+
+// Its number stands beside it, where its grab does not cover it. One item for hint() and resetAsked().
+bool numberedSlider(const char* label, float& value, float low, float high, const char* format,
+                    ImGuiSliderFlags flags = 0);
 
 // With `usual`: a right click returns to it, and the tooltip says so.
 bool slider(const char* label, float& value, float low, float high, const char* format, float usual,
@@ -63,11 +69,16 @@ bool chooseEnum(const char* label, Enum& value, const Choice<Enum> (&rows)[count
   return changed;
 }
 
+float textWidth(std::string_view text);
+// Text in the room that is left in the line, wrapped between words and numbers.
+void wrappedText(const std::string& text);
+
 // A table of names and values; the names' column as wide as it must be.
 bool beginDetails(const char* id);
 void detail(const std::string& name, const std::string& value);
+void detailName(const std::string& name);  // of a value that is no text
 
-// "models/chair.glb" as "chair.glb", "builtin:poster" as "poster".
+// "models/chair.glb" as "chair.glb", "builtin:poster" as "poster", "chair/scene.gltf" as it is (listing.hpp).
 std::string shortName(const std::string& source);
 
 }  // namespace facet::view

@@ -22,6 +22,7 @@
 #include "view/imgui_session.hpp"
 #include "view/input.hpp"
 #include "view/inspector.hpp"
+#include "view/last.hpp"
 #include "view/layout.hpp"
 #include "view/load_time.hpp"
 #include "view/panel.hpp"
@@ -62,6 +63,16 @@ void keepPreferences(const ViewerState& state, const Preferences& before) {
   const std::filesystem::path file = preferencesFile();
   if (file.empty() || state.preferences == before) return;
   if (const Result<void> written = writePreferences(file, state.preferences); !written)
+    log::warning(describe(written.error()));
+}
+
+// With which the next start may begin; the quality that was asked for, not what of it rests.
+void keepLast(const ViewerState& state) {
+  const std::filesystem::path file = lastFile();
+  if (file.empty() || state.shown.model.empty()) return;
+  frame::PictureSettings settings = commandSettings(state);
+  settings.quality = state.settings.quality;
+  if (const Result<void> written = writeLast(file, state.shown.model, settings); !written)
     log::warning(describe(written.error()));
 }
 
@@ -117,18 +128,19 @@ void copyCommand(const std::string& command, ViewerState& state) {
 
 void applyPanel(const PanelResult& panel, Viewport& viewport, ViewerState& state, Input& input, Actions& actions) {
   const std::optional<scene::View> view = currentView(viewport, state);
-  const double aspect = static_cast<double>(state.settings.frame.width) / state.settings.frame.height;
   if ((panel.leaveFileCamera || panel.frameAll) && view) freeCamera(state, *view);
   if (panel.viewFrom && view) freeCamera(state, *view), state.camera = seenFrom(state.camera, *panel.viewFrom);
   if (panel.describeMaterial && viewport.scene)
     state.inspection.materialDetails = materialDetails(viewport, state.selection.material);
   actions.frameSelection |= panel.frameSelection;
-  if (panel.frameAll) state.camera = framedAll(state.camera, state.shown.bounds, aspect);
+  if (panel.frameAll) state.camera = framedAll(state.camera, state.shown.bounds, framingAspect(state));
   if (panel.resetCamera) state.settings.viewpoint.camera.clear(), state.camera = state.startCamera;
   actions.screenshot |= panel.screenshot;
   if (!panel.model.empty()) actions.model = panel.model;
   input.panels = panel.areas;
   const ImGuiIO& io = ImGui::GetIO();
+  const double scale = state.settings.frame.width / std::max(1.0, static_cast<double>(io.DisplaySize.x));
+  state.coveredLeft = panel.left * scale, state.coveredRight = panel.right * scale;
   input.mouseTaken = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   input.keyboardTaken = io.WantTextInput || io.WantCaptureKeyboard || input.mouseTaken;
 }
@@ -192,8 +204,7 @@ void followSelection(Loop& loop, const Input& input, const Actions& actions, Vie
     const std::optional<scene::View> view = currentView(viewport, state);
     if (view && !bounds.empty()) {
       freeCamera(state, *view);
-      state.camera = framedAll(state.camera, bounds,
-                               static_cast<double>(state.settings.frame.width) / state.settings.frame.height);
+      state.camera = framedAll(state.camera, bounds, framingAspect(state));
     }
   }
   const int before = state.inspection.nextChannel;
@@ -240,6 +251,7 @@ bool turn(Loop& loop, ImGuiSession& imgui, Viewport& viewport, ViewerState& stat
   followFiles(loop, viewport, loader);
   tellBrowser(loop, state);
   const bool collected = collect(loop.browser);
+  if (const std::string only = takeDropped(loop.browser, state); !only.empty()) actions.model = only;
   if (state.databases.empty() || collected) state.databases = databases(loop.browser);
   if (input.any || !delivery.toPanels.empty() || loop.input.keyboard() == Keyboard::awaited || reloaded || collected ||
       flight.rightUpForward != glm::dvec3(0))
@@ -270,7 +282,7 @@ bool turn(Loop& loop, ImGuiSession& imgui, Viewport& viewport, ViewerState& stat
     startModel(loader, loop.model = actions.model);
   }
   if (actions.cancel) cancelLoading(viewport, state, loader);
-  for (const std::string& folder : actions.folders) browseFolder(loop.browser, folder);
+  for (const std::string& folder : actions.folders) dropFolder(loop.browser, folder);
   if (bringUp(viewport, state, loader)) loop.framesToDraw = settlingFrames + 1;
   nameWhatLoads(loader, viewport, loop.model, state);
   followSelection(loop, input, actions, viewport, state);
@@ -371,6 +383,7 @@ Result<bool> runWindow(const WindowOptions& options) {
   }
   if (!options.sizeGiven) glfwGetWindowSize(loop.window, &state.preferences.width, &state.preferences.height);
   keepPreferences(state, before);
+  keepLast(state);
   glfwHideWindow(loop.window);
   return viewport.scene || !state.modelFailed;
 }

@@ -137,3 +137,34 @@ TEST_CASE("viewport: a model's warnings are told, each whole, and no longer coun
   CHECK(viewer.state.messages.size() == warnings.size());
   CHECK(view::messageCount(viewer.state.messages).empty());
 }
+
+TEST_CASE("viewport: on wish, a model's first animation plays as soon as it is shown", "[gl]") {
+  const test::TemporaryFolder folder;
+  test::GltfBuilder moving = test::triangle();
+  const std::vector<float> times = {0, 1}, heights = {0, 0, 0, 0, 1, 0};
+  const int input = moving.add(times, test::floatType, "SCALAR"), output = moving.add(heights, test::floatType, "VEC3");
+  moving.append("animations", {{"name", "rise"},
+                               {"samplers", {{{"input", input}, {"output", output}}}},
+                               {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}}});
+  const std::string file = folder.write("moving.glb", moving.glb());
+  for (const bool wish : {false, true}) {
+    test::Viewer viewer;
+    viewer.state.preferences.playOnOpening = wish;
+    viewer.load(file);
+    CHECK(viewer.state.playback.playing == wish);
+    CHECK(viewer.state.settings.placement.animation == (wish ? "rise" : ""));
+    viewer.load("builtin:spheres");
+    CHECK_FALSE(viewer.state.playback.playing);
+  }
+}
+
+TEST_CASE("viewport: a new model is framed beside the panels", "[gl]") {
+  test::Viewer viewer;
+  viewer.load("builtin:spheres");
+  const double whole = viewer.state.camera.radius;
+  viewer.state.coveredRight = 0.4 * viewer.state.settings.frame.width;
+  viewer.load("builtin:poster");
+  viewer.load("builtin:spheres");
+  CHECK(viewer.state.camera.radius == Approx(whole / (0.3 * 64 / 48)));
+  CHECK(viewer.state.camera == viewer.state.startCamera);
+}

@@ -64,6 +64,16 @@ TEST_CASE("key queue: a tap that is over before a frame looks is there for two f
   CHECK(frames == "[+Down][-Down][+Down][-Down]");
 }
 
+TEST_CASE("key queue: what is held is held as long as a frame needs to see what is pressed with it") {
+  std::vector<HandEvent> queue = {key(Kind::press, GLFW_KEY_LEFT_CONTROL)};
+  view::deliver(queue, Keyboard::panels, view::usualKeys());
+  tap(queue, GLFW_KEY_A, GLFW_MOD_CONTROL);
+  queue.push_back(key(Kind::release, GLFW_KEY_LEFT_CONTROL));
+  const auto first = view::deliver(queue, Keyboard::panels, view::usualKeys()).toPanels;
+  CHECK(text(first) == "+A");
+  CHECK(view::deliver(queue, Keyboard::panels, view::usualKeys()).toPanels.size() == 2);
+}
+
 TEST_CASE("key queue: text keeps its order") {
   std::vector<HandEvent> queue;
   for (const int code : {GLFW_KEY_A, GLFW_KEY_B, GLFW_KEY_ENTER, GLFW_KEY_C}) tap(queue, code);

@@ -96,3 +96,12 @@ TEST_CASE("listing: the search takes every word, in any case, from name and plac
   REQUIRE(brdfs.size() == 1);
   CHECK(builtin[static_cast<size_t>(brdfs[0])].source == "builtin:utia-brushed");
 }
+
+TEST_CASE("listing: a name that says nothing comes with its folder's") {
+  CHECK(view::fileName("/models/chair.glb") == "chair.glb");
+  CHECK(view::fileName("/models/chair/scene.gltf") == "chair/scene.gltf");
+  CHECK(view::fileName("/models/chair/glTF/Model.gltf") == "chair/glTF/Model.gltf");
+  CHECK(view::fileName("scene.gltf") == "scene.gltf");
+  CHECK(view::fileName("/scene.gltf") == "scene.gltf");
+  CHECK(view::fileEntry(FileKind::model, "/models/chair/scene.gltf").name == "chair/scene.gltf");
+}

@@ -99,7 +99,7 @@ TEST_CASE("thumbnails: made once, then read from the disk, a changed file is mad
   CHECK(kept->pixels);
 }
 
-TEST_CASE("thumbnails: why one could not be made is told, and it is not tried again") {
+TEST_CASE("thumbnails: why one could not be made is told, and it is tried again after a while") {
   const test::TemporaryFolder folder;
   const std::string source = folder.write("a.glb", std::string("1"));
   const std::string fails = program(folder, "fails", "echo 'facet: error: a.glb: is broken.' >&2; exit 2");
@@ -112,6 +112,14 @@ TEST_CASE("thumbnails: why one could not be made is told, and it is not tried ag
   maker.want({{FileKind::model, source}});
   std::this_thread::sleep_for(50ms);
   CHECK(runs(folder) == 1);
+  view::ThumbnailMaker soon(
+      fails, {}, [] {}, 1ms);
+  for (size_t run = 2; run < 4; ++run) {
+    soon.want({{FileKind::model, source}});
+    REQUIRE(await(soon));
+    CHECK(runs(folder) == run);
+    std::this_thread::sleep_for(5ms);
+  }
 
   view::ThumbnailMaker missing(folder.file("missing"), {}, [] {});
   missing.want({{FileKind::model, source}});

@@ -168,3 +168,14 @@ TEST_CASE("viewer state: messages are kept whole, with their time, and counted w
   CHECK(state.messages.size() == 100);
   CHECK(state.messages.back().text == "299");
 }
+
+TEST_CASE("viewer state: a view of everything fits into what no panel covers, the picture's middle in the middle") {
+  view::ViewerState state;
+  state.settings.frame.width = 1280;
+  state.settings.frame.height = 800;
+  CHECK(view::framingAspect(state) == Approx(1.6));
+  state.coveredLeft = 252, state.coveredRight = 294;
+  CHECK(view::framingAspect(state) == Approx((1280 - 2 * 294) / 800.0));
+  state.coveredLeft = 900;
+  CHECK(view::framingAspect(state) == Approx(0.3 * 1.6));
+}

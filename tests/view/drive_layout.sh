@@ -1,0 +1,87 @@
+#!/bin/bash
+# Panels in narrow windows and after them, folded sections, what is framed beside the panels, what comes back at the next
+# start: in the window itself.
+. "$(dirname "$0")/window_driver.sh"
+start_server 1280x800
+layout=$XDG_CONFIG_HOME/facet/imgui.ini
+
+# A window that was narrow once leaves the panels as wide as they were; a folded section stays folded.
+start builtin:spheres --size 1280x800 --samples 1
+await "frame drawn: builtin:spheres, builtin:studio$" 1
+find_window
+sleep 0.5
+for size in "640 480" "300 300" "160 120" "640 480" "1280 800" "400 800" "1280 300" "1280 800"; do
+  xdotool windowsize --sync "$window" $size
+  sleep 0.4
+done
+await "frame drawn" 3
+xdotool mousemove --window "$window" 1100 96 click 1 # the header "Camera"
+sleep 0.5
+quit
+grep -q "^left=18.00$" "$layout" && grep -q "^right=21.00$" "$layout" || fail "other widths: $(cat "$layout")"
+grep -q "^section=0 Camera$" "$layout" || fail "no folded section: $(cat "$layout")"
+start builtin:spheres --size 1280x800 --samples 1
+await "frame drawn: builtin:spheres, builtin:studio$" 1
+find_window
+sleep 0.5
+xdotool mousemove --window "$window" 1100 96 click 1
+sleep 0.5
+# What is dragged is wished.
+xdotool mousemove --window "$window" 251 400 mousedown 1
+sleep 0.2
+xdotool mousemove --window "$window" 350 400
+sleep 0.2
+xdotool mouseup 1
+sleep 0.3
+quit
+grep -q "^section=1 Camera$" "$layout" || fail "the section was not folded: $(cat "$layout")"
+grep -q "^left=2[45]" "$layout" || fail "the dragged width is forgotten: $(cat "$layout")"
+rm "$layout"
+
+# All of a new model is beside the panels: nothing of a wide one is below them.
+cat >wide.gltf <<'END'
+{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"scale":[8,1,1]}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0},"material":0}]}],"materials":[{"extensions":{"KHR_materials_unlit":{}},"doubleSided":true}],"extensionsUsed":["KHR_materials_unlit"],
+"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":3,"min":[0,0,0],"max":[1,1,0]}],
+"bufferViews":[{"buffer":0,"byteLength":36}],
+"buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]}
+END
+start wide.gltf --env none --size 1280x800 --samples 1
+await "frame drawn: wide.gltf, none" 1
+find_window
+sleep 0.5
+xdotool key ctrl+c
+await "copied: facet render wide.gltf" 1
+# radius, of half the width 4.03: tan 22.5 x (1280 - 2 x 294) / 800 is 0.358, its sine 0.337
+radius=$(sed -n 's/.*copied: .*--orbit [^,]*,[^,]*,\([0-9.]*\).*/\1/p' log)
+awk -v r="${radius:-0}" 'BEGIN { exit !(r > 11.5 && r < 13) }' || fail "framed from $radius"
+
+# What was shown comes back: camera, environment, model.
+xdotool mousemove --window "$window" 640 400 mousedown 1 mousemove_relative 60 20 mouseup 1
+xdotool key e
+await "environment: builtin:studio" 1
+sleep 0.3
+screenshot left
+quit
+start --last --size 1280x800
+await "frame drawn: .*wide.gltf, builtin:studio$" 1
+find_window
+sleep 0.5
+screenshot back
+same left back
+quit
+mkdir -p "$XDG_CONFIG_HOME/facet"
+echo '{"startWithLast": true}' >"$XDG_CONFIG_HOME/facet/settings.json"
+start
+await "frame drawn: .*wide.gltf, builtin:studio$" 1
+find_window
+sleep 0.3
+quit
+rm wide.gltf # what is gone is told, and the window comes all the same
+start
+await "warning: .*wide.gltf: " 1
+await "frame drawn: builtin:poster" 1
+find_window
+sleep 0.3
+quit
+echo "passed"
