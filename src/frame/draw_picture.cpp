@@ -194,28 +194,51 @@ Targets createTargets(const PictureSettings& settings, const gl::ContextInfo& co
                        gather ? 1 : std::min(settings.quality.samples, context.maxSamples), gather, precise);
 }
 
+SlicedPicture beginSlices(const FrameInput& in, const gl::ContextInfo& context, bool inBands) {
+  SlicedPicture out;
+  const int height = in.settings.frame.height;
+  out.bandRows =
+      inBands && !gathers(in.settings) ? std::min(height, bandRows(in.settings, in.list, context, false)) : height;
+  if (out.bandRows == height) return out;
+  out.band = createTargets(in.settings, context, out.bandRows);
+  prepareBehind(out.band, in.list);
+  prepareComparison(out.band, in.list);
+  return out;
+}
+
+Result<bool> drawSlice(FrameInput in, const Targets& targets, SlicedPicture& picture, int64_t rows,
+                       shading::ProgramStore& programs) {
+  const FrameSettings& frame = in.settings.frame;
+  in.firstRow = picture.firstRow;
+  const Targets& drawn = picture.band.color ? picture.band : targets;
+  if (!picture.gathering) picture.gathering = beginGathering(in, drawn);
+  Gathering& gathering = *picture.gathering;
+  if (Result<void> r = gatherRows(in, drawn, gathering, rows, programs); !r) return tl::unexpected(r.error());
+  if (!gathering.complete()) return false;
+  if (Result<void> r = drawDisplay(in, drawn, gathering, drawn, programs); !r) return tl::unexpected(r.error());
+  const auto copy = [&](const gl::Texture& from, const gl::Texture& to) {
+    if (from)
+      glCopyImageSubData(from.id(), GL_TEXTURE_2D, 0, 0, 0, 0, to.id(), GL_TEXTURE_2D, 0, 0, in.firstRow, 0,
+                         frame.width, std::min(picture.bandRows, frame.height - in.firstRow), 1);
+  };
+  copy(picture.band.color, targets.color);
+  copy(picture.band.fitted, targets.fitted);
+  copy(picture.band.display, targets.display);
+  gathering.statistics.passes.emplace_back("display");
+  add(picture.statistics, std::move(gathering.statistics));
+  picture.gathering.reset();
+  picture.firstRow += picture.bandRows;
+  return picture.firstRow >= frame.height;
+}
+
 Result<FrameStatistics> drawInBands(const FrameInput& in, const Targets& targets, shading::ProgramStore& programs,
                                     const gl::ContextInfo& context) {
-  const PictureSettings& settings = in.settings;
-  const int rows = bandRows(settings, in.list, context, false);
-  if (gathers(settings) || rows >= settings.frame.height) return drawFrame(in, targets, programs);
-  Targets band = createTargets(settings, context, rows);
-  prepareBehind(band, in.list);
-  prepareComparison(band, in.list);
-  Result<DrawnFrame> drawn = drawBands(in, band, programs, context, [&](const FrameInput& at) -> Result<void> {
-    const int kept = std::min(rows, settings.frame.height - at.firstRow);
-    const auto copy = [&](const gl::Texture& from, const gl::Texture& to) {
-      if (from)
-        glCopyImageSubData(from.id(), GL_TEXTURE_2D, 0, 0, 0, 0, to.id(), GL_TEXTURE_2D, 0, 0, at.firstRow, 0,
-                           settings.frame.width, kept, 1);
-    };
-    copy(band.color, targets.color);
-    copy(band.fitted, targets.fitted);
-    copy(band.display, targets.display);
-    return {};
-  });
-  if (!drawn) return tl::unexpected(drawn.error());
-  return std::move(drawn->statistics);
+  SlicedPicture picture = beginSlices(in, context, true);
+  for (;;) {
+    const Result<bool> whole = drawSlice(in, targets, picture, picture.bandRows, programs);
+    if (!whole) return tl::unexpected(whole.error());
+    if (*whole) return std::move(picture.statistics);
+  }
 }
 
 namespace {

@@ -140,7 +140,7 @@ Result<void> gatherRows(const FrameInput& in, const Targets& targets, Gathering&
   if (in.list.features.paths) return gatherPaths(in, targets, gathering, rows, programs);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::visibleBinding, gathering.visibleBuffer.id());
   while (rows > 0 && !gathering.complete()) {
-    const bool whole = !in.list.transmitting.empty() || !targets.sum;
+    const bool whole = !in.list.transmitting.empty() || (!targets.sum && comparing(in));
     const int left = targets.height - gathering.rows;
     const int band = whole ? left : static_cast<int>(std::min<int64_t>(rows, left));
     if (band < targets.height) {

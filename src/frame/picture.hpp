@@ -9,6 +9,7 @@
 
 #include "base/stages.hpp"
 #include "frame/display_pass.hpp"
+#include "frame/gather.hpp"
 #include "frame/max_error.hpp"
 #include "frame/plan.hpp"
 
@@ -81,7 +82,21 @@ Result<Picture> drawPicture(const PictureSettings& settings, const PictureReques
                             PictureStatistics statistics, shading::ProgramStore& programs,
                             const gl::ContextInfo& context, Stages& stages);
 
-// Draws a picture that is not gathered as drawPicture does, band by band, to the last bit, into targets of the whole.
+// A picture that is not gathered, on its way. What it is drawn from must stay while it lasts.
+struct SlicedPicture {
+  int bandRows = 0;  // of the picture that are drawn as one
+  Targets band;      // of so many rows; none: they are all
+  int firstRow = 0;  // of the band that is under way
+  std::optional<Gathering> gathering;
+  FrameStatistics statistics;  // of the bands that are done
+};
+// inBands: as drawPicture draws it, to the last bit; else as one.
+SlicedPicture beginSlices(const FrameInput& in, const gl::ContextInfo& context, bool inBands);
+// So many rows more, as far as the band has them, into targets of the whole. True where it is complete.
+Result<bool> drawSlice(FrameInput in, const Targets& targets, SlicedPicture& picture, int64_t rows,
+                       shading::ProgramStore& programs);
+
+// All of it, in its bands.
 Result<FrameStatistics> drawInBands(const FrameInput& in, const Targets& targets, shading::ProgramStore& programs,
                                     const gl::ContextInfo& context);
 

@@ -91,6 +91,7 @@ void show(Viewport& viewport, ViewerState& state, frame::Drawable next) {
   if (newScene) viewport.scene = std::move(viewport.next);
   viewport.sketch = newScene && !again;
   viewport.comparison.sums.clear();
+  viewport.moving.pixelNs = -1;  // other programs, another scene
   showEnvironment(viewport.environments, environment);
   describeShown(viewport, state);
   offerEnvironment(state, environment->source);

@@ -270,10 +270,10 @@ void takeKeys(Drawing& drawing) {
 }
 
 void drawSearch(Browser& browser, ViewerState& state) {
-  if (state.searchAsked) ImGui::SetWindowFocus(), ImGui::SetKeyboardFocusHere();
-  if (state.searchAsked) browser.focusing = 3;
-  state.searchAsked = false;
   browser.focusing = std::max(0, browser.focusing - 1);
+  if (state.searchAsked) ImGui::SetWindowFocus(), browser.focusing = 3;
+  // ImGui finds a field only in a window that was there the frame before.
+  if (state.searchAsked && !ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere(), state.searchAsked = false;
   ImGui::SetNextItemWidth(-1);
   ImGui::InputTextWithHint("##search", withKeys("search", state.keys, Command::search).c_str(), browser.query,
                            sizeof browser.query);

@@ -64,7 +64,8 @@ void measureMemory(const Viewport& viewport, ViewerStatistics& statistics) {
   statistics.textureBytes = gpu.textureBytes();
   statistics.geometryBytes = gpu.geometryBytes();
   statistics.tableBytes = viewport.environments.shown->tables.bytes();
-  statistics.targetBytes = frame::targetBytes(viewport.targets) + frame::targetBytes(viewport.refinement.targets);
+  statistics.targetBytes = frame::targetBytes(viewport.targets) + frame::targetBytes(viewport.moving.small) +
+                           frame::targetBytes(viewport.refinement.targets);
   statistics.measuredBytes = 0;
   for (const auto& kept : viewport.measured.store.kept) statistics.measuredBytes += kept->buffer.bytes();
   statistics.programsCompiled = viewport.programs.statistics().compiled;

@@ -57,12 +57,23 @@ void restyle(Theme theme, float scale) {
   ImGui_ImplOpenGL3_Init(glslVersion);
 }
 
+namespace {
+
+// Ctrl+A of a text field is where A is written, too; later ImGuis see to that themselves.
+int labelledKey(const HandEvent& event) {
+  const std::string& label = event.label;
+  const bool letter = label.size() == 1 && label[0] >= 'a' && label[0] <= 'z';
+  return letter && IMGUI_VERSION_NUM < 18700 ? GLFW_KEY_A + (label[0] - 'a') : event.key;
+}
+
+}  // namespace
+
 void beginFrame(ImGuiSession& imgui, const std::vector<HandEvent>& hands) {
   using Kind = HandEvent::Kind;
   const HandEvent* button = nullptr;
   for (const HandEvent& event : hands) {
     if (event.kind == Kind::press || event.kind == Kind::release)
-      ImGui_ImplGlfw_KeyCallback(imgui.window, event.key, event.scancode,
+      ImGui_ImplGlfw_KeyCallback(imgui.window, labelledKey(event), event.scancode,
                                  event.kind == Kind::press ? GLFW_PRESS : GLFW_RELEASE, event.modifiers);
     else if (event.kind == Kind::character)
       ImGui_ImplGlfw_CharCallback(imgui.window, event.character);

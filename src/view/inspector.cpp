@@ -329,7 +329,9 @@ void clickAt(Viewport& viewport, ViewerState& state, const glm::dvec2& at, const
 
 void readRadianceThere(const Viewport& viewport, ViewerState& state) {
   Inspection& at = state.inspection;
-  if (!at.on || !viewport.targets.color || at.listNumber != viewport.listNumber || !viewport.drawn) return;
+  if (!at.on || viewport.moving.underWay || !viewport.targets.color || at.listNumber != viewport.listNumber ||
+      !viewport.drawn)
+    return;
   const std::optional<scene::View> view = currentView(viewport, state);
   if (!view || view->clipFromWorld != at.view.clipFromWorld || viewport.shown.list.features.channel != 0) return;
   const frame::Targets& targets = viewport.targets;

@@ -23,7 +23,7 @@ Result<void> writeLast(const fs::path& file, const std::string& model, const fra
   nlohmann::ordered_json& picture = values["picture"] = nlohmann::ordered_json::object();
   const std::vector<std::string> words = options::commandWords(settings, model);
   for (size_t i = 1; i + 1 < words.size(); i += 2)
-    if (words[i] != "--size") picture[words[i].substr(2)] = words[i + 1];
+    if (const std::string name = words[i].substr(2); name != "size") picture[name] = words[i + 1];
   std::filesystem::create_directories(file.parent_path(), ignored);
   return writeWholeFile(file, values.dump(2) + "\n");
 }

@@ -11,10 +11,12 @@ namespace facet::view {
 namespace {
 
 // The display picture has been through the sRGB curve already: it is copied as it is.
-void copyToWindow(const frame::Targets& targets) {
+// A smaller one as large as the whole one.
+void copyToWindow(const frame::Targets& targets, const frame::Targets& whole) {
   glDisable(GL_FRAMEBUFFER_SRGB);
-  glBlitNamedFramebuffer(targets.shown.id(), 0, 0, 0, targets.width, targets.height, 0, 0, targets.width,
-                         targets.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  const bool smaller = targets.width != whole.width || targets.height != whole.height;
+  glBlitNamedFramebuffer(targets.shown.id(), 0, 0, 0, targets.width, targets.height, 0, 0, whole.width, whole.height,
+                         GL_COLOR_BUFFER_BIT, smaller ? GL_LINEAR : GL_NEAREST);
 }
 
 // A picture of the window's size, blended by its straight alpha.
@@ -42,7 +44,8 @@ void drawOverChecks(const frame::Targets& targets) {
 
 void present(GLFWwindow* window, const Viewport& viewport, const ViewerState& state) {
   const bool transparent = state.settings.frame.background == frame::Background::transparent;
-  if (viewport.targets.shown && transparent) drawOverChecks(viewport.targets);
+  const frame::Targets& shown = viewport.moving.showsSmall ? viewport.moving.small : viewport.targets;
+  if (shown.shown && transparent) drawOverChecks(shown);
   if (viewport.outline.shown) layOver(viewport.outline.line);
   ImGui::Render();
   int width = 0, height = 0;
@@ -51,7 +54,7 @@ void present(GLFWwindow* window, const Viewport& viewport, const ViewerState& st
   glViewport(0, 0, width, height);
   constexpr float grey[] = {0.1f, 0.1f, 0.1f, 1};
   glClearNamedFramebufferfv(0, GL_COLOR, 0, grey);
-  if (viewport.targets.shown && !transparent) copyToWindow(viewport.targets);
+  if (shown.shown && !transparent) copyToWindow(shown, viewport.targets);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
   glfwSwapBuffers(window);

@@ -197,7 +197,7 @@ double cheapError(double shown, const frame::ErrorEstimate& gathered) {
 
 bool refining(const Viewport& viewport, const ViewerState& state) {
   const bool preview = viewport.environments.shown && viewport.environments.shown->preview;
-  return viewport.drawn && !viewport.next && !preview && !viewport.refinement.ended &&
+  return viewport.drawn && !viewport.moving.underWay && !viewport.next && !preview && !viewport.refinement.ended &&
          frame::converges(state.settings) && !viewport.shadersBroken &&
          frame::groundComplete(viewport.shown.ground.get(), state.settings);
 }

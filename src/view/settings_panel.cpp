@@ -379,7 +379,7 @@ void windowSection(ViewerState& state) {
   ImGui::Checkbox("play animations on opening", &state.preferences.playOnOpening);
   hint("the first one of a model, as soon as it is shown");
   ImGui::Checkbox("start with what was shown last", &state.preferences.startWithLast);
-  hint("where facet is started without a model; --last does it once");
+  hint("where facet is started without a model");
   if (ImGui::Button("reset layout")) {
     state.layout = {};
     state.browserVisible = state.settingsVisible = state.timelineVisible = true;

@@ -32,11 +32,15 @@ void animationCombo(ViewerState& state, float width) {
 // The number is beside the slider, with the end.
 void timeSlider(ViewerState& state) {
   const double end = chosenDuration(state);
+  if (!(end > 0)) {
+    ImGui::AlignTextToFramePadding();
+    return ImGui::TextDisabled("the model is at rest");
+  }
   char format[48];
   std::snprintf(format, sizeof format, "%%.2f of %.2f s", end);
   auto time = static_cast<float>(state.settings.placement.timeSeconds);
   ImGui::SetNextItemWidth(-FLT_MIN);
-  if (numberedSlider("##time", time, 0, static_cast<float>(end), format) && end > 0)
+  if (numberedSlider("##time", time, 0, static_cast<float>(end), format))
     state.settings.placement.timeSeconds = static_cast<double>(time), state.playback.playing = false;
 }
 

@@ -170,6 +170,7 @@ struct ViewerState {
   std::string helpFilter;
   bool searchAsked = false;      // the browser's search is to take the keyboard
   bool messagesAsked = false;    // the list of messages is to open
+  bool screenshotAsked = false;  // as soon as a whole picture is there
   bool screenshotWaits = false;  // for the picture to converge
   bool panelVisible = true;      // the panels that are chosen to be shown; one key hides all
   bool browserVisible = true, settingsVisible = true, timelineVisible = true;

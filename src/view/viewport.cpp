@@ -56,7 +56,8 @@ bool atWork(const Viewport& viewport, const ViewerState& state) {
   const EnvironmentSlot* slot = viewport.environments.shown;
   const bool tables = slot && (slot->sharpening || !slot->toStore.empty() || !slot->packed.empty());
   const bool ground = frame::groundComplete(viewport.shown.ground.get(), state.settings);
-  return tables || !ground || refining(viewport, state) || !viewport.comparison.sums.empty();
+  return tables || !ground || viewport.moving.underWay || refining(viewport, state) ||
+         !viewport.comparison.sums.empty();
 }
 
 namespace {
@@ -66,45 +67,6 @@ namespace {
 DrawnFrame wantedFrame(const Viewport& viewport, const ViewerState& state) {
   const frame::PictureSettings& s = state.settings;
   return {viewport.listNumber, state.camera, s.viewpoint, s.frame, s.display, s.quality};
-}
-
-constexpr int64_t manyCorners = 1 << 20;  // of triangles, lines and points
-
-int64_t cornerCount(const Viewport& viewport) {
-  int64_t corners = 0;
-  for (const std::vector<frame::Draw>* draws : viewport.shown.list.classes())
-    for (const frame::Draw& draw : *draws)
-      corners += int64_t{viewport.scene->gpu.primitives.at(draw.primitive).count} * draw.instanceCount;
-  return corners;
-}
-
-// The picture of few samples that is shown while anything changes. Of a large model the first one has a single sample,
-// where it is refined anyway: on software OpenGL that is there in a fourth of the time.
-Result<void> drawMoving(Viewport& viewport, ViewerState& state, const scene::View& view) {
-  frame::PictureSettings s = frame::movingSettings(state.settings);
-  const bool sketch = std::exchange(viewport.sketch, false) && !viewport.shown.list.compared;
-  if (sketch && frame::converges(state.settings) && cornerCount(viewport) > manyCorners) s.quality.samples = 1;
-  frame::Targets& targets = viewport.targets;
-  if (targets.width != s.frame.width || targets.height != s.frame.height || targets.samples != s.quality.samples) {
-    targets = {};  // the old ones go first
-    targets = frame::createTargets(s, viewport.context);
-  }
-  frame::prepareBehind(targets, viewport.shown.list);
-  frame::prepareComparison(targets, viewport.shown.list);
-  frame::setTextureDetail(viewport.scene->gpu, 1, s.quality.textureFilter, viewport.context);
-  const frame::FrameInput input = frame::frameInput(viewport.shown, view, s);
-  const auto start = std::chrono::steady_clock::now();
-  FrameClock::Slot* slot = viewport.clock.begin();
-  const bool final = !frame::converges(state.settings);  // what is asked for, not what is shown until that is there
-  Result<frame::FrameStatistics> drawn = final ? frame::drawInBands(input, targets, viewport.programs, viewport.context)
-                                               : frame::drawFrame(input, targets, viewport.programs);
-  viewport.clock.end(slot);
-  const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
-  viewport.comparison.shown = s.comparison;
-  if (!drawn) return tl::unexpected(drawn.error());
-  state.shown.statistics.frame = std::move(*drawn);
-  state.shown.statistics.cpuMs = spent.count();
-  return compare(viewport, input, targets, 1, true);
 }
 
 // A little more of the light on the floor; what of it is done is drawn.
@@ -121,6 +83,12 @@ void goOnWithGround(Viewport& viewport, ViewerState& state, const scene::View& v
   if (!went || ground->done != done) viewport.drawn.reset();
 }
 
+void tellDrawn(const Viewport& viewport, ViewerState& state) {
+  measureMemory(viewport, state.shown.statistics);
+  log::debug("frame drawn: " + state.shown.model + ", " + state.shown.environment +
+             (state.refinement.lightPreview ? " (preview)" : ""));
+}
+
 }  // namespace
 
 bool drawViewport(Viewport& viewport, ViewerState& state) {
@@ -129,12 +97,16 @@ bool drawViewport(Viewport& viewport, ViewerState& state) {
     viewport.comparison.sums.clear();
   }
   if (sharpenShown(viewport, state)) ++viewport.listNumber;
-  if (const std::optional<double> gpuMs = viewport.clock.poll()) state.shown.statistics.gpuMs = *gpuMs;
+  if (const std::optional<double> gpuMs = viewport.clock.poll()) {
+    state.shown.statistics.gpuMs = *gpuMs;
+    viewport.moving.pixelNs = *gpuMs * 1e6 / std::max(1.0, double(viewport.targets.width) * viewport.targets.height);
+  }
   const std::optional<scene::View> view = currentView(viewport, state);
   if (!view || viewport.shadersBroken) return false;
   const DrawnFrame wanted = wantedFrame(viewport, state);
   goOnWithGround(viewport, state, *view);
-  if (viewport.drawn == wanted) {
+  const bool same = viewport.drawn == wanted;
+  if (same && !viewport.moving.underWay) {
     const bool refined = refine(viewport, state, *view);
     if (refined || !viewport.shown.list.compared || viewport.comparison.shown == state.settings.comparison)
       return refined;
@@ -142,15 +114,16 @@ bool drawViewport(Viewport& viewport, ViewerState& state) {
     if (!shown) complain(state, shown.error());
     return !shown || *shown;
   }
-  stopRefinement(viewport, state);
-  state.refinement.lightPreview = viewport.environments.shown->preview;
-  const Result<void> drawn = drawMoving(viewport, state, *view);
+  if (!same) {
+    stopRefinement(viewport, state);
+    state.refinement.lightPreview = viewport.environments.shown->preview;
+  }
+  if (same && viewport.environments.shown->preview) return false;  // it would be drawn anew soon
+  const Result<bool> whole = same ? goOnMoving(viewport, state, *view) : drawMoving(viewport, state, *view);
   viewport.drawn = wanted;
-  if (!drawn) return complain(state, drawn.error()), true;
-  measureMemory(viewport, state.shown.statistics);
-  log::debug("frame drawn: " + state.shown.model + ", " + state.shown.environment +
-             (state.refinement.lightPreview ? " (preview)" : ""));
-  return true;
+  if (!whole) return complain(state, whole.error()), true;
+  if (*whole) tellDrawn(viewport, state);
+  return *whole || !same;
 }
 
 }  // namespace facet::view

@@ -14,6 +14,7 @@
 #include "view/frame_clock.hpp"
 #include "view/loader.hpp"
 #include "view/measured.hpp"
+#include "view/moving.hpp"
 #include "view/outline.hpp"
 #include "view/refinement.hpp"
 #include "view/viewer_state.hpp"
@@ -56,6 +57,7 @@ struct Viewport {
   frame::Targets targets;
   std::optional<DrawnFrame> drawn;
   FrameClock clock;
+  Moving moving;
   Refinement refinement;
   Outline outline;
   // Of what comes up, so much goes on the GPU in one turn: the window answers in between.

@@ -237,7 +237,7 @@ bool turn(Loop& loop, ImGuiSession& imgui, Viewport& viewport, ViewerState& stat
   loop.input.commands = delivery.commands;
   if (delivery.handsOver) loop.input.handingOver = settlingFrames;
   for (const Command command : delivery.commands)
-    if (command == Command::search || command == Command::help) loop.input.textAwaited = settlingFrames;
+    if (command == Command::search || command == Command::help) loop.input.textAwaited = settlingFrames + 1;
   const Input input = takeInput(loop.input);
   followFramebuffer(loop.window, state.settings);
   int width = 1, height = 1;
@@ -292,7 +292,11 @@ bool turn(Loop& loop, ImGuiSession& imgui, Viewport& viewport, ViewerState& stat
     readRadianceThere(viewport, state);
   }
   if (updateOutline(viewport, state, imgui.scale)) loop.framesToDraw = std::max(loop.framesToDraw, 1);
-  if (actions.screenshot) takeScreenshot(viewport, state);
+  state.screenshotAsked |= actions.screenshot;
+  if (state.screenshotAsked && !viewport.moving.underWay) {
+    state.screenshotAsked = false;
+    takeScreenshot(viewport, state);
+  }
   followScreenshot(viewport, state);
   if (loop.framesToDraw > 0) {
     present(loop.window, viewport, state);
@@ -312,6 +316,7 @@ std::string openGLText(const gl::ContextInfo& info) {
 Viewport createViewport(const gl::ContextInfo& info, const WindowOptions& options) {
   const std::string& shaderDir = options.settings.sources.shaderDir;
   Viewport viewport(info, frame::userPrograms(info, shaderDir, options.diskCache));
+  viewport.moving.turnMs = 40;
   viewport.tableCache = frame::userTables(info, shaderDir, options.diskCache);
   return viewport;
 }

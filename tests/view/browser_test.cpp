@@ -52,3 +52,14 @@ TEST_CASE("browser: a dropped folder says what it holds, whatever was searched, 
   view::browseFolder(browser, folder.file("chairs"));
   CHECK(listed(browser, state).empty());
 }
+
+TEST_CASE("browser: the model that has been opened is scrolled into sight") {
+  view::Browser browser;
+  view::noteOpened(browser, FileKind::model, "builtin:poster");
+  CHECK(browser.cursor == "builtin:poster");
+  CHECK(browser.showCursor);
+  browser.showCursor = false;
+  view::noteOpened(browser, FileKind::environment, "builtin:sky");
+  CHECK(browser.cursor == "builtin:poster");
+  CHECK_FALSE(browser.showCursor);
+}

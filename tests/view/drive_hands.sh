@@ -58,6 +58,9 @@ if command -v setxkbmap >/dev/null; then
   await "environment: builtin:studio" $((before + 1))
   setxkbmap fr
   sleep 0.5
+  choose white "environment: builtin:white" 2
+  choose sky "environment: builtin:sky" 3 # its Ctrl+A is in the text
+  xdotool key Escape
   xdotool key ctrl+a # where Q is otherwise
   sleep 0.5
   kill -0 $viewer 2>/dev/null || fail "Ctrl+A ends the viewer where A is in the place of Q"

@@ -15,7 +15,17 @@ for size in "640 480" "300 300" "160 120" "640 480" "1280 800" "400 800" "1280 3
   sleep 0.4
 done
 await "frame drawn" 3
-xdotool mousemove --window "$window" 1100 96 click 1 # the header "Camera"
+# What is in the window is the picture: it has not stayed black.
+if command -v import >/dev/null; then
+  xdotool key h
+  sleep 1
+  import -window "$window" PNG24:shown.png || fail "no picture of the window"
+  screenshot picture
+  same shown picture
+  xdotool key h
+  sleep 0.5
+fi
+xdotool mousemove --window "$window" 1100 93 click 1 # the header "Camera"
 sleep 0.5
 quit
 grep -q "^left=18.00$" "$layout" && grep -q "^right=21.00$" "$layout" || fail "other widths: $(cat "$layout")"
@@ -24,19 +34,33 @@ start builtin:spheres --size 1280x800 --samples 1
 await "frame drawn: builtin:spheres, builtin:studio$" 1
 find_window
 sleep 0.5
-xdotool mousemove --window "$window" 1100 96 click 1
+xdotool mousemove --window "$window" 1100 93 click 1
 sleep 0.5
 # What is dragged is wished.
-xdotool mousemove --window "$window" 251 400 mousedown 1
-sleep 0.2
-xdotool mousemove --window "$window" 350 400
-sleep 0.2
-xdotool mouseup 1
-sleep 0.3
+for border in 251 233; do # of 18 font sizes of 14 pixels, or of ImGui's own 13
+  xdotool mousemove --window "$window" $border 400 mousedown 1
+  sleep 0.2
+  xdotool mousemove --window "$window" 350 400
+  sleep 0.2
+  xdotool mouseup 1
+  sleep 0.3
+done
 quit
 grep -q "^section=1 Camera$" "$layout" || fail "the section was not folded: $(cat "$layout")"
-grep -q "^left=2[45]" "$layout" || fail "the dragged width is forgotten: $(cat "$layout")"
+grep -q "^left=2[4-7]" "$layout" || fail "the dragged width is forgotten: $(cat "$layout")"
 rm "$layout"
+
+# The search opens the browser where there was room for the settings only, and has what is typed at once.
+start builtin:spheres --size 480x360 --samples 1
+await "frame drawn: builtin:spheres, builtin:studio$" 1
+find_window
+sleep 0.5
+kill -STOP $viewer
+xdotool type --delay 2 "/white"
+xdotool key Return
+kill -CONT $viewer
+await "environment: builtin:white" 1
+quit
 
 # All of a new model is beside the panels: nothing of a wide one is below them.
 cat >wide.gltf <<'END'
