@@ -64,7 +64,7 @@ Result<void> makeShares(Ground& ground, ProgramStore& programs) {
 
 GroundWish groundWish(const PictureSettings& settings) {
   const int samples = settings.quality.maxError ? correctedUpTo + 1 : settings.quality.samples;
-  const int size = samples <= convergedAbove ? 256 : samples <= 64 ? 512 : 1024;
+  const int size = samples <= correctedUpTo ? 256 : samples <= 256 ? 512 : 1024;
   return {size, 16, settings.quality.seed, settings.frame.environmentRotationDeg, settings.frame.environmentStrength};
 }
 
