@@ -36,6 +36,19 @@ float drawnWeight(float density, float other) {
 }
 const uint sortedList = 2u, lightsList = 3u;
 
+// One that has neither met nor gathered anything.
+PathState newPath(uvec2 pixel) {
+  PathState p;
+  p.pixel = pixel.x | pixel.y << 16;
+  p.origin = p.direction = vec4(0.0);
+  p.throughput = vec4(1.0);
+  p.radiance = vec4(0.0, 0.0, 0.0, 1.0);
+  p.lightOrigin = p.lightDirection = p.lightRadiance = p.onMiss = vec4(0.0);
+  p.triangle = p.instance = p.vertices = p.media = 0u;
+  p.distance = 0.0;
+  p.weights = vec2(0.0);
+  return p;
+}
 uvec2 pathPixel(PathState p) { return uvec2(p.pixel & 0xffffu, p.pixel >> 16); }
 
 // Pairs of numbers in (0, 1)^2 that a sample of a pixel uses: first the pixel's, then four for each surface that is met.

@@ -8,9 +8,7 @@ void main() {
   uint i = gl_GlobalInvocationID.x, columns = pathsShared.columns;
   if (i >= pathsShared.rows * columns) return;
   uvec2 pixel = uvec2(pathsShared.firstColumn + i % columns, pathsShared.firstRow + i / columns);
-  PathState p;
-  p.pixel = pixel.x | pixel.y << 16;
-  p.vertices = 0u;
+  PathState p = newPath(pixel);
 #ifdef DIFFERENCE
   vec2 within = pathsShared.offset;
 #else
@@ -21,12 +19,6 @@ void main() {
   float along = length(direction);
   p.origin = vec4(pathsShared.origins[0].xyz + at.x * pathsShared.origins[1].xyz + at.y * pathsShared.origins[2].xyz, pathsShared.origins[0].w * along);
   p.direction = vec4(direction / along, 0.0);
-  p.throughput = vec4(1.0);
-  p.radiance = vec4(0.0, 0.0, 0.0, 1.0);
-  p.lightOrigin = p.lightDirection = p.lightRadiance = p.onMiss = vec4(0.0);
-  p.triangle = p.instance = p.media = 0u;
-  p.distance = 0.0;
-  p.weights = vec2(0.0);
   paths[i] = p;
   work[listAt(nextList(), i)] = i;
 }

@@ -43,17 +43,9 @@ bool seeLightFromGround(inout PathState p) {
 void main() {
   uint i = gl_GlobalInvocationID.x, columns = pathsShared.columns;
   if (i >= pathsShared.rows * columns) return;
-  PathState p;
-  p.pixel = (i % columns) | (pathsShared.firstRow + i / columns) << 16;
-  p.vertices = 0u;
+  PathState p = newPath(uvec2(i % columns, pathsShared.firstRow + i / columns));
   vec2 at = 2.0 * (vec2(pathPixel(p)) + pathDraw(p, pixelPair)) / float(columns) - 1.0;
   p.origin = vec4(frame.ground.x + at.x * frame.ground.w, frame.ground.y, frame.ground.z + at.y * frame.ground.w, 0.0);
-  p.throughput = vec4(1.0);
-  p.radiance = vec4(0.0, 0.0, 0.0, 1.0);
-  p.lightOrigin = p.lightDirection = p.lightRadiance = p.onMiss = vec4(0.0);
-  p.triangle = p.instance = p.media = 0u;
-  p.distance = 0.0;
-  p.weights = vec2(0.0);
   if (seeLightFromGround(p)) work[listAt(lightsList, atomicAdd(work[workLights], 1u))] = i;
   LobeSample drawn = sampleCosine(pathDraw(p, lobePair));
   p.direction = vec4(drawn.L.x, drawn.L.z, -drawn.L.y, drawn.density);

@@ -30,13 +30,7 @@ io::LoadedModel plateOverFloor(const Plate& plate) {
   io::LoadedModel model = test::loadBuilt(builder);
   for (scene::Material& m : model.model.materials) lambert(m, plate.albedo);
   if (plate.lamp) {
-    scene::Light lamp;
-    lamp.intensity = 4;
-    model.model.lights.push_back(lamp);
-    scene::Node node;
-    node.light = 0, node.translation = {0, 2, 0};
-    model.model.nodes.push_back(node);
-    model.model.scenes[0].nodes.push_back(static_cast<int>(model.model.nodes.size()) - 1);
+    test::addPointLight(model.model, 4, {0, 2, 0});
   }
   return model;
 }

@@ -168,13 +168,7 @@ TEST_CASE("Paths: a lamp in a closed box lights its inside alone, one in a wall 
     builder.json["scenes"][0]["nodes"].push_back(builder.append("nodes", {{"camera", 0}, {"translation", {0, 0, z}}}));
     io::LoadedModel model = test::loadBuilt(builder);
     for (scene::Material& m : model.model.materials) lambert(m, 0.5f), m.doubleSided = true;
-    scene::Light lamp;
-    lamp.intensity = 10;
-    model.model.lights.push_back(lamp);
-    scene::Node node;
-    node.light = 0, node.translation = place;
-    model.model.nodes.push_back(node);
-    model.model.scenes[0].nodes.push_back(static_cast<int>(model.model.nodes.size()) - 1);
+    test::addPointLight(model.model, 10, place);
     PictureSettings settings = tracedSettings(16, 16, 16, "none");
     settings.quality.bounces = 4;
     return studio.render(model, settings);

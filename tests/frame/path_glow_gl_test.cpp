@@ -104,13 +104,7 @@ TEST_CASE("Paths: environment, point light and glow together are their sum", "[g
     io::LoadedModel model = lampOverFloor();
     if (!glow) model.model.materials[0].emissiveStrength = 0;
     if (point) {
-      scene::Light lamp;
-      lamp.intensity = 1;
-      model.model.lights.push_back(lamp);
-      scene::Node node;
-      node.light = 0, node.translation = {0.7, 0, 0.8};
-      model.model.nodes.push_back(node);
-      model.model.scenes[0].nodes.push_back(static_cast<int>(model.model.nodes.size()) - 1);
+      test::addPointLight(model.model, 1, {0.7, 0, 0.8});
     }
     PictureSettings settings = tracedSettings(40, 40, 128, environment ? "builtin:studio" : "none");
     settings.quality.bounces = 1;

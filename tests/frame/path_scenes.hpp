@@ -57,6 +57,16 @@ inline nlohmann::json addBox(GltfBuilder& builder, const glm::vec3& half, bool i
           {"indices", builder.add(indices, uintType, "SCALAR")}};
 }
 
+inline void addPointLight(scene::Model& model, float intensity, const glm::dvec3& place) {
+  scene::Light light;
+  light.intensity = intensity;
+  model.lights.push_back(light);
+  scene::Node node;
+  node.light = static_cast<int>(model.lights.size()) - 1, node.translation = place;
+  model.nodes.push_back(node);
+  model.scenes[0].nodes.push_back(static_cast<int>(model.nodes.size()) - 1);
+}
+
 // A white Lambertian surface of that albedo: an interface that reflects nothing.
 inline void lambert(scene::Material& m, float albedo) {
   m.baseColorFactor = glm::vec4(glm::vec3(albedo), 1);

@@ -218,13 +218,7 @@ TEST_CASE("Paths: lights cast shadows, and beside them all is as without", "[gl]
   io::LoadedModel model = test::loadBuilt(builder);
   lambert(model.model.materials[0], 0.5f);
   // Straight above lies the small square: its shadow is twice as large on the plane, from a point at twice its height.
-  scene::Light lamp;
-  lamp.intensity = 4;
-  model.model.lights.push_back(lamp);
-  scene::Node node;
-  node.light = 0, node.translation = {0, 0, 1};
-  model.model.nodes.push_back(node);
-  model.model.scenes[0].nodes.push_back(static_cast<int>(model.model.nodes.size()) - 1);
+  test::addPointLight(model.model, 4, {0, 0, 1});
   PictureSettings settings = tracedSettings(40, 40, 16, "none");
   settings.quality.bounces = 1;
   const frame::Picture traced = studio.render(model, settings);
