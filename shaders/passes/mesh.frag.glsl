@@ -87,6 +87,9 @@ void main() {
 #if defined(CHANNEL)
   outColor = vec4(channelValue(v, towardsViewer(v.position), baseColor), 1.0);
 #elif defined(UNLIT)
+#ifdef UNLIT_EMISSION
+  baseColor.rgb += materialEmission(v);
+#endif
   outColor = vec4(min(baseColor.rgb * frame.stored.x, frame.stored.z) * coverage, coverage);
 #else
   vec4 lit = litRadiance(v, towardsViewer(v.position), baseColor.rgb);

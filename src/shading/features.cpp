@@ -21,6 +21,12 @@ bool sampled(const FeatureInput& in, TextureSlot slot) { return usesTexture(in.m
 
 bool channelIs(const FeatureInput& in, const char* name) { return in.frame.channel == channelIndex(name); }
 
+// glTF 2.0, 3.9.7: points and lines without normals show the sum of base colour and emission; unlit materials do not.
+bool glowsUnlit(const FeatureInput& in) {
+  return in.frame.channel == 0 && unlit(in) && !in.material.unlit && in.material.emissiveFactor != glm::vec3(0) &&
+         in.material.emissiveStrength != 0;
+}
+
 // Shaded, or the debug view shows this very slot.
 bool wanted(const FeatureInput& in, const char* channel) {
   return in.frame.channel == 0 ? !unlit(in) : channelIs(in, channel);
@@ -56,7 +62,9 @@ bool occlusionTexture(const FeatureInput& in) {
   return in.frame.occlusion && sampled(in, TextureSlot::occlusion) &&
          (in.frame.channel == 0 ? !unlit(in) && in.frame.environment : channelIs(in, "occlusion"));
 }
-bool emissiveTexture(const FeatureInput& in) { return sampled(in, TextureSlot::emissive) && wanted(in, "emissive"); }
+bool emissiveTexture(const FeatureInput& in) {
+  return sampled(in, TextureSlot::emissive) && (wanted(in, "emissive") || glowsUnlit(in));
+}
 
 // Materials of extensions: of the shaded picture of a metallic-roughness surface.
 bool extended(const FeatureInput& in) {

@@ -369,3 +369,49 @@ TEST_CASE("Precision: radiance alone is exact to single precision, of one sample
         CHECK(test::pixel(picture.radiance, x, 4)[i] == Approx(radiance[i]).epsilon(x == 1 ? 1e-6 : 1e-5));
   }
 }
+
+TEST_CASE("Points and lines without normals show base colour and emission, whatever lights the scene", "[gl]") {
+  GltfBuilder builder = emptyScene();
+  builder.append("images",
+                 {{"uri", test::dataUri(test::pngBytes(1, 1, 3, 8, std::vector<uint8_t>{255, 0, 255}), "image/png")}});
+  builder.append("textures", {{"source", 0}});
+  nlohmann::json m = material({0.25, 0.5, 0.125, 1});
+  m["emissiveFactor"] = {0.5, 1, 1};
+  m["emissiveTexture"] = {{"index", 0}};
+  m["extensions"] = {{"KHR_materials_emissive_strength", {{"emissiveStrength", 4}}}};
+  nlohmann::json unlitMaterial = m;
+  unlitMaterial["extensions"]["KHR_materials_unlit"] = nlohmann::json::object();
+  const int glowing = builder.append("materials", m), plain = builder.append("materials", unlitMaterial);
+  const auto add = [&](int mode, const std::vector<float>& positions, int material) {
+    const std::vector<float> uv(positions.size() / 3 * 2, 0.5f);
+    test::addMeshNode(builder,
+                      {{"mode", mode},
+                       {"attributes",
+                        {{"POSITION", builder.add(positions, test::floatType, "VEC3")},
+                         {"TEXCOORD_0", builder.add(uv, test::floatType, "VEC2")}}}},
+                      material);
+  };
+  add(1, {-4, 0.5f, 0, 4, 0.5f, 0}, glowing);
+  add(0, {-0.5f, -0.5f, 0}, glowing);
+  add(1, {-4, 2.5f, 0, 4, 2.5f, 0}, plain);
+  test::addOrthographicCamera(builder, 4, 4);
+  const io::LoadedModel model = test::loadBuilt(builder);
+  test::Studio studio;
+  for (const char* environment : {"none", "builtin:white"})
+    for (const int samples : {1, 4, 8}) {
+      INFO(environment << ", " << samples << " samples");
+      PictureSettings settings = test::bareSettings(8, 8);
+      settings.viewpoint.camera = "0";
+      settings.sources.environment = environment;
+      settings.quality.samples = samples;
+      const frame::Picture picture = studio.render(model, settings);
+      const auto color = [&](int x, int y) {
+        const glm::vec4& p = test::pixel(picture.radiance, x, y);
+        REQUIRE(p.w > 0);
+        return glm::vec4(glm::vec3(p) / p.w, 1);
+      };
+      checkPixel(color(2, 3), {2.25f, 0.5f, 4.125f, 1}, 4e-3f);
+      checkPixel(color(3, 4), {2.25f, 0.5f, 4.125f, 1}, 4e-3f);
+      checkPixel(color(2, 1), {0.25f, 0.5f, 0.125f, 1}, 1e-3f);
+    }
+}
