@@ -17,11 +17,13 @@ enum class Setting : uint8_t {
   camera,
   bump,
   environment,
+  environmentLayer,
   models,  // for lights: distribution of normals, masking
   fresnel,
   samples,
   brdf,
   brdfFolder,
+  allowOutside,
 };
 
 // What is wrong with something that came from outside. Programming errors assert instead.

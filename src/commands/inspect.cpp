@@ -190,7 +190,7 @@ int runInspect(const InspectArguments& arguments) {
   frame::PictureSettings settings;
   if (const Result<void> applied = options::apply(arguments.picture, settings); !applied)
     return badInput(applied.error());
-  Result<io::LoadedModel> loaded = io::loadModel(arguments.model);
+  Result<io::LoadedModel> loaded = io::loadModel(arguments.model, {.allowOutside = settings.sources.allowOutside});
   if (!loaded) return badInput(loaded.error());
   const scene::Model& model = loaded->model;
   const Result<int> scene = frame::chooseScene(settings.placement, model);
@@ -220,7 +220,8 @@ int runInspect(const InspectArguments& arguments) {
 std::function<int()> addInspect(CLI::App& app) {
   auto arguments = std::make_shared<InspectArguments>();
   app.add_option("model", arguments->model, "a .gltf or .glb file, or builtin:NAME")->type_name("MODEL")->required();
-  constexpr std::string_view wanted[] = {"scene", "variant", "brdf", "brdf-dir", "brdf-lookup", "utia-decode"};
+  constexpr std::string_view wanted[] = {"scene",       "variant",     "brdf",         "brdf-dir",
+                                         "brdf-lookup", "utia-decode", "allow-outside"};
   addPictureOptions(app, arguments->picture, wanted);
   app.add_flag("--json", arguments->asJson, "for scripts");
   app.add_flag("--strict", arguments->strict, "any warning makes the exit status 2");

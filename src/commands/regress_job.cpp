@@ -35,6 +35,13 @@ Result<io::Pixels> render(const SuiteJob& job, frame::Session& session, JobResul
   return std::move(picture->display);
 }
 
+// What the map of differences shows: what the first limit that is passed is about, else the first one of all.
+std::string judgedBy(const std::vector<std::string>& passed, const SuiteJob& job) {
+  std::string name = passed.empty() ? "" : passed.front().substr(0, passed.front().find(' '));
+  if (name.empty() && !job.limits.empty()) name = job.limits.front().metric->name;
+  return name.starts_with("flip") || name == "noticeable" ? "flip" : "display";
+}
+
 Result<void> compareWithBaseline(const Suite& suite, const SuiteJob& job, const io::Pixels& display,
                                  const std::filesystem::path& results, JobResult& result) {
   const std::filesystem::path file = suite.baseline(job.name);
@@ -63,7 +70,9 @@ Result<void> compareWithBaseline(const Suite& suite, const SuiteJob& job, const 
   result.status = passed.empty() ? JobStatus::passed : JobStatus::differs;
   for (const std::string& phrase : passed) result.message += (result.message.empty() ? "" : ", ") + phrase;
   if (comparison->largest == 0) return {};
-  const Result<io::Pixels> map = compare::heatMap(*before, after);
+  result.differenceOf = judgedBy(passed, job);
+  const bool flip = result.differenceOf == "flip";
+  const Result<io::Pixels> map = flip ? compare::flipHeatMap(*before, after) : compare::heatMap(*before, after);
   if (!map) return tl::unexpected(map.error());
   result.difference = files.difference;
   return io::writePng(results / files.difference, *map);

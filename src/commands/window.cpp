@@ -5,10 +5,12 @@
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "base/log.hpp"
 #include "commands/commands.hpp"
 #include "commands/picture_arguments.hpp"
+#include "io/sources.hpp"
 #include "view/last.hpp"
 
 namespace facet::commands {
@@ -68,6 +70,8 @@ int runViewer(const WindowArguments& arguments) {
     if (!r && std::filesystem::exists(view::lastFile())) log::warning(describe(r.error()));
   }
   if (Result<void> r = options::apply(arguments.picture, options.settings); !r) return badInput(r.error());
+  frame::Sources& sources = options.settings.sources;  // the window goes by one name for file and layer
+  sources.environment = io::withLayer(sources.environment, std::exchange(sources.environmentLayer, {}));
   options.sizeGiven = arguments.picture.contains("size");
   if (Result<void> r = sortSources(arguments.sources, options); !r) return badInput(r.error());
   options.diskCache = !arguments.noCache;

@@ -248,8 +248,12 @@ std::array<uint8_t, 3> heatColor(double difference) {
   return color;
 }
 
-Result<io::Pixels> heatMap(const io::RadianceImage& reference, const io::RadianceImage& picture,
-                           const CompareOptions& options) {
+namespace {
+
+// differenceAt(i): of pixel i.
+template <class Difference>
+Result<io::Pixels> heatPicture(const io::RadianceImage& reference, const io::RadianceImage& picture,
+                               const CompareOptions& options, const Difference& differenceAt) {
   if (auto checked = checkSizes(reference, picture); !checked) return tl::unexpected(checked.error());
   io::Pixels map;
   map.width = reference.width, map.height = reference.height, map.channels = 3;
@@ -259,12 +263,40 @@ Result<io::Pixels> heatMap(const io::RadianceImage& reference, const io::Radianc
     for (size_t i = y * width; i < (y + 1) * width; ++i) {
       const glm::vec4 r = reference.pixels[i], p = picture.pixels[i];
       std::array<uint8_t, 3> color = {48, 48, 48};
-      if (counts(r, options)) color = heatColor(displayDifference(r, p));
+      if (counts(r, options)) color = heatColor(differenceAt(i));
       if (!isFinite(r) || !isFinite(p)) color = {255, 0, 255};
       std::copy(color.begin(), color.end(), map.data.begin() + static_cast<std::ptrdiff_t>(3 * i));
     }
   });
   return map;
+}
+
+std::vector<float> flipOf(const io::RadianceImage& reference, const io::RadianceImage& picture) {
+  const auto colors = [](const io::RadianceImage& image) {
+    std::vector<glm::dvec3> out;
+    for (const glm::vec4& pixel : image.pixels) out.push_back(finiteColor(pixel));
+    return out;
+  };
+  return flipMap(colors(reference), colors(picture), reference.width, reference.height);
+}
+
+}  // namespace
+
+Result<io::Pixels> heatMap(const io::RadianceImage& reference, const io::RadianceImage& picture,
+                           const CompareOptions& options) {
+  return heatPicture(reference, picture, options,
+                     [&](size_t i) { return displayDifference(reference.pixels[i], picture.pixels[i]); });
+}
+
+Result<io::Pixels> flipHeatMap(const io::RadianceImage& reference, const io::RadianceImage& picture,
+                               const CompareOptions& options) {
+  if (auto checked = checkSizes(reference, picture); !checked) return tl::unexpected(checked.error());
+  std::vector<float> flip = flipOf(reference, picture);
+  if (!isOpaque(reference) || !isOpaque(picture)) {
+    const std::vector<float> white = flipOf(overWhite(reference), overWhite(picture));
+    for (size_t i = 0; i < flip.size(); ++i) flip[i] = std::max(flip[i], white[i]);
+  }
+  return heatPicture(reference, picture, options, [&](size_t i) { return static_cast<double>(flip[i]); });
 }
 
 }  // namespace facet::compare

@@ -61,5 +61,8 @@ std::array<uint8_t, 3> heatColor(double difference);
 // RGB picture of the display differences; magenta where a pixel is not finite, dark grey outside the mask.
 Result<io::Pixels> heatMap(const io::RadianceImage& reference, const io::RadianceImage& picture,
                            const CompareOptions& options = {});
+// The same of FLIP, over black or, where that is more, over white.
+Result<io::Pixels> flipHeatMap(const io::RadianceImage& reference, const io::RadianceImage& picture,
+                               const CompareOptions& options = {});
 
 }  // namespace facet::compare

@@ -41,8 +41,10 @@ Json jobJson(const JobResult& job) {
   out["milliseconds"] = job.milliseconds;
   out["figures"] = figuresJson(job.figures);
   out["limits"] = figuresJson(job.limits);
-  for (const auto& [key, file] :
-       {std::pair("picture", &job.picture), {"baseline", &job.baseline}, {"difference", &job.difference}})
+  for (const auto& [key, file] : {std::pair("picture", &job.picture),
+                                  {"baseline", &job.baseline},
+                                  {"difference", &job.difference},
+                                  {"differenceOf", &job.differenceOf}})
     if (!file->empty()) out[key] = *file;
   if (!job.warnings.empty()) out["warnings"] = job.warnings;
   return out;
@@ -65,6 +67,7 @@ JobResult jobOf(const Json& object) {
   job.picture = object.value("picture", "");
   job.baseline = object.value("baseline", "");
   job.difference = object.value("difference", "");
+  job.differenceOf = object.value("differenceOf", "");
   job.warnings = object.value("warnings", std::vector<std::string>());
   return job;
 }

@@ -30,6 +30,7 @@ struct JobResult {
   std::vector<std::pair<std::string, double>> figures;  // every metric; empty: there was nothing to compare
   std::vector<std::pair<std::string, double>> limits;
   std::string picture, baseline, difference;  // files beside the report; empty: none
+  std::string differenceOf;                   // what it shows: "flip", or of the display
   std::vector<std::string> warnings;          // of the picture
 
   bool good() const { return status == JobStatus::passed || status == JobStatus::accepted; }

@@ -48,6 +48,8 @@ figure img, .blink { width: 256px; height: auto; display: block;
 .blink { position: relative; } .blink img { width: 100%; }
 .blink img + img { position: absolute; inset: 0; animation: blink 1s steps(1) infinite; }
 @keyframes blink { 50% { opacity: 0; } }
+.legend { width: 160px; } .ticks { display: flex; justify-content: space-between; font-size: 11px; }
+.scale { height: 12px; background: linear-gradient(to right, #000, #00f, #f00, #ff0, #fff); border: 1px solid var(--line); }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
 td { padding: 0 14px 0 0; } code { font-size: 12px; overflow-wrap: anywhere; }
 details > summary { cursor: pointer; padding: 12px 0; border-top: 1px solid var(--line); }
@@ -59,6 +61,17 @@ std::string image(const std::string& file, const std::string& alt) {
   return "<img loading=\"lazy\" src=\"" + escaped(file) + "\" alt=\"" + escaped(alt) + "\">";
 }
 
+// Of the colours of a difference (heatColor), whose scale is that of the square root.
+std::string legend(bool flip) {
+  std::string out = "<figure class=\"legend\"><div class=\"scale\"></div><div class=\"ticks\">";
+  for (const char* tick : {"0", "0.06", "0.25", "0.56", "1"}) out += std::string("<span>") + tick + "</span>";
+  return out + "</div><figcaption>" +
+         (flip
+              ? "the difference is FLIP: what one sees when both pictures alternate; 0.1 is just noticeable"
+              : "the difference is the largest of any channel on the screen, over black and over white, and of alpha") +
+         "; magenta: not finite</figcaption></figure>";
+}
+
 std::string pictures(const JobResult& job) {
   std::string out = "<div class=\"pictures\">";
   const auto add = [&](const std::string& file, const char* caption) {
@@ -68,6 +81,7 @@ std::string pictures(const JobResult& job) {
   add(job.baseline, "before");
   add(job.picture, "after");
   add(job.difference, "difference");
+  if (!job.difference.empty()) out += legend(job.differenceOf == "flip");
   if (!job.baseline.empty() && !job.picture.empty() && !job.difference.empty())
     out += "<figure><div class=\"blink\">" + image(job.baseline, "before") + image(job.picture, "after") +
            "</div><figcaption>before and after in turns</figcaption></figure>";

@@ -5,6 +5,7 @@
 
 #include "base/whole_number.hpp"
 #include "frame/settings.hpp"
+#include "io/sources.hpp"
 #include "scene/animation.hpp"
 #include "scene/builtin_scenes.hpp"
 
@@ -207,7 +208,8 @@ Result<scene::View> chooseView(const Viewpoint& viewpoint, double aspect, const 
 
 std::string chooseEnvironment(const PictureSettings& settings, const std::string& source, const scene::Model& model,
                               int scene) {
-  if (!settings.sources.environment.empty()) return settings.sources.environment;
+  if (!settings.sources.environment.empty())
+    return io::withLayer(settings.sources.environment, settings.sources.environmentLayer);
   if (const scene::BuiltinScene* builtin = builtinOf(source)) return std::string(builtin->environment);
   const DrawOptions options = drawOptions(settings, true);
   const bool shaded = options.features.channel == 0 && options.features.environment;

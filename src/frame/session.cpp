@@ -83,12 +83,14 @@ Result<std::unique_ptr<Session>> Session::create(const SessionOptions& options) 
   return std::unique_ptr<Session>(new Session(std::move(*context), options));
 }
 
-Result<void> Session::loadScene(const std::string& source, const io::Bump& bump, Notes& notes) {
-  if (scene_ && scene_->source == source && scene_->bump == bump) return {};
+Result<void> Session::loadScene(const std::string& source, const Sources& sources, Notes& notes) {
+  const io::Bump bump{sources.bump, sources.bumpScale};
+  if (scene_ && scene_->source == source && scene_->bump == bump && allowOutside_ == sources.allowOutside) return {};
   scene_.reset(), model_.reset();  // frees the old one before the new one grows
-  Result<io::LoadedModel> loaded = io::loadModel(source, {}, bump);
+  Result<io::LoadedModel> loaded = io::loadModel(source, {.allowOutside = sources.allowOutside}, bump);
   if (!loaded) return tl::unexpected(loaded.error());
   model_ = std::make_shared<io::LoadedModel>(std::move(*loaded));
+  allowOutside_ = sources.allowOutside;
   scene_ = std::make_unique<LoadedScene>(LoadedScene{.source = source, .bump = bump, .loaded = model_});
   notes.insert(notes.end(), model_->notes.begin(), model_->notes.end());
   return {};
@@ -96,8 +98,7 @@ Result<void> Session::loadScene(const std::string& source, const io::Bump& bump,
 
 Result<Picture> Session::render(const std::string& model, const PictureSettings& settings,
                                 const PictureRequest& request, Notes& notes, Stages& stages) {
-  if (Result<void> r = loadScene(model, {settings.sources.bump, settings.sources.bumpScale}, notes); !r)
-    return tl::unexpected(r.error());
+  if (Result<void> r = loadScene(model, settings.sources, notes); !r) return tl::unexpected(r.error());
   stages.mark("read model");
   PictureStatistics statistics;
   const Supply supply = supplyAtOnce(shelf_, programs_, notes);

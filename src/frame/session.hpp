@@ -47,12 +47,13 @@ class Session {
 
  private:
   explicit Session(gl::HeadlessContext context, const SessionOptions& options);
-  Result<void> loadScene(const std::string& source, const io::Bump& bump, Notes& notes);
+  Result<void> loadScene(const std::string& source, const Sources& sources, Notes& notes);
 
   gl::HeadlessContext context_;  // first: everything below is freed before it
   shading::ProgramStore programs_;
   Shelf shelf_;
   std::shared_ptr<io::LoadedModel> model_;  // of the scene
+  std::string allowOutside_;                // with which it was read
   std::unique_ptr<LoadedScene> scene_;
   std::string environmentName_;
 };

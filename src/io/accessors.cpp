@@ -11,8 +11,9 @@ namespace facet::io {
 namespace {
 
 constexpr uint64_t overflow = std::numeric_limits<uint64_t>::max();
-// Accessors without data cost the file nothing and us everything; real ones are sparse morph targets.
-constexpr uint64_t maxZeroElements = uint64_t{1} << 24;
+// Accessors without data cost the file nothing and us everything; real ones are sparse morph targets, of as many
+// elements as others that have data.
+constexpr uint64_t freeZeroElements = uint64_t{1} << 20;
 
 // offset + stride * (count - 1) + size: one past the last byte; `overflow` when it does not fit 64 bits.
 uint64_t endOf(uint64_t offset, uint64_t stride, uint64_t count, uint64_t size) {
@@ -120,7 +121,7 @@ Result<void> checkSparse(const Document& doc, const tinygltf::Accessor& accessor
 }
 
 Result<void> checkAccessor(const Document& doc, const tinygltf::Accessor& accessor, const std::string& place,
-                           bool draco) {
+                           bool draco, uint64_t mostZeroElements) {
   const size_t size = elementSize(accessor.componentType, accessor.type);
   if (size == 0) {
     return doc.error(place + "/componentType", std::to_string(accessor.componentType) + " is not a component type");
@@ -130,10 +131,10 @@ Result<void> checkAccessor(const Document& doc, const tinygltf::Accessor& access
     return doc.error(place + "/count", std::to_string(accessor.count) + " elements are more than 2^32 - 1");
   }
   if (accessor.bufferView == -1) {
-    if (accessor.count > maxZeroElements && !draco) {
+    if (accessor.count > mostZeroElements && !draco) {
       return doc.error(place + "/count", std::to_string(accessor.count) +
                                              " elements without a buffer view are more than " +
-                                             std::to_string(maxZeroElements));
+                                             std::to_string(mostZeroElements));
     }
   } else {
     if (auto ok =
@@ -208,8 +209,13 @@ Result<void> checkBufferViews(const Document& doc) {
 
 Result<void> checkAccessors(const Document& doc) {
   const std::vector<bool> draco = accessorsOfDraco(doc);
+  uint64_t most = freeZeroElements;
   for (size_t i = 0; i < doc.gltf.accessors.size(); ++i) {
-    if (auto ok = checkAccessor(doc, doc.gltf.accessors[i], pointer("/accessors", i), draco[i]); !ok) return ok;
+    const auto& accessor = doc.gltf.accessors[i];
+    if (draco[i] || accessor.bufferView >= 0) most = std::max<uint64_t>(most, accessor.count);
+  }
+  for (size_t i = 0; i < doc.gltf.accessors.size(); ++i) {
+    if (auto ok = checkAccessor(doc, doc.gltf.accessors[i], pointer("/accessors", i), draco[i], most); !ok) return ok;
   }
   return {};
 }

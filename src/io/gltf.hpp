@@ -24,6 +24,7 @@ struct Limits {
   uint64_t radiancePixels = uint64_t{1} << 27;  // one .hdr or .exr, 16384 x 8192
   uint64_t geometryBytes = uint64_t{4} << 30;   // decoded vertices and indices of a model
   int jsonDepth = 256;
+  std::string allowOutside = {};  // folder that files of a model may lie in besides its own; empty: none
 };
 
 struct LoadedModel {

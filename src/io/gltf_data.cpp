@@ -55,19 +55,21 @@ const std::string* textAt(const Json& object, const char* key) {
 }
 
 Result<std::filesystem::path> resolve(Document& doc, const std::string& uri, const std::string& place) {
-  auto path = resolveBelow(doc.folder, uri);
+  auto path = resolveBelow(doc.folder, uri, doc.limits.allowOutside);
   std::error_code code;
   if (uri.find('\\') != std::string::npos && !(path && std::filesystem::exists(*path, code))) {
     std::string slashes = uri;
     std::ranges::replace(slashes, '\\', '/');
-    const auto other = resolveBelow(doc.folder, slashes);
+    const auto other = resolveBelow(doc.folder, slashes, doc.limits.allowOutside);
     if (other && std::filesystem::exists(*other, code)) {
       doc.info(place, "its backslashes are taken for slashes");
       return other;
     }
   }
-  if (!path) return doc.error(place, path.error().problem, path.error().remedy);
-  return path;
+  if (path) return path;
+  auto failed = doc.error(place, path.error().problem, path.error().remedy);
+  failed.value().about = path.error().about;
+  return failed;
 }
 
 Result<std::span<const uint8_t>> fileBuffer(Document& doc, const std::string& uri, const std::string& place) {
@@ -188,6 +190,7 @@ void imageFromUri(Document& doc, const std::string& uri, const std::string& plac
   std::error_code code;
   if (!path) {
     result.problem = path.error().problem;
+    result.outside = path.error().about == Setting::allowOutside;
   } else if (!std::filesystem::exists(*path, code)) {
     result.problem = "the file " + inQuotes(uri) + " does not exist";
   } else if (!std::filesystem::is_regular_file(*path, code)) {

@@ -47,7 +47,7 @@ struct Document {
   }
   // What the model can be shown without.
   void lost(const Error& error, std::string_view instead) {
-    warning(error.place, error.problem + ": " + std::string(instead));
+    notes.push_back({Note::Severity::warning, error.place, error.problem + ": " + std::string(instead), error.about});
   }
   void info(std::string place, std::string text) {
     notes.push_back({Note::Severity::info, std::move(place), std::move(text)});

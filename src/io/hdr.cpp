@@ -206,6 +206,10 @@ bool isNewRow(const HdrReader& reader, size_t width) {
          (static_cast<size_t>(rest[2]) << 8 | rest[3]) == width;
 }
 
+// Old runs hold any number of pixels, the new ones up to 16 a byte. Small pictures of one colour may have what they
+// like.
+constexpr uint64_t freeHdrPixels = uint64_t{1} << 22, hdrPixelsPerByte = 64;
+
 // Factor of a mantissa by exponent; e = 0 means black.
 std::array<float, 256> exponentTable(double exposure) {
   std::array<float, 256> table{};
@@ -262,7 +266,13 @@ Result<RadianceImage> decodeHdr(Bytes bytes, const std::string& name, const Limi
                 "use a smaller picture");
   }
   // No row takes less than one pixel and one run of 2^24, so a header cannot demand memory that no data backs.
-  if (height > (bytes.size() - reader.at) / 4) return reader.error("the file is cut off", "copy or download it again");
+  const uint64_t left = bytes.size() - reader.at;
+  if (height > left / 4) return reader.error("the file is cut off", "copy or download it again");
+  if (width * height > freeHdrPixels && width * height / hdrPixelsPerByte > left) {
+    return reader.error(std::to_string(left) + " bytes are too few for " + std::to_string(header->width) + " x " +
+                            std::to_string(header->height) + " pixels",
+                        "copy or download it again");
+  }
 
   RadianceImage image;
   image.width = header->width;

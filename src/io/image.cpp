@@ -192,8 +192,10 @@ std::vector<Pixels> decodeImages(const scene::Model& model, const std::vector<bo
     const std::string what = work.problem.empty()
                                  ? " is damaged, and a part of it may look wrong: " + flaw
                                  : " cannot be shown: " + work.problem + "; a placeholder takes its place";
+    const scene::Image& image = model.images[work.index];
     notes.push_back({Note::Severity::warning, "/images/" + std::to_string(work.index),
-                     "the image " + inQuotes(model.images[work.index].name) + what});
+                     "the image " + inQuotes(image.name) + what,
+                     image.outside ? Setting::allowOutside : Setting::none});
     if (!work.problem.empty()) result[work.index] = placeholderImage();
   }
   return result;

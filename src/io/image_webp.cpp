@@ -6,6 +6,14 @@
 
 namespace facet::io {
 
+namespace {
+
+// One colour takes no bytes, however large the picture is. Up to that it is decoded; beyond, flat pictures of that many
+// pixels a byte are not made by people.
+constexpr uint64_t freeWebpPixels = uint64_t{1} << 24, webpPixelsPerByte = 4096;
+
+}  // namespace
+
 bool isWebp(std::span<const uint8_t> bytes) {
   return bytes.size() >= 12 && std::memcmp(bytes.data(), "RIFF", 4) == 0 &&
          std::memcmp(bytes.data() + 8, "WEBP", 4) == 0;
@@ -17,7 +25,9 @@ Result<ImageHeader> readWebpHeader(std::span<const uint8_t> bytes) {
       features.height <= 0)
     return damagedHeader();
   if (features.has_animation) return fail("", "", "is an animated WebP image", "use a still image");
-  return ImageHeader{features.width, features.height, features.has_alpha ? 4 : 3};
+  ImageHeader header{features.width, features.height, features.has_alpha ? 4 : 3};
+  if (header.pixels() > freeWebpPixels) header.leastBytes = header.pixels() / webpPixelsPerByte;
+  return header;
 }
 
 Result<Pixels> decodeWebp(std::span<const uint8_t> bytes, const ImageHeader& header) {

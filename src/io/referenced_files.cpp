@@ -12,7 +12,7 @@ namespace facet::io {
 
 namespace fs = std::filesystem;
 
-std::vector<fs::path> referencedFiles(const fs::path& gltf) {
+std::vector<fs::path> referencedFiles(const fs::path& gltf, const std::string& allowOutside) {
   std::vector<fs::path> files;
   std::error_code problem;
   const fs::path folder = fs::canonical(gltf.has_parent_path() ? gltf.parent_path() : fs::path("."), problem);
@@ -36,7 +36,7 @@ std::vector<fs::path> referencedFiles(const fs::path& gltf) {
       if (!entry.is_object() || uri == entry.end() || !uri->is_string()) continue;
       const auto& name = uri->get_ref<const std::string&>();
       if (isDataUri(name)) continue;
-      if (auto path = resolveBelow(folder, name)) files.push_back(std::move(*path));
+      if (auto path = resolveBelow(folder, name, allowOutside)) files.push_back(std::move(*path));
     }
   }
   return files;

@@ -84,7 +84,7 @@ Result<FileBytes> readRegularFile(const fs::path& path, uint64_t maxBytes) {
   return bytes;
 }
 
-Result<fs::path> resolveBelow(const fs::path& folder, const std::string& uri) {
+Result<fs::path> resolveBelow(const fs::path& folder, const std::string& uri, const fs::path& outside) {
   if (hasScheme(uri)) {
     return fail("", "", "the URI " + inQuotes(uri) + " is not a relative path",
                 "only data: URIs and files below the model's folder are read");
@@ -93,22 +93,29 @@ Result<fs::path> resolveBelow(const fs::path& folder, const std::string& uri) {
     return fail("", "", "the URI " + inQuotes(uri) + " names a file, but the model is not in a folder",
                 "embed the data or load the model from a file");
   }
-  const auto outside = [&] {
+  const fs::path other = outside.empty() ? fs::path() : canonicalOrEmpty(outside);
+  const auto allowed = [&](const fs::path& path) {
+    return !path.empty() && (isBelow(folder, path) || (!other.empty() && isBelow(other, path)));
+  };
+  const auto leadsOut = [&] {
     return fail("", "", "the URI " + inQuotes(uri) + " leads out of the model's folder",
-                "put the file below that folder and name it by a relative path");
+                other.empty() ? "put the file below that folder and name it by a relative path"
+                              : "put the file below that folder or " + inQuotes(other.string()),
+                Setting::allowOutside);
   };
   const std::string decoded = percentDecode(uri);
   if (decoded.find('\0') != std::string::npos) {
     return fail("", "", "the URI " + inQuotes(uri) + " holds a zero byte", "rename the file");
   }
-  if (fs::path(decoded).is_absolute() || fs::path(uri).is_absolute()) return outside();
+  const bool absolute = fs::path(decoded).is_absolute() || fs::path(uri).is_absolute();
+  if (absolute && other.empty()) return leadsOut();
   const fs::path path = canonicalOrEmpty(folder / decoded);
-  if (path.empty() || !isBelow(folder, path)) return outside();
+  if (!allowed(path)) return leadsOut();
   std::error_code code;
   if (fs::exists(path, code)) return path;
   // Some writers forget to encode, so that a per cent sign belongs to the name.
   const fs::path literal = canonicalOrEmpty(folder / uri);
-  return !literal.empty() && isBelow(folder, literal) && fs::exists(literal, code) ? literal : path;
+  return allowed(literal) && fs::exists(literal, code) ? literal : path;
 }
 
 }  // namespace facet::io

@@ -29,7 +29,8 @@ Result<FileBytes> readRegularFile(const std::filesystem::path& path, uint64_t ma
 
 // The existing or missing file below folder (which must be canonical) that a relative URI names, symbolic links
 // followed. Errors (file and place left empty): a scheme, an absolute path, a place outside the folder. An empty folder
-// allows nothing.
-Result<std::filesystem::path> resolveBelow(const std::filesystem::path& folder, const std::string& uri);
+// allows nothing. outside: a folder below which it may lie as well, then by an absolute path, too; empty: none.
+Result<std::filesystem::path> resolveBelow(const std::filesystem::path& folder, const std::string& uri,
+                                           const std::filesystem::path& outside = {});
 
 }  // namespace facet::io

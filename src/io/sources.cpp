@@ -1,6 +1,7 @@
 #include "io/sources.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <string_view>
 
 #include "io/radiance.hpp"
@@ -39,8 +40,20 @@ Result<void> checkModelSource(const std::string& source, const Limits& limits, c
   return unknown ? Result<void>() : tl::unexpected(unknown.error());
 }
 
+std::string withLayer(const std::string& source, const std::string& layer) {
+  return layer.empty() ? source : source + "#" + layer;
+}
+
+LayeredSource splitLayer(const std::string& source) {
+  const size_t at = source.rfind('#');
+  std::error_code ignored;
+  if (at == std::string::npos || std::filesystem::exists(source, ignored)) return {source, ""};
+  if (!std::filesystem::exists(source.substr(0, at), ignored)) return {source, ""};
+  return {source.substr(0, at), source.substr(at + 1)};
+}
+
 Result<void> checkEnvironmentSource(const std::string& source, const Limits& limits) {
-  if (!isBuiltin(source)) return checkRegularFile(source, limits.fileBytes);
+  if (!isBuiltin(source)) return checkRegularFile(splitLayer(source).file, limits.fileBytes);
   const auto named = [&](const auto& environment) { return source.substr(builtinPrefix.size()) == environment.name; };
   if (std::ranges::any_of(scene::builtinEnvironments(), named)) return {};
   const Result<scene::Environment> unknown = scene::builtinEnvironment(source);
@@ -58,7 +71,10 @@ Result<LoadedModel> loadModel(const std::string& source, const Limits& limits, c
 
 Result<scene::Environment> loadEnvironmentSource(const std::string& source, Notes& notes, const Limits& limits) {
   if (isBuiltin(source)) return scene::builtinEnvironment(source);
-  return loadEnvironment(source, notes, limits);
+  const LayeredSource layered = splitLayer(source);
+  Result<scene::Environment> loaded = loadEnvironment(layered.file, notes, limits, layered.layer);
+  if (!loaded && !layered.layer.empty()) loaded.error().about = Setting::environmentLayer;
+  return loaded;
 }
 
 }  // namespace facet::io

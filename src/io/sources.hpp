@@ -18,11 +18,19 @@ inline constexpr std::string_view builtinPrefix = "builtin:";
 // bring normal textures of their own, and texture coordinates that only their authors know.
 Result<LoadedModel> loadModel(const std::string& source, const Limits& limits = {}, const Bump& bump = {});
 
+// An environment and the layer of its OpenEXR file in one: "passes.exr#Combined". layer empty: the source alone.
+std::string withLayer(const std::string& source, const std::string& layer);
+struct LayeredSource {
+  std::string file, layer;
+};
+// A file whose whole name that is has no layer.
+LayeredSource splitLayer(const std::string& source);
+
 // What can be told of them without reading: there is no such file or built-in one, or it is no file.
 Result<void> checkModelSource(const std::string& source, const Limits& limits = {}, const Bump& bump = {});
 Result<void> checkEnvironmentSource(const std::string& source, const Limits& limits = {});
 
-// The file or built-in environment.
+// The file, perhaps one of its layers, or built-in environment.
 Result<scene::Environment> loadEnvironmentSource(const std::string& source, Notes& notes, const Limits& limits = {});
 
 }  // namespace facet::io

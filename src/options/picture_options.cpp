@@ -11,6 +11,7 @@
 #include "base/text.hpp"
 #include "frame/material_choice.hpp"
 #include "frame/settings.hpp"
+#include "io/sources.hpp"
 #include "optics/presets.hpp"
 #include "shading/features.hpp"
 
@@ -367,6 +368,9 @@ constexpr PictureOption optionTable[] = {
      parseText<&S::sources, &frame::Sources::bump>, writeString<&S::sources, &frame::Sources::bump>, ',', true},
     {"bump-scale", "X", "height of its white above its black, in widths of the map (0.02)",
      parseNumberInto<-1000, 1000, &S::sources, &frame::Sources::bumpScale>, writeBumpScale},
+    {"allow-outside", "DIR", "folder that files of the model may lie in, too: links and paths out of its own (none)",
+     parseText<&S::sources, &frame::Sources::allowOutside>, writeString<&S::sources, &frame::Sources::allowOutside>,
+     ',', true},
     {"animation", "NAME|INDEX|all", "an animation of the file, or all at once (none: at rest)",
      parseText<&S::placement, &frame::Placement::animation>, writeString<&S::placement, &frame::Placement::animation>},
     {"time", "S", "seconds at which the animation stands (0)",
@@ -374,6 +378,9 @@ constexpr PictureOption optionTable[] = {
     {"env", "FILE|builtin:NAME|none", "environment: .hdr, .exr, builtin:studio, builtin:sky, builtin:white",
      parseText<&S::sources, &frame::Sources::environment>, writeString<&S::sources, &frame::Sources::environment>, ',',
      true},
+    {"layer", "NAME", "layer of a multilayer OpenEXR environment (the picture's own: Combined, beauty ...)",
+     parseText<&S::sources, &frame::Sources::environmentLayer>,
+     writeString<&S::sources, &frame::Sources::environmentLayer>},
     {"env-rotation", "DEG", "turns the environment about +Y (0)",
      parseNumberInto<-36000, 36000, &S::frame, &frame::FrameSettings::environmentRotationDeg>,
      writeNumber<&S::frame, &frame::FrameSettings::environmentRotationDeg>},
@@ -498,9 +505,9 @@ Result<void> apply(const PictureArguments& arguments, PictureSettings& settings)
 namespace {
 
 // Row i is that of Setting(i).
-constexpr Text settingOptions[] = {"",    "scene", "variant", "animation", "camera", "bump",
-                                   "env", "ndf",   "fresnel", "samples",   "brdf",   "brdf-dir"};
-static_assert(std::size(settingOptions) == static_cast<size_t>(Setting::brdfFolder) + 1);
+constexpr Text settingOptions[] = {"",      "scene", "variant", "animation", "camera", "bump",     "env",
+                                   "layer", "ndf",   "fresnel", "samples",   "brdf",   "brdf-dir", "allow-outside"};
+static_assert(std::size(settingOptions) == static_cast<size_t>(Setting::allowOutside) + 1);
 static_assert(std::ranges::all_of(settingOptions, [](Text name) {
   return name.empty() || std::ranges::any_of(optionTable, [&](const PictureOption& o) { return o.name == name; });
 }));
@@ -521,6 +528,10 @@ std::string describe(const std::string& source, const Note& note) {
 Result<void> checkTogether(const PictureSettings& settings) {
   if (settings.placement.timeSeconds != 0 && settings.placement.animation.empty())
     return fail({}, "--time", "nothing moves without an animation", "give --animation NAME, or --animation all");
+  const std::string& environment = settings.sources.environment;
+  const bool file = !environment.empty() && environment != "none" && !environment.starts_with(io::builtinPrefix);
+  if (!settings.sources.environmentLayer.empty() && !file)
+    return fail({}, "--layer", "only an OpenEXR environment has layers", "give --env FILE.exr, too");
   if (settings.comparison.brdfCompare != frame::BrdfCompare::none && settings.sources.brdf.empty())
     return fail({}, "--brdf-compare", "there is no measured BRDF to compare", "give --brdf, too");
   if (settings.viewpoint.camera.empty() || (!settings.viewpoint.orbit && !settings.viewpoint.target)) return {};

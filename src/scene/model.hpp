@@ -44,6 +44,7 @@ struct Image {
   std::filesystem::path file;    // an external file below the model's folder, or
   std::vector<uint8_t> encoded;  // the encoded bytes (buffer view or data URI), or
   std::string problem;           // neither: why there is none
+  bool outside = false;          // because its folder is not allowed
 };
 
 struct Texture {

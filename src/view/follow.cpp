@@ -1,5 +1,7 @@
 #include "view/follow.hpp"
 
+#include "io/sources.hpp"
+
 namespace facet::view {
 
 FilesChanged follow(Followed& followed, const Viewport& viewport, Loader& loader,
@@ -15,7 +17,7 @@ FilesChanged follow(Followed& followed, const Viewport& viewport, Loader& loader
   if (followed.environment != environment.environment.get()) {
     followed.environment = environment.environment.get();
     const bool isFile = environment.environment && !environment.source.starts_with("builtin:");
-    followed.environmentFiles = isFile ? watchFiles({environment.source}, now) : FileWatch{};
+    followed.environmentFiles = isFile ? watchFiles({io::splitLayer(environment.source).file}, now) : FileWatch{};
   }
   if (followed.measured != viewport.shown.inputs.list.measured.get()) {
     followed.measured = viewport.shown.inputs.list.measured.get();

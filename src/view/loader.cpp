@@ -15,17 +15,18 @@ tl::unexpected<Error> tooLarge(const std::string& source) {
   return fail(source, "", "the memory does not suffice", "give a smaller input");
 }
 
-std::vector<std::filesystem::path> filesOf(const std::string& source) {
+std::vector<std::filesystem::path> filesOf(const std::string& source, const std::string& allowOutside = {}) {
   if (source.starts_with("builtin:")) return {};
   std::vector<std::filesystem::path> files = {source};
-  for (std::filesystem::path& file : io::referencedFiles(source)) files.push_back(std::move(file));
+  for (std::filesystem::path& file : io::referencedFiles(source, allowOutside)) files.push_back(std::move(file));
   return files;
 }
 
-ModelLoaded loadModel(const std::string& source, Opening opening, const io::Bump& bump) {
+ModelLoaded loadModel(const std::string& source, Opening opening, const io::Bump& bump,
+                      const std::string& allowOutside) {
   try {
-    FileWatch watch = watchFiles(filesOf(source), std::chrono::steady_clock::now());
-    Result<io::LoadedModel> loaded = io::loadModel(source, {}, bump);
+    FileWatch watch = watchFiles(filesOf(source, allowOutside), std::chrono::steady_clock::now());
+    Result<io::LoadedModel> loaded = io::loadModel(source, {.allowOutside = allowOutside}, bump);
     if (!loaded) return {source, opening, tl::unexpected(loaded.error())};
     return {source, opening, std::make_shared<const io::LoadedModel>(std::move(*loaded)), std::move(watch)};
   } catch (const std::bad_alloc&) {
@@ -86,7 +87,9 @@ ImagesDecoded decodeImages(const std::shared_ptr<const io::LoadedModel>& model, 
 }  // namespace
 
 void startModel(Loader& loader, const std::string& source, Opening opening, const io::Bump& bump) {
-  loader.model.start([source, opening, bump] { return loadModel(source, opening, bump); });
+  loader.model.start([source, opening, bump, allowOutside = loader.allowOutside] {
+    return loadModel(source, opening, bump, allowOutside);
+  });
 }
 
 void startEnvironment(Loader& loader, const std::string& source, bool again) {

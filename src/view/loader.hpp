@@ -108,7 +108,8 @@ struct Loader {
   Latest<MeasuredLoaded> measured;
   Latest<FitMade> fit;
   Latest<ImagesDecoded> images;
-  ImagesAsked imagesAsked;  // the newest request for them
+  ImagesAsked imagesAsked;   // the newest request for them
+  std::string allowOutside;  // of models (frame::Sources)
 
   bool running() const {
     return model.running() || environment.running() || measured.running() || fit.running() || images.running();

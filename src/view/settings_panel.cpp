@@ -8,6 +8,7 @@
 
 #include "frame/choose.hpp"
 #include "ibl/choice.hpp"
+#include "io/sources.hpp"
 #include "optics/presets.hpp"
 #include "shading/features.hpp"
 #include "view/measured_panel.hpp"
@@ -107,6 +108,18 @@ void cameraSection(ViewerState& state, PanelResult& result) {
 
 // ---- Environment and lights -----------------------------------------------------------------------------------------
 
+// Of an OpenEXR file; what it holds besides is told by its notes.
+void layerField(ViewerState& state) {
+  frame::Sources& sources = state.settings.sources;
+  io::LayeredSource shown = io::splitLayer(sources.environment.empty() ? state.shown.environment : sources.environment);
+  if (!shown.file.ends_with(".exr") && !shown.file.ends_with(".EXR")) return;
+  const bool entered = enteredField("layer", "the picture's own", shown.layer);
+  hint("of a file with several; Enter takes it");
+  if (!entered) return;
+  sources.environment = io::withLayer(shown.file, shown.layer);
+  offerEnvironment(state, sources.environment);
+}
+
 void environmentSection(ViewerState& state) {
   if (!section(state.layout, "Environment and lights")) return;
   frame::PictureSettings& settings = state.settings;
@@ -124,6 +137,7 @@ void environmentSection(ViewerState& state) {
     hint(withKeys("what lights the scene from afar; drop a .hdr or .exr\nnext built-in one", state.keys,
                   Command::nextEnvironment));
   }
+  layerField(state);
   slider("rotation", settings.frame.environmentRotationDeg, -180, 180, "%.0f\xc2\xb0",
          usual.frame.environmentRotationDeg, "of the environment, about +Y");
   slider("strength", settings.frame.environmentStrength, 0, 10, "%.2f", usual.frame.environmentStrength,

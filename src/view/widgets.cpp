@@ -100,6 +100,15 @@ bool searchField(const char* id, const char* emptyText, std::string& text) {
   return true;
 }
 
+bool enteredField(const char* label, const char* emptyText, std::string& text) {
+  char typed[128] = "";
+  std::strncpy(typed, text.c_str(), sizeof typed - 1);
+  if (!ImGui::InputTextWithHint(label, emptyText, typed, sizeof typed, ImGuiInputTextFlags_EnterReturnsTrue))
+    return false;
+  text = typed;
+  return true;
+}
+
 bool beginList(const char* label, const std::string& chosen) {
   return ImGui::BeginCombo(label, chosen.c_str(), ImGuiComboFlags_HeightLarge);
 }

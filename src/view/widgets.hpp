@@ -34,6 +34,8 @@ void editColor(const char* label, glm::vec3& linear, const glm::vec3& usual, con
 
 // A field for what is searched. True where it has changed.
 bool searchField(const char* id, const char* emptyText, std::string& text);
+// A line of text that counts once Enter is pressed: true then.
+bool enteredField(const char* label, const char* emptyText, std::string& text);
 
 // A tooltip that says how to reset, too.
 void resettableHint(const char* explanation);

@@ -349,6 +349,7 @@ Result<void> checkStart(const WindowOptions& options) {
 
 Result<bool> runWindow(const WindowOptions& options) {
   Loader loader;  // first: what it still reads at the end is waited for after the window has gone
+  loader.allowOutside = options.settings.sources.allowOutside;
   ViewerState state;
   if (Result<Preferences> preferences = readPreferences(preferencesFile()))
     state.preferences = *preferences;

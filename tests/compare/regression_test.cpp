@@ -59,7 +59,8 @@ TEST_CASE("regression: limits that are passed, each with its figures") {
 
 TEST_CASE("regression: what is written is read back") {
   RegressionReport report = shard(2, 3, {job(4, "a", JobStatus::differs, "flip 0.02 > 0.01")});
-  report.jobs[0].baseline = "a.baseline.png", report.jobs[0].difference = "a.diff.png";
+  report.jobs[0].baseline = "a.baseline.png", report.jobs[0].difference = "a.diff.png",
+  report.jobs[0].differenceOf = "flip";
   report.jobs[0].warnings = {"w"};
   report.stale = {"old.png"};
   const std::string text = compare::reportJson(report);
@@ -111,4 +112,9 @@ TEST_CASE("regression: JUnit counts failures and errors, HTML shows failures fir
   for (const char* outside : {"http:", "https:", "<script", "<link", "url("})
     CHECK(page.find(outside) == std::string::npos);
   CHECK(page.find("class=\"bad\">0.02") != std::string::npos);
+  CHECK(page.find("legend\"><div") == std::string::npos);  // nothing differs
+  report.jobs[1].difference = "bad.diff.png";
+  CHECK(compare::reportHtml(report).find("the difference is the largest of any channel") != std::string::npos);
+  report.jobs[1].differenceOf = "flip";
+  CHECK(compare::reportHtml(report).find("the difference is FLIP") != std::string::npos);
 }

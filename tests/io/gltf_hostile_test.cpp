@@ -107,7 +107,7 @@ const Row rows[] = {
        b.json["accessors"][0].erase("bufferView");
        b.json["accessors"][0]["count"] = 100000000;
      },
-     "m: /accessors/0/count: 100000000 elements without a buffer view are more than 16777216; export the model again."},
+     "m: /accessors/0/count: 100000000 elements without a buffer view are more than 1048576; export the model again."},
     // Sparse
     {"sparse count 999999 with views 55 and 66",
      [](GltfBuilder& b) {
@@ -384,6 +384,19 @@ TEST_CASE("Random damage to what moves never crashes the loader", "[io][gltf][an
   }
   CHECK(loaded > 0);
   CHECK(loaded < 3000);
+}
+
+TEST_CASE("Accessors without data have no more elements than others, or a million", "[io][gltf]") {
+  const auto load = [](int count, int backed) {
+    GltfBuilder builder = triangle();
+    if (backed > 0) builder.add(std::vector<float>(static_cast<size_t>(backed)), test::floatType, "SCALAR");
+    builder.append("accessors", {{"componentType", 5126}, {"count", count}, {"type", "VEC3"}});
+    return outcome(io::loadGltfBytes(builder.glb(), "m"));
+  };
+  CHECK(load(1 << 20, 0) == "loaded");
+  CHECK(load((1 << 20) + 1, 0).find("1048577 elements without a buffer view are more than 1048576") !=
+        std::string::npos);
+  CHECK(load((1 << 20) + 1, (1 << 20) + 1) == "loaded");
 }
 
 TEST_CASE("One accessor used very often does not fill the memory", "[io][gltf]") {

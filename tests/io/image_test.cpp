@@ -262,6 +262,28 @@ TEST_CASE("A decompression bomb is refused by its header", "[io][image]") {
   CHECK(decode(jpeg) == "i: the file is too short for 16383 x 16383 pixels; save it again.");
 }
 
+TEST_CASE("A WebP picture of very many pixels in next to no bytes is refused by its header", "[io][image]") {
+  const auto webp = [](uint32_t width, uint32_t height, size_t padding) {
+    const uint32_t bits = (width - 1) | (height - 1) << 14;  // lossless, no alpha, version 0
+    Bytes chunk = {0x2f};
+    for (int i = 0; i < 4; ++i) chunk.push_back(static_cast<uint8_t>(bits >> (8 * i)));
+    chunk.resize(chunk.size() + padding);
+    if (chunk.size() % 2 == 1) chunk.push_back(0);
+    Bytes bytes = {'R', 'I', 'F', 'F'};
+    const auto add = [&](uint32_t value) {
+      for (int i = 0; i < 4; ++i) bytes.push_back(static_cast<uint8_t>(value >> (8 * i)));
+    };
+    add(static_cast<uint32_t>(chunk.size() + 12));
+    for (const char c : std::string("WEBPVP8L")) bytes.push_back(static_cast<uint8_t>(c));
+    add(static_cast<uint32_t>(chunk.size()));
+    bytes.insert(bytes.end(), chunk.begin(), chunk.end());
+    return bytes;
+  };
+  CHECK(decode(webp(16383, 16383, 30)) == "i: the file is too short for 16383 x 16383 pixels; save it again.");
+  // Enough bytes for their number, but they are nothing.
+  CHECK(decode(webp(4096, 4097, 5000)).find("too short for") == std::string::npos);
+}
+
 TEST_CASE("A progressive JPEG of too many scans is refused by its header", "[io][image]") {
   auto jpeg = greyJpeg();
   const Bytes scan = {0xff, 0xda};

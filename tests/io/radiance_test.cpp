@@ -20,6 +20,7 @@
 #include <limits>
 
 #include "io/exr.hpp"
+#include "io/sources.hpp"
 #include "support/gltf_builder.hpp"
 #include "support/skip.hpp"
 
@@ -315,6 +316,45 @@ TEST_CASE("EXR layers: the picture's own, or the one that is named", "[io][radia
   const auto hdr = files.folder.write("a.hdr", magic + format + "\n-Y 1 +X 1\n" + std::string(4, 'a'));
   CHECK(outcome(io::readRadiance(hdr, {}, "x")) ==
         hdr.string() + ": a Radiance picture has no layers; leave the layer's name out.");
+}
+
+TEST_CASE("A Radiance picture of very many pixels in next to no bytes is refused before memory is taken",
+          "[io][radiance]") {
+  const Files files;
+  // Each row a pixel and runs of it: 2^27 pixels in 2 KB.
+  Bytes data;
+  for (int row = 0; row < 128; ++row) data.insert(data.end(), {9, 9, 9, 128, 1, 1, 1, 255, 1, 1, 1, 255, 1, 1, 1, 15});
+  CHECK(outcome(files.read(magic + format + "\n-Y 128 +X 1048576\n", data))
+            .find("2048 bytes are too few for 1048576 x 128 pixels; copy or download it again.") != std::string::npos);
+  const auto small = files.read(magic + format + "\n-Y 1 +X 464\n", {9, 9, 9, 128, 1, 1, 1, 207, 1, 1, 1, 1});
+  REQUIRE(small);
+  CHECK(small->pixels.back() == small->pixels.front());
+}
+
+TEST_CASE("An environment's layer is named behind its file, which may have such a name itself", "[io][radiance]") {
+  const Files files;
+  writeChannels(files.path,
+                {"View.AO.R", "View.AO.G", "View.AO.B", "View.Combined.R", "View.Combined.G", "View.Combined.B"},
+                box(0, 0, 1, 0), box(0, 0, 1, 0));
+  Notes notes;
+  const auto read = [&](const std::string& layer) {
+    return io::loadEnvironmentSource(io::withLayer(files.path, layer), notes);
+  };
+  CHECK(read("AO")->radiance[0].x == 0);
+  CHECK(read("View.Combined")->radiance[0].x == 3);
+  CHECK(read("")->radiance[0].x == 3);
+  CHECK(io::checkEnvironmentSource(io::withLayer(files.path, "AO")));
+  const auto unknown = read("Depth");
+  REQUIRE_FALSE(unknown);
+  CHECK(describe(unknown.error()) ==
+        files.path + ": there is no layer \"Depth\", but View.AO, View.Combined; name one of them.");
+  CHECK(unknown.error().about == Setting::environmentLayer);
+  const std::string odd = files.path + "#AO";
+  std::filesystem::copy_file(files.path, odd);
+  CHECK(io::splitLayer(odd).file == odd);
+  CHECK(io::loadEnvironmentSource(odd, notes)->radiance[0].x == 3);
+  CHECK(io::splitLayer(odd + "#AO").layer == "AO");
+  CHECK(io::splitLayer("builtin:studio").file == "builtin:studio");
 }
 
 TEST_CASE("Every compression's largest pictures of one colour are read", "[io][radiance]") {

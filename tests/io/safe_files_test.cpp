@@ -1,9 +1,13 @@
 // Which files a model may read, and how much of them.
 
+#include "io/safe_files.hpp"
+
 #include <sys/stat.h>
 
 #include <catch2/catch.hpp>
 
+#include "io/image.hpp"
+#include "io/referenced_files.hpp"
 #include "io/sources.hpp"
 #include "support/gltf_load.hpp"
 
@@ -152,4 +156,60 @@ TEST_CASE("All files of a model together stay within the budget", "[io][gltf]") 
   CHECK(outcome(io::loadGltf(path, limits)) ==
         path.string() +
             ": /buffers/1/uri: the file \"a.bin\": has 600 bytes, more than the limit of 400; use a smaller file.");
+}
+
+TEST_CASE("Files of another folder are read where it is allowed, and nowhere else") {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path() / "model/maps");
+  std::filesystem::create_directories(folder.path() / "store/objects");
+  std::filesystem::create_directories(folder.path() / "storeroom");
+  const auto model = std::filesystem::canonical(folder.path() / "model"), store = folder.path() / "store";
+  folder.write("store/objects/a1", std::string("a"));
+  folder.write("storeroom/b", std::string("b"));
+  folder.write("model/own", std::string("c"));
+  std::filesystem::create_symlink(store / "objects/a1", model / "maps/linked.png");
+  std::filesystem::create_symlink(folder.path() / "storeroom/b", model / "maps/other.png");
+  const auto target = std::filesystem::canonical(store / "objects/a1");
+  const auto found = [&](const std::string& uri, const std::filesystem::path& outside) {
+    const auto path = io::resolveBelow(model, uri, outside);
+    return path ? path->string() : path.error().problem.substr(path.error().problem.find("leads"));
+  };
+  const std::string refused = "leads out of the model's folder";
+  for (const std::string& uri : {std::string("maps/linked.png"), std::string("../store/objects/a1"), target.string()}) {
+    INFO(uri);
+    CHECK(found(uri, {}) == refused);
+    CHECK(found(uri, store) == target);
+    CHECK(found(uri, folder.path() / "storeroom") == refused);
+    CHECK(found(uri, folder.path() / "missing") == refused);
+  }
+  for (const char* uri : {"maps/other.png", "../storeroom/b", "/etc/hostname", "../store/../storeroom/b"})
+    CHECK(found(uri, store) == refused);
+  CHECK(found("own", store) == model / "own");
+  CHECK(io::resolveBelow(model, "../x").error().about == Setting::allowOutside);
+  CHECK_FALSE(io::resolveBelow(model, "file://" + target.string(), store));
+}
+
+TEST_CASE("A model of links shows its images where their folder is allowed, and says what to allow") {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path() / "model");
+  std::filesystem::create_directories(folder.path() / "store");
+  const auto png = test::pngBytes(1, 1, 3, 8, std::vector<uint8_t>{1, 2, 3});
+  folder.write("store/a1", png);
+  std::filesystem::create_symlink(folder.path() / "store/a1", folder.path() / "model/a.png");
+  const auto gltf =
+      folder.write("model/m.gltf", std::string(R"({"asset":{"version":"2.0"},"images":[{"uri":"a.png"}]})"));
+  const auto load = [&](const std::string& outside) {
+    auto model = io::loadGltf(gltf, {.allowOutside = outside});
+    REQUIRE(model);
+    io::decodeImages(model->model, {true}, model->notes);
+    return model->notes;
+  };
+  const Notes notes = load("");
+  REQUIRE(notes.size() == 1);
+  CHECK(notes[0].text.find("leads out of the model's folder") != std::string::npos);
+  CHECK(notes[0].about == Setting::allowOutside);
+  CHECK(load((folder.path() / "store").string()).empty());
+  CHECK(io::referencedFiles(gltf).empty());
+  CHECK(io::referencedFiles(gltf, (folder.path() / "store").string()) ==
+        std::vector{std::filesystem::canonical(folder.path() / "store/a1")});
 }

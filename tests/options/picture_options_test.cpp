@@ -70,7 +70,8 @@ PictureSettings unusual() {
   s.comparison.brdfCompare = frame::BrdfCompare::difference, s.comparison.brdfSplit = 0.1f,
   s.comparison.brdfDifferenceScale = 12.5f;
   s.placement.animation = "run's", s.placement.timeSeconds = 1.25;
-  s.sources.environment = "it's here/a b.hdr";
+  s.sources.environment = "it's here/a b.hdr", s.sources.environmentLayer = "View.Combined";
+  s.sources.allowOutside = "/data store";
   s.frame.environmentRotationDeg = -0.1f, s.frame.environmentStrength = 1e-3f;
   s.frame.background = frame::Background::color;
   s.frame.backgroundColor = {0.3f, static_cast<float>(linearFromSrgb(7 / 255.0)), 1e-5f};
