@@ -50,7 +50,10 @@ Result<bool> prepare(Viewport& viewport, const ViewerState& state, const scene::
       !provided)
     return tl::unexpected(provided.error());
   if (environment.preview) return false;
-  if (viewport.shown.list.features.paths && (!viewport.shown.paths || viewport.shown.paths->drawn)) {
+  // Trees that a floor has had made do, where surfaces are shaded as for them.
+  const frame::PathScene* paths = viewport.shown.paths.get();
+  const bool otherwise = paths && paths->drawn && paths->drawn->features != viewport.shown.list.features;
+  if (viewport.shown.list.features.paths && (!paths || otherwise)) {
     Result<frame::PathScene> made =
         frame::pathScene(viewport.shown.list, viewport.scene->model(), viewport.scene->gpu, viewport.programs);
     if (!made) return tl::unexpected(made.error());

@@ -107,11 +107,13 @@ TEST_CASE("Variants: combinations without sense fold") {
   Material unlit = fullMaterial();
   unlit.unlit = true;
   CHECK(variant(unlit, full, lit) == "uv0, base colour texture, unlit");
-  // Lines without normals cannot be lit.
+  // Lines without normals cannot be lit, and show what they emit.
   Primitive lines = full;
   lines.normals.clear();
   lines.topology = scene::Topology::lines;
-  CHECK(variant(fullMaterial(), lines, lit) == "uv0, base colour texture, unlit");
+  CHECK(variant(fullMaterial(), lines, lit) ==
+        "uv0, base colour texture, emissive texture, unlit, emission of what has no normals");
+  CHECK(variant(unlit, lines, lit) == "uv0, base colour texture, unlit");
   // A normal texture without tangents, textures without coordinates.
   Primitive plain = full;
   plain.tangents.clear();
