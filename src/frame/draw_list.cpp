@@ -12,9 +12,7 @@
 #include "ibl/taps.hpp"
 #include "optics/microfacet.hpp"
 #include "optics/normal_spread.hpp"
-#include "scene/convex.hpp"
 #include "scene/deformation.hpp"
-#include "scene/geometry.hpp"
 
 namespace facet::frame {
 
@@ -178,13 +176,6 @@ void addMaterials(DrawList& list, const scene::Model& model, const DrawOptions& 
 void sortByProgram(DrawList& list) {
   for (std::vector<Draw>* draws : {&list.opaque, &list.transmitting})
     std::ranges::stable_sort(*draws, {}, [](const Draw& d) { return std::tuple(d.key, d.material, d.firstBounds); });
-}
-
-// By paths: where nothing is lit there is no light whose way could be traced.
-bool anythingLit(const DrawList& list) {
-  const auto lit = [](const Draw& draw) { return shading::usesFeature(draw.key, shading::Feature::paths); };
-  return std::ranges::any_of(list.classes(),
-                             [&](const std::vector<Draw>* draws) { return std::ranges::any_of(*draws, lit); });
 }
 
 constexpr auto sheenLayerRoughness = static_cast<float>(ibl::layers[layout::sheenLayer].perceptualRoughness);
@@ -355,60 +346,6 @@ void setFeatures(DrawList& list, shading::FrameFeatures features) {
       draw.key = shading::variantKey({material, *draw.primitive, list.features, deformation});
     }
   sortByProgram(list);
-}
-
-bool SizeRange::holds(const scene::Bounds& bounds) const {
-  const double radius = bounds.radius();
-  return radius == 0 || (radius >= least && radius <= most);
-}
-
-namespace {
-
-// A single convex body that lets no light pass: what faces the light gets it, nothing gets it from the body.
-bool nothingInTheWay(const DrawList& list) {
-  if (!list.transmitting.empty() || !list.blended.empty() || list.opaque.size() != 1) return false;
-  const Draw& draw = list.opaque.front();
-  return draw.instanceCount == 1 && !draw.doubleSided && !shading::usesFeature(draw.key, shading::Feature::skin) &&
-         !shading::usesFeature(draw.key, shading::Feature::morphTargets) &&
-         !shading::usesFeature(draw.key, shading::Feature::diffuseTransmission) && scene::isConvex(*draw.primitive);
-}
-
-// Lines or points.
-bool drawsThin(const DrawList& list) {
-  const auto thin = [](const Draw& draw) { return !scene::hasTriangles(draw.primitive->topology); };
-  return std::ranges::any_of(list.classes(), [&](const auto* draws) { return std::ranges::any_of(*draws, thin); });
-}
-
-// Why the list is left as it is, before its materials are looked at; else empty.
-std::string whyUntraced(const DrawList& list, const DrawOptions& options) {
-  if (list.features.channel != 0) return "a channel shows no light";
-  if (!tracedSizes.holds(list.bounds)) return "rays do not reach in a scene of this size";
-  if (options.tracesAnyway) return "";
-  if (nothingInTheWay(list)) return "a convex body, alone";
-  if (options.tracing == Tracing::paths && drawsThin(list)) return "paths do not meet lines and points";
-  // Without tables there is nothing that rays could correct without noise of their own.
-  if (options.tracing == Tracing::difference && list.features.measured != shading::Measured::none)
-    return "few samples of a measured BRDF are noise enough";
-  return "";
-}
-
-}  // namespace
-
-void setTracing(DrawList& list, const DrawOptions& options) {
-  list.untraced.clear();
-  if (options.tracing == Tracing::none) return;
-  list.untraced = whyUntraced(list, options);
-  if (!list.untraced.empty()) return;
-  const shading::FrameFeatures drawn = list.features;
-  shading::FrameFeatures traced = shading::pathFeatures(drawn);
-  setFeatures(list, traced);
-  if (!anythingLit(list)) {
-    list.untraced = "nothing is lit";
-    return setFeatures(list, drawn);
-  }
-  if (options.tracing == Tracing::paths) return;
-  traced.paths = false, traced.difference = true;  // what is wrong with the tables is less than what few samples miss
-  setFeatures(list, traced);
 }
 
 }  // namespace facet::frame
