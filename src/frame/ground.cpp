@@ -25,9 +25,9 @@ Result<const gl::Program*> drawProgram(const FrameInput& in, ProgramStore& progr
                          covers(in) ? std::vector<shading::Define>{{"COVER"}} : std::vector<shading::Define>{});
 }
 
-gl::Texture layers(GLenum format, int size, int count, const char* label) {
-  gl::Texture texture({.target = GL_TEXTURE_2D_ARRAY, .format = format, .width = size, .height = size, .layers = count},
-                      label);
+gl::Texture layers(int size, int count, const char* label) {
+  gl::Texture texture(
+      {.target = GL_TEXTURE_2D_ARRAY, .format = GL_RGBA32F, .width = size, .height = size, .layers = count}, label);
   texture.filterLinear();
   return texture;
 }
@@ -35,7 +35,7 @@ gl::Texture layers(GLenum format, int size, int count, const char* label) {
 void begin(Ground& ground, const GroundWish& wish) {
   const bool same = ground.shares && ground.wish.size == wish.size;
   ground.wish = wish, ground.done = ground.row = 0;
-  ground.sums = layers(GL_RGBA32F, wish.size, layout::groundSumLayers, "light on the floor");
+  ground.sums = layers(wish.size, layout::groundSumLayers, "light on the floor");
   const glm::vec4 zero(0);
   glClearTexImage(ground.sums.id(), 0, GL_RGBA, GL_FLOAT, &zero.x);
   if (!same) ground.shares = {};
@@ -44,7 +44,7 @@ void begin(Ground& ground, const GroundWish& wish) {
 Result<void> makeShares(Ground& ground, ProgramStore& programs) {
   const auto program = shareProgram(programs);
   if (!program) return tl::unexpected(program.error());
-  if (!ground.shares) ground.shares = layers(GL_RGBA32F, ground.wish.size, layout::groundLayers, "floor");
+  if (!ground.shares) ground.shares = layers(ground.wish.size, layout::groundLayers, "floor");
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
   ground.sums.bind(0);
   glBindSampler(0, 0);
