@@ -61,8 +61,8 @@ struct TextureUpload {
   gl::Texture texture;
   std::vector<int> channels;  // of the image, in the order in which they are stored
   bool wide = false;          // 16 bits a channel
-  int rows = 0, level = 0;    // rows of level 0 that are there; the last level that is
-  MaskLevel mask = {};        // likewise, where the use has one
+  int level = 0, rows = 0;    // the level that is being filled; its rows that are there
+  MaskLevel mask = {};        // of the last whole level, where the use has one
 };
 
 // A primitive that is not yet complete.

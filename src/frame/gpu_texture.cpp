@@ -62,14 +62,25 @@ GLenum internalFormat(size_t channels, bool srgb, bool wide) {
   return wide ? wideFormats[channels - 1] : narrowFormats[channels - 1];
 }
 
-// Those channels of some rows of the image, one after another.
+// A mip level of the image as its file has it.
+struct Level {
+  int width = 0, height = 0;
+  const uint8_t* data = nullptr;  // none: it is made from the level before
+};
+
+Level levelOf(const io::Pixels& pixels, int level) {
+  const auto index = static_cast<size_t>(level);
+  const uint8_t* data = level == 0                      ? pixels.data.data()
+                        : index <= pixels.levels.size() ? pixels.levels[index - 1].data()
+                                                        : nullptr;
+  return {std::max(1, pixels.width >> level), std::max(1, pixels.height >> level), data};
+}
+
+// Those channels of so many texels, one after another; `stride` samples make a texel.
 template <class Sample>
-std::vector<uint8_t> repack(const io::Pixels& pixels, int firstRow, int rows, const std::vector<int>& channels,
+std::vector<uint8_t> repack(const uint8_t* data, size_t count, size_t stride, const std::vector<int>& channels,
                             bool narrow) {
-  const size_t width = static_cast<size_t>(pixels.width), count = width * static_cast<size_t>(rows);
-  const auto stride = static_cast<size_t>(pixels.channels);
-  const auto* source =
-      reinterpret_cast<const Sample*>(pixels.data.data()) + width * static_cast<size_t>(firstRow) * stride;
+  const auto* source = reinterpret_cast<const Sample*>(data);
   std::vector<uint8_t> out(count * channels.size() * (narrow ? 1 : sizeof(Sample)));
   for (size_t k = 0; k < channels.size(); ++k) {
     const auto channel = static_cast<size_t>(channels[k]);
@@ -94,34 +105,39 @@ bool isIdentity(const std::vector<int>& channels, int stored) {
   return true;
 }
 
-// The next rows of level 0.
+// The next rows of the level.
 void uploadRows(TextureUpload& upload, const io::Pixels& pixels) {
-  const size_t rowBytes = static_cast<size_t>(pixels.width) * static_cast<size_t>(pixels.channels) *
-                          static_cast<size_t>(pixels.bytesPerSample);
+  const Level level = levelOf(pixels, upload.level);
+  const auto stride = static_cast<size_t>(pixels.channels);
+  const size_t rowBytes = static_cast<size_t>(level.width) * stride * static_cast<size_t>(pixels.bytesPerSample);
   const int most = static_cast<int>(std::max<size_t>(1, uploadPiece / rowBytes));
-  const int first = upload.rows, rows = std::min(most, pixels.height - first);
+  const int first = upload.rows, rows = std::min(most, level.height - first);
   constexpr GLenum formats[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
   const GLenum format = formats[upload.channels.size() - 1];
   const GLenum type = upload.wide ? GL_UNSIGNED_SHORT : GL_UNSIGNED_BYTE;
-  const void* data = pixels.data.data() + rowBytes * static_cast<size_t>(first);
+  const uint8_t* data = level.data + rowBytes * static_cast<size_t>(first);
+  const size_t count = static_cast<size_t>(level.width) * static_cast<size_t>(rows);
   std::vector<uint8_t> packed;
   if (pixels.bytesPerSample == 2 && !upload.wide)
-    packed = repack<uint16_t>(pixels, first, rows, upload.channels, true), data = packed.data();
+    packed = repack<uint16_t>(data, count, stride, upload.channels, true), data = packed.data();
   else if (!isIdentity(upload.channels, pixels.channels))
-    packed = upload.wide ? repack<uint16_t>(pixels, first, rows, upload.channels, false)
-                         : repack<uint8_t>(pixels, first, rows, upload.channels, false),
+    packed = upload.wide ? repack<uint16_t>(data, count, stride, upload.channels, false)
+                         : repack<uint8_t>(data, count, stride, upload.channels, false),
     data = packed.data();
-  glTextureSubImage2D(upload.texture.id(), 0, 0, first, pixels.width, rows, format, type, data);
+  glTextureSubImage2D(upload.texture.id(), upload.level, 0, first, level.width, rows, format, type, data);
   upload.rows += rows;
 }
 
 // From the level before.
-void makeLevel(const gl::Texture& texture, int level) {
+void makeLevel(TextureUpload& upload, const io::Pixels& pixels) {
+  const gl::Texture& texture = upload.texture;
+  const int level = upload.level;
   texture.parameter(GL_TEXTURE_BASE_LEVEL, level - 1);
   texture.parameter(GL_TEXTURE_MAX_LEVEL, level);
   glGenerateTextureMipmap(texture.id());
   texture.parameter(GL_TEXTURE_BASE_LEVEL, 0);
   texture.parameter(GL_TEXTURE_MAX_LEVEL, texture.description().levels - 1);
+  upload.rows = levelOf(pixels, level).height;
 }
 
 bool masks(const TextureUpload& upload) { return upload.use.mask > 0 && upload.channels.size() == 4 && !upload.wide; }
@@ -158,18 +174,16 @@ TextureUpload beginTexture(const io::Pixels& pixels, const TextureUse& use, bool
 }
 
 bool continueTexture(TextureUpload& upload, const io::Pixels& pixels) {
-  const gl::Texture& texture = upload.texture;
-  if (upload.rows < pixels.height)
-    uploadRows(upload, pixels);
-  else {
-    makeLevel(texture, ++upload.level);
-    if (masks(upload)) {
-      upload.mask =
-          upload.level == 1 ? firstMaskLevel(pixels, upload.channels[3], upload.use.mask) : nextMaskLevel(upload.mask);
-      writeMask(upload);
-    }
+  if (upload.rows == levelOf(pixels, upload.level).height) ++upload.level, upload.rows = 0;
+  const Level level = levelOf(pixels, upload.level);
+  level.data ? uploadRows(upload, pixels) : makeLevel(upload, pixels);
+  if (upload.rows < level.height) return false;
+  if (upload.level > 0 && masks(upload)) {
+    upload.mask =
+        upload.level == 1 ? firstMaskLevel(pixels, upload.channels[3], upload.use.mask) : nextMaskLevel(upload.mask);
+    writeMask(upload);
   }
-  return upload.rows == pixels.height && upload.level + 1 == texture.description().levels;
+  return upload.level + 1 == upload.texture.description().levels;
 }
 
 gl::Texture uploadTexture(const io::Pixels& pixels, const TextureUse& use, bool mips) {

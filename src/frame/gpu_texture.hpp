@@ -8,8 +8,8 @@ namespace facet::frame {
 // a texel. 16-bit images keep their depth unless they go through the sRGB curve, which OpenGL offers for 8 bits only.
 gl::Texture uploadTexture(const io::Pixels& pixels, const TextureUse& use, bool mips);
 
-// The same in pieces: rows of about uploadPiece bytes, then level by level. continueTexture makes one of them; true
-// where it was the last one.
+// The same in pieces: rows of about uploadPiece bytes of each level that the image has, others level by level.
+// continueTexture makes one of them; true where it was the last one.
 TextureUpload beginTexture(const io::Pixels& pixels, const TextureUse& use, bool mips);
 bool continueTexture(TextureUpload& upload, const io::Pixels& pixels);
 

@@ -26,15 +26,7 @@ constexpr std::string_view supportedExtensions[] = {
     "KHR_meshopt_compression",              // gltf_meshopt.cpp
     "KHR_xmp_json_ld",                      // gltf_xmp.cpp
     "EXT_texture_webp",                     // gltf_textures.cpp, image.cpp
-};
-
-// Where a required extension can be had without.
-struct Remedy {
-  std::string_view extension, remedy;
-};
-constexpr Remedy remedies[] = {
-    {"KHR_texture_basisu",
-     "export the model with PNG, JPEG or WebP textures: KTX2 needs a Basis Universal transcoder, which facet lacks"},
+    "KHR_texture_basisu",                   // gltf_textures.cpp, ktx2/
 };
 
 // What is lost without these are looks, sounds and motion: the rest can still be shown.
@@ -56,13 +48,6 @@ bool supported(std::string_view name) {
          std::ranges::any_of(scene::textureSlots, [&](scene::TextureSlot slot) { return names(scene::path(slot)); });
 }
 
-std::string remedyFor(std::string_view name) {
-  for (const auto& entry : remedies) {
-    if (entry.extension == name) return std::string(entry.remedy);
-  }
-  return "export the model without it";
-}
-
 }  // namespace
 
 Result<void> checkExtensions(Document& doc) {
@@ -71,8 +56,8 @@ Result<void> checkExtensions(Document& doc) {
     if (supported(name)) continue;
     const std::string place = pointer("/extensionsRequired", i);
     const std::string problem = "the model requires the extension " + inQuotes(name) + ", which is not supported";
-    if (!concernsOnlyLooks(name)) return doc.error(place, problem, remedyFor(name));
-    doc.warning(place, problem + ": shown without; " + remedyFor(name));
+    if (!concernsOnlyLooks(name)) return doc.error(place, problem, "export the model without it");
+    doc.warning(place, problem + ": shown without; export the model without it");
   }
   const auto& required = doc.model.extensionsRequired;
   for (size_t i = 0; i < doc.model.extensionsUsed.size(); ++i) {

@@ -64,28 +64,36 @@ scene::Sampler readSampler(Document& doc, const tinygltf::Sampler& from, const s
   return sampler;
 }
 
-// Which image: that of an extension whose format is read, else the core's. KHR_texture_basisu has to fall back.
-Result<int> textureImage(Document& doc, const Json& from, const std::string& place) {
+// Of an object with a `source`: the image's index, or -1 where it names none.
+Result<int> sourceOf(Document& doc, const Json& from, const std::string& place) {
   std::string at = place;
-  const Json* webp = extensionOf(from, "EXT_texture_webp");
-  auto source = valueAt(doc, webp ? *webp : from, "source", at);
-  if (webp) at = place + "/extensions/EXT_texture_webp/source";
-  if (webp && source && *source == nullptr) source = valueAt(doc, from, "source", at = place);
+  const auto source = valueAt(doc, from, "source", at);
   if (!source) return tl::unexpected(source.error());
-  if (*source != nullptr) {
-    const auto image = readIndex(doc, **source, doc.model.images.size(), at, "image");
-    if (image) return image;
-    doc.lost(image.error(), "a placeholder is shown");
-    return -1;
-  }
-  if (extensionOf(from, "KHR_texture_basisu")) {
-    doc.warning(place,
-                "its image is only given through KHR_texture_basisu, which is not supported yet: a placeholder is "
-                "shown");
-    return -1;
-  }
-  doc.warning(place, "has no image: a placeholder is shown");
-  return -1;
+  if (*source == nullptr) return -1;
+  return readIndex(doc, **source, doc.model.images.size(), at, "image");
+}
+
+// Which image: that of an extension, else the core's; what comes after it is shown where it can't be.
+int textureImage(Document& doc, const Json& from, const std::string& place) {
+  std::vector<int> images;
+  std::vector<Error> problems;
+  const auto add = [&](const Json& object, const std::string& at) {
+    const auto image = sourceOf(doc, object, at);
+    if (!image)
+      problems.push_back(image.error());
+    else if (*image >= 0)
+      images.push_back(*image);
+  };
+  for (const char* name : {"KHR_texture_basisu", "EXT_texture_webp"})
+    if (const Json* extension = extensionOf(from, name)) add(*extension, place + "/extensions/" + name);
+  add(from, place);
+  for (const Error& problem : problems)
+    doc.lost(problem, images.empty() ? "a placeholder is shown" : "the texture's other image is shown");
+  if (images.empty() && problems.empty()) doc.warning(place, "has no image: a placeholder is shown");
+  if (images.empty()) return -1;
+  scene::Image& shown = doc.model.images[static_cast<size_t>(images[0])];
+  if (images.size() > 1 && images[1] != images[0] && shown.fallback < 0) shown.fallback = images[1];
+  return images[0];
 }
 
 // ---- References to textures -----------------------------------------------------------------------------------------
@@ -125,9 +133,7 @@ Result<void> readTextures(Document& doc) {
     const std::string place = pointer("/textures", i);
     scene::Texture texture;
     texture.name = from.name;
-    const auto image = textureImage(doc, (*list)[i], place);
-    if (!image) return tl::unexpected(image.error());
-    texture.image = *image;
+    texture.image = textureImage(doc, (*list)[i], place);
     if (from.sampler != -1) {
       const auto ok = checkIndex(doc, from.sampler, samplers.size(), place + "/sampler", "sampler");
       ok ? void(texture.sampler = samplers[static_cast<size_t>(from.sampler)])

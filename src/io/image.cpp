@@ -11,6 +11,7 @@
 #include "io/image_formats.hpp"
 #include "io/safe_files.hpp"
 #include "io/uri.hpp"
+#include "scene/usage.hpp"
 
 namespace facet::io {
 
@@ -27,8 +28,10 @@ struct Format {
   Result<ImageHeader> (*readHeader)(Bytes);
   Result<Pixels> (*decode)(Bytes, const ImageHeader&);
 };
-constexpr Format formats[] = {
-    {isPng, readPngHeader, decodePng}, {isJpeg, readJpegHeader, decodeJpeg}, {isWebp, readWebpHeader, decodeWebp}};
+constexpr Format formats[] = {{isPng, readPngHeader, decodePng},
+                              {isJpeg, readJpegHeader, decodeJpeg},
+                              {isWebp, readWebpHeader, decodeWebp},
+                              {isKtx2, readKtx2Header, decodeKtx2}};
 
 const Format* formatOf(Bytes bytes) {
   const auto found = std::ranges::find_if(formats, [&](const Format& format) { return format.is(bytes); });
@@ -41,8 +44,7 @@ const char* foreignFormat(Bytes bytes) {
     std::string_view magic;
     size_t at;
     const char* name;
-  } named[] = {{std::string_view("\xabKTX 20\xbb", 8), 0, "KTX2"},
-               {std::string_view("\xabKTX 11\xbb", 8), 0, "KTX"},
+  } named[] = {{std::string_view("\xabKTX 11\xbb", 8), 0, "KTX 1"},
                {"DDS ", 0, "DDS"},
                {"GIF8", 0, "GIF"},
                {"BM", 0, "BMP"},
@@ -71,7 +73,7 @@ Result<ImageHeader> readHeader(Bytes bytes, const Limits& limits) {
     const char* foreign = foreignFormat(bytes);
     return fail("", "",
                 foreign ? std::string("is a ") + foreign + " image, which is not supported"
-                        : std::string("is no PNG, JPEG or WebP image"),
+                        : std::string("is no PNG, JPEG, WebP or KTX2 image"),
                 "convert it to PNG or JPEG");
   }
   const auto header = format->readHeader(bytes);
@@ -102,7 +104,7 @@ Result<Pixels> decode(Bytes bytes, const ImageHeader& header) { return formatOf(
 
 // One image of a model on its way to pixels.
 struct Work {
-  size_t index = 0;
+  size_t index = 0, target = 0;  // in the model; where its pixels go
   FileBytes file;
   Bytes bytes;
   ImageHeader header;
@@ -156,17 +158,14 @@ Result<Pixels> decodeImage(Bytes encoded, const std::string& name, const Limits&
   }
 }
 
-std::vector<Pixels> decodeImages(const scene::Model& model, const std::vector<bool>& wanted, Notes& notes,
-                                 const Limits& limits) {
-  std::vector<Pixels> result(model.images.size());
-  std::vector<Work> works;
-  for (size_t i = 0; i < model.images.size() && i < wanted.size(); ++i) {
-    if (wanted[i]) works.emplace_back().index = i;
-  }
+namespace {
+
+// Reads and decodes in parallel; `pixels`, that were decoded before, count towards the limit.
+void decodeWorks(const scene::Model& model, std::vector<Work>& works, std::vector<Pixels>& result, uint64_t& pixels,
+                 const Limits& limits) {
   parallelFor(works.size(),
               [&](size_t i) { guarded(works[i], [&] { readWork(model.images[works[i].index], works[i], limits); }); });
-  uint64_t pixels = 0;  // in the order of the file, so that the same images are refused every time
-  for (Work& work : works) {
+  for (Work& work : works) {  // in the order of the file, so that the same images are refused every time
     if (!work.problem.empty()) continue;
     if (work.header.pixels() > limits.totalPixels - std::min(pixels, limits.totalPixels)) {
       work.problem = "the images together have more than " + std::to_string(limits.totalPixels) + " pixels";
@@ -180,24 +179,87 @@ std::vector<Pixels> decodeImages(const scene::Model& model, const std::vector<bo
     guarded(work, [&] {
       auto decoded = decode(work.bytes, work.header);
       if (decoded) {
-        result[work.index] = std::move(*decoded);
+        result[work.target] = std::move(*decoded);
       } else {
         work.problem = decoded.error().problem;
       }
     });
   });
-  for (const Work& work : works) {
-    const std::string& flaw = result[work.index].flaw;
-    if (work.problem.empty() && flaw.empty()) continue;
-    const std::string what = work.problem.empty()
-                                 ? " is damaged, and a part of it may look wrong: " + flaw
-                                 : " cannot be shown: " + work.problem + "; a placeholder takes its place";
-    const scene::Image& image = model.images[work.index];
-    notes.push_back({Note::Severity::warning, "/images/" + std::to_string(work.index),
-                     "the image " + inQuotes(image.name) + what,
-                     image.outside ? Setting::allowOutside : Setting::none});
-    if (!work.problem.empty()) result[work.index] = placeholderImage();
+}
+
+// What is read as colours and says that it is none, or the other way round: the use decides, as glTF has it.
+void noteTransfers(const scene::Model& model, const std::vector<Pixels>& result, Notes& notes) {
+  std::vector<bool> told(model.images.size(), false);
+  for (const scene::Material& material : model.materials) {
+    for (const scene::TextureSlot slot : scene::textureSlots) {
+      const int texture = scene::textureRef(material, slot).texture;
+      const int image = texture >= 0 ? model.textures[static_cast<size_t>(texture)].image : -1;
+      if (image < 0 || told[static_cast<size_t>(image)] || !scene::usesTexture(material, slot)) continue;
+      const auto transfer = result[static_cast<size_t>(image)].transfer;
+      const bool srgb = scene::texelUse(material, slot).srgb;
+      if (transfer == Pixels::Transfer::unknown || (transfer == Pixels::Transfer::srgb) == srgb) continue;
+      told[static_cast<size_t>(image)] = true;
+      notes.push_back({Note::Severity::warning, "/images/" + std::to_string(image),
+                       "the image " + inQuotes(model.images[static_cast<size_t>(image)].name) + " says that it is " +
+                           (srgb ? "linear" : "sRGB") + ", and is read as " + (srgb ? "sRGB" : "linear") + " by " +
+                           scene::name(slot)});
+    }
   }
+}
+
+void noteWork(const scene::Model& model, const Work& work, const Pixels& pixels, Notes& notes) {
+  const scene::Image& image = model.images[work.target];
+  const auto warn = [&](const std::string& text) {
+    notes.push_back({Note::Severity::warning, "/images/" + std::to_string(work.target),
+                     "the image " + inQuotes(image.name) + text,
+                     image.outside ? Setting::allowOutside : Setting::none});
+  };
+  if (!pixels.flaw.empty()) warn(" is damaged, and a part of it may look wrong: " + pixels.flaw);
+  for (const std::string& remark : pixels.remarks) warn(": " + remark);
+}
+
+}  // namespace
+
+std::vector<Pixels> decodeImages(const scene::Model& model, const std::vector<bool>& wanted, Notes& notes,
+                                 const Limits& limits) {
+  std::vector<Pixels> result(model.images.size());
+  std::vector<Work> works;
+  for (size_t i = 0; i < model.images.size() && i < wanted.size(); ++i) {
+    if (!wanted[i]) continue;
+    works.emplace_back().index = i;
+    works.back().target = i;
+  }
+  uint64_t pixels = 0;
+  decodeWorks(model, works, result, pixels, limits);
+  std::vector<Work> instead;
+  for (const Work& work : works) {
+    const int fallback = model.images[work.index].fallback;
+    if (work.problem.empty() || fallback < 0) continue;
+    instead.emplace_back().index = static_cast<size_t>(fallback);
+    instead.back().target = work.index;
+  }
+  decodeWorks(model, instead, result, pixels, limits);
+  for (const Work& work : works) {
+    if (work.problem.empty()) {
+      noteWork(model, work, result[work.target], notes);
+      continue;
+    }
+    const scene::Image& image = model.images[work.index];
+    const auto other = std::ranges::find(instead, work.index, &Work::target);
+    const bool replaced = other != instead.end() && other->problem.empty();
+    std::string text = "the image " + inQuotes(image.name) + " cannot be shown: " + work.problem;
+    if (other != instead.end() && !replaced)
+      text += ", nor " + inQuotes(model.images[other->index].name) + " in its place: " + other->problem;
+    text += replaced ? "; " + inQuotes(model.images[other->index].name) + " is shown in its place"
+                     : std::string("; a placeholder takes its place");
+    notes.push_back({Note::Severity::warning, "/images/" + std::to_string(work.index), text,
+                     image.outside ? Setting::allowOutside : Setting::none});
+    if (replaced)
+      noteWork(model, *other, result[work.index], notes);
+    else
+      result[work.index] = placeholderImage();
+  }
+  noteTransfers(model, result, notes);
   return result;
 }
 

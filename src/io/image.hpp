@@ -1,6 +1,7 @@
 #pragma once
 
-// Colour images: PNG, JPEG and WebP in (header checked against the pixel budget before anything is decoded), PNG out.
+// Colour images: PNG, JPEG, WebP and KTX2 in (header checked against the pixel budget before anything is decoded), PNG
+// out.
 
 #include <cstdint>
 #include <filesystem>
@@ -22,13 +23,20 @@ struct Pixels {
   std::vector<uint8_t> data;
   bool placeholder = false;  // the image was missing or corrupt
   std::string flaw = {};     // not empty: read in spite of damage, so that a part may look wrong; what the decoder says
+
+  // KTX2 alone:
+  std::vector<std::vector<uint8_t>> levels = {};  // mip levels 1, 2, ... as the file has them; others are to be made
+  enum class Transfer : uint8_t { unknown, linear, srgb };
+  Transfer transfer = Transfer::unknown;  // what the file says that its colours are
+  std::vector<std::string> remarks = {};  // what is unusual, and how it is shown
 };
 
 // Errors: no such format, over a limit, damaged (in part, too), no memory.
 Result<Pixels> decodeImage(std::span<const uint8_t> encoded, const std::string& name, const Limits& limits = {});
 
 // Decodes images[i] of the model in parallel where wanted[i]; the rest stay empty (width 0). A missing or corrupt image
-// becomes a conspicuous placeholder and a warning that names it; one that is damaged in part is a warning.
+// becomes its fallback's pixels (scene::Image) or else a conspicuous placeholder, and a warning that names it; one that
+// is damaged in part, or whose curve is not that of its use, is a warning.
 std::vector<Pixels> decodeImages(const scene::Model& model, const std::vector<bool>& wanted, Notes& notes,
                                  const Limits& limits = {});
 

@@ -40,6 +40,11 @@ bool isWebp(std::span<const uint8_t> bytes);
 Result<ImageHeader> readWebpHeader(std::span<const uint8_t> bytes);
 Result<Pixels> decodeWebp(std::span<const uint8_t> bytes, const ImageHeader& header);
 
+// ktx2/decode.cpp: what its formats hold, as 8-bit or 16-bit RGB or RGBA, all mip levels.
+bool isKtx2(std::span<const uint8_t> bytes);
+Result<ImageHeader> readKtx2Header(std::span<const uint8_t> bytes);
+Result<Pixels> decodeKtx2(std::span<const uint8_t> bytes, const ImageHeader& header);
+
 // The pixels as a PNG file, 8 bits a channel; empty where memory does not do.
 std::vector<uint8_t> pngOf(const Pixels& pixels);
 

@@ -45,6 +45,7 @@ struct Image {
   std::vector<uint8_t> encoded;  // the encoded bytes (buffer view or data URI), or
   std::string problem;           // neither: why there is none
   bool outside = false;          // because its folder is not allowed
+  int fallback = -1;             // index in Model::images: what is shown where this one cannot be; -1: nothing
 };
 
 struct Texture {

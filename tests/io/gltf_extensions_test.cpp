@@ -28,20 +28,3 @@ TEST_CASE("A required extension that only concerns looks is left out with a warn
                                    "\", which is not supported; export the model without it.");
   }
 }
-
-TEST_CASE("A model that requires KTX2 is shown with placeholders", "[io][gltf]") {
-  GltfBuilder b = triangle();
-  b.json["extensionsUsed"] = b.json["extensionsRequired"] = {"KHR_texture_basisu"};
-  b.append("textures", {{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}});
-  b.append("materials", {{"emissiveTexture", {{"index", 0}}}});
-  const auto model = loaded(b);
-  CHECK(model.model.materials[0].emissive.texture == 0);
-  CHECK(model.model.textures[0].image == -1);
-  CHECK(
-      notes(model) ==
-      "! /extensionsRequired/0: the model requires the extension \"KHR_texture_basisu\", which is not supported: shown "
-      "without; export the model with PNG, JPEG or WebP textures: KTX2 needs a Basis Universal transcoder, which "
-      "facet lacks\n"
-      "! /textures/0: its image is only given through KHR_texture_basisu, which is not supported yet: a placeholder "
-      "is shown\n");
-}

@@ -141,39 +141,47 @@ TEST_CASE("FACET_materials_models: what our built-in scenes say", "[io][gltf]") 
         std::string::npos);
 }
 
-TEST_CASE("Textures whose image is only in a format that is not read", "[io][gltf]") {
+TEST_CASE("Textures without an image", "[io][gltf]") {
   GltfBuilder b;
   b.append("textures", {{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}});
   b.append("textures", Json::object());
   const auto model = loaded(b);
   CHECK(model.model.textures[0].image == -1);
   CHECK(notes(model) ==
-        "! /textures/0: its image is only given through KHR_texture_basisu, which is not supported yet: a placeholder "
-        "is shown\n"
+        "! /textures/0/extensions/KHR_texture_basisu/source: image 0 does not exist; there are 0: a placeholder is "
+        "shown\n"
         "! /textures/1: has no image: a placeholder is shown\n");
 }
 
 TEST_CASE("Images of textures with extensions", "[io][gltf]") {
   GltfBuilder b;
-  for (int i = 0; i < 2; ++i) b.append("images", {{"uri", test::dataUri(std::vector<uint8_t>{1})}});
+  for (int i = 0; i < 3; ++i) b.append("images", {{"uri", test::dataUri(std::vector<uint8_t>{1})}});
   const Json second = {{"source", 1}}, webp = {{"EXT_texture_webp", second}}, basisu = {{"KHR_texture_basisu", second}};
+  Json both = basisu;
+  both["EXT_texture_webp"] = {{"source", 2}};
   b.append("textures", {{"extensions", webp}});
   b.append("textures", {{"source", 0}, {"extensions", webp}});
   b.append("textures", {{"source", 0}, {"extensions", basisu}});
   b.append("textures", {{"source", 0}, {"extensions", {{"EXT_texture_webp", Json::object()}}}});
+  b.append("textures", {{"extensions", both}});
   const auto model = loaded(b);
   CHECK(notes(model) == "");
-  CHECK(model.model.textures[0].image == 1);
-  CHECK(model.model.textures[1].image == 1);
-  CHECK(model.model.textures[2].image == 0);  // KTX2 is not read
+  for (const size_t texture : {0, 1, 2, 4}) CHECK(model.model.textures[texture].image == 1);
   CHECK(model.model.textures[3].image == 0);
-  const auto refused = [&](const Json& source) {
-    b.json["textures"][1]["extensions"]["EXT_texture_webp"]["source"] = source;
-    return notes(loaded(b));
-  };
-  const std::string place = "! /textures/1/extensions/EXT_texture_webp/source: ";
-  CHECK(refused(2) == place + "image 2 does not exist; there are 2: a placeholder is shown\n");
-  CHECK(refused("x") == place + "is not a whole number: a placeholder is shown\n");
+  CHECK(model.model.images[0].fallback == -1);
+  CHECK(model.model.images[1].fallback == 0);  // the first that is named
+  for (const char* name : {"EXT_texture_webp", "KHR_texture_basisu"}) {
+    const auto refused = [&](const Json& source) {
+      GltfBuilder wrong = b;
+      wrong.json["textures"][1]["extensions"] = {{name, {{"source", source}}}};
+      const auto read = loaded(wrong);
+      CHECK(read.model.textures[1].image == 0);
+      return notes(read);
+    };
+    const std::string place = "! /textures/1/extensions/" + std::string(name) + "/source: ";
+    CHECK(refused(3) == place + "image 3 does not exist; there are 3: the texture's other image is shown\n");
+    CHECK(refused("x") == place + "is not a whole number: the texture's other image is shown\n");
+  }
 }
 
 TEST_CASE("KHR_materials_pbrSpecularGlossiness takes the place of metallic-roughness", "[io][gltf]") {

@@ -1,0 +1,31 @@
+#pragma once
+
+// Bits of a byte string from the lowest of the first byte on. Internal to io/.
+
+#include <cstdint>
+#include <span>
+
+namespace facet::io {
+
+struct BitReader {
+  std::span<const uint8_t> bytes;
+  uint64_t at = 0;  // in bits; past the end all bits are 0
+
+  bool overran() const { return at > bytes.size() * uint64_t{8}; }
+
+  // count <= 25
+  uint32_t peek(unsigned count) const {
+    uint32_t bits = 0;
+    const uint64_t first = at / 8;
+    for (unsigned i = 0; i < 4 && first + i < bytes.size(); ++i)
+      bits |= static_cast<uint32_t>(bytes[first + i]) << 8 * i;
+    return bits >> (at % 8) & ((1u << count) - 1);
+  }
+  uint32_t take(unsigned count) {
+    const uint32_t bits = peek(count);
+    at += count;
+    return bits;
+  }
+};
+
+}  // namespace facet::io
