@@ -191,20 +191,22 @@ int runBrdf(const BrdfArguments& arguments) {
 std::function<int()> addBrdf(CLI::App& app) {
   auto arguments = std::make_shared<BrdfArguments>();
   app.add_option(
-      "FILE", arguments->files,
-      "MERL .binary or UTIA .bin files, folders of them, names of found databases, builtin:NAME; none: lists "
-      "what is found");
+         "FILE", arguments->files,
+         "MERL .binary or UTIA .bin files, folders of them, names of found databases, builtin:NAME; none: lists "
+         "what is found")
+      ->type_name("FILE|builtin:NAME");
   app.add_flag("--fit", arguments->fit, "fit GGX over each diffuse model");
-  app.add_option("--metric", arguments->metric, "of the fit: log or cuberoot (log)")->type_name("NAME");
+  app.add_option("--metric", arguments->metric, "of the fit (log)")->type_name(alternatives(metricNames));
   app.add_option("--plot", arguments->plot, "write slices by theta_h, theta_d and in the plane of view")
       ->type_name("D.svg");
-  app.add_option("--utia-decode", arguments->utiaDecode, "what UTIA's values are: raw, srgb or srgb140 (raw)")
-      ->type_name("NAME");
+  app.add_option("--utia-decode", arguments->utiaDecode, "what UTIA's values are (raw)")
+      ->type_name(alternatives(io::utiaDecodeNames()));
   app.add_option("--brdf-dir", arguments->brdfDir, "look for databases here first")->type_name("DIR");
   app.add_option("--synthesize", arguments->synthesize, "write the built-in BRDF of that name as a file")
-      ->type_name("NAME");
+      ->type_name("BRDF");
   app.add_option("-o,--output", arguments->output, "where --synthesize writes")->type_name("FILE");
-  app.add_option("--format", arguments->format, "markdown, csv or json (markdown)")->type_name("NAME");
+  app.add_option("--format", arguments->format, "how tables are written (markdown)")
+      ->type_name(alternatives(tableFormatNames()));
   return [arguments] { return runBrdf(*arguments); };
 }
 

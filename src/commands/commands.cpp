@@ -54,9 +54,23 @@ constexpr Command commandTable[] = {
      "  facet selftest --json > selftest.json\n"
      "  facet selftest --shader-dir shaders",
      addSelftest},
+    {"thumbnail", "a small picture of a model, as file managers ask for it",
+     "  facet thumbnail helmet.glb helmet.png\n"
+     "  facet thumbnail helmet.glb helmet.png --size 512",
+     addThumbnail},
+    {"manual", "the manual's pages, made of what --help shows",
+     "  facet manual render | man -l -\n"
+     "  facet manual -o man1",
+     addManual},
+    {"complete", "how a command line may go on, for shells",
+     "  facet complete -- render --tone\n"
+     "  facet complete -- render helmet.glb --tonemap ''",
+     addComplete},
 };
 
 }  // namespace
+
+std::span<const Command> allCommands() { return commandTable; }
 
 int run(int argc, char** argv) { return run(commandTable, argc, argv); }
 

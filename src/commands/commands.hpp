@@ -3,6 +3,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "base/error.hpp"
 
@@ -32,18 +33,27 @@ struct Command {
 int run(int argc, char** argv);
 int run(std::span<const Command> table, int argc, char** argv);
 
+// All of the program.
+std::span<const Command> allCommands();
+
+// "log|cuberoot": what a value is called that is one of these words. Help, manual and completion read it from there.
+std::string alternatives(std::span<const std::string_view> words);
+
 // Says what is wrong and returns exitBadInput.
 int badInput(const Error& error);
 
 // One per command, each in the file of its name.
 std::function<int()> addBrdf(CLI::App& app);
 std::function<int()> addCompare(CLI::App& app);
+std::function<int()> addComplete(CLI::App& app);
 std::function<int()> addInspect(CLI::App& app);
+std::function<int()> addManual(CLI::App& app);
 std::function<int()> addNormalMap(CLI::App& app);
 std::function<int()> addRegress(CLI::App& app);
 std::function<int()> addRender(CLI::App& app);
 std::function<int()> addReport(CLI::App& app);
 std::function<int()> addSelftest(CLI::App& app);
+std::function<int()> addThumbnail(CLI::App& app);
 std::function<int()> addWindow(CLI::App& app);
 
 }  // namespace facet::commands

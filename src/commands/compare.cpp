@@ -137,13 +137,13 @@ int runCompare(const CompareSettings& settings) {
 
 std::function<int()> addCompare(CLI::App& app) {
   const auto settings = std::make_shared<CompareSettings>();
-  app.add_option("REF", settings->reference, "the reference, PNG or EXR")->required();
-  app.add_option("IMG", settings->picture, "the picture to judge, PNG or EXR")->required();
+  app.add_option("REF", settings->reference, "the reference, PNG or EXR")->type_name("PICTURE")->required();
+  app.add_option("IMG", settings->picture, "the picture to judge, PNG or EXR")->type_name("PICTURE")->required();
   app.add_option("--max-error", settings->maxError, "exit 1 if the metric is above this")->type_name("E");
   std::string help = "what --max-error limits (drmse):";
   for (const Metric& metric : compare::metrics())
     help += format("\n%-13s", std::string(metric.name).c_str()) + std::string(metric.summary);
-  app.add_option("--metric", settings->metric, help)->type_name("NAME");
+  app.add_option("--metric", settings->metric, help)->type_name("METRIC");
   app.add_option("--tolerance", settings->tolerance, "display difference that counts as none, 0..1 (0.01)")
       ->type_name("T");
   app.add_flag("--mask-from-alpha", settings->maskFromAlpha, "judge only where the reference's alpha is above 0.5");

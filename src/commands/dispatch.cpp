@@ -1,3 +1,5 @@
+#include "commands/dispatch.hpp"
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <exception>
@@ -9,7 +11,6 @@
 #include "base/log.hpp"
 #include "base/nearest.hpp"
 #include "base/text.hpp"
-#include "commands/commands.hpp"
 #include "options/picture_options.hpp"
 
 namespace facet::commands {
@@ -18,8 +19,17 @@ namespace {
 
 using Names = std::vector<std::string_view>;
 
-constexpr const char* exitStatusHelp =
-    "Exit status: 0 good, 1 a check failed or pictures differ, 2 bad arguments or input, 3 no usable OpenGL.";
+constexpr StatusMeaning meanings[] = {{exitGood, "good"},
+                                      {exitFailed, "a check failed or pictures differ"},
+                                      {exitBadInput, "bad arguments or input"},
+                                      {exitNoOpenGL, "no usable OpenGL"}};
+
+std::string exitStatusHelp() {
+  std::string help;
+  for (const StatusMeaning& row : meanings)
+    help += (help.empty() ? "Exit status: " : ", ") + std::to_string(row.status) + " " + row.meaning;
+  return help + ".";
+}
 
 constexpr std::pair<std::string_view, log::Level> levels[] = {{"quiet", log::Level::quiet},
                                                               {"error", log::Level::error},
@@ -57,7 +67,9 @@ Error explain(const CLI::ParseError& error, const CLI::App& app) {
             "there is no such option",
             meant.empty() ? helpHint(app) : "perhaps " + std::string(meant) + " is meant"};
   }
-  if (!remaining.empty()) return {{}, inQuotes(remaining.front()), "one argument too many", helpHint(app)};
+  if (const auto extra = std::ranges::find_if(remaining, [](const std::string& word) { return word != "--"; });
+      extra != remaining.end())
+    return {{}, inQuotes(*extra), "one argument too many", helpHint(app)};
   const std::string what = error.what();
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error)) {
     return {{}, what.substr(0, what.find(':')), "takes exactly one value, once", helpHint(app)};
@@ -91,18 +103,18 @@ Result<void> checkNothingBefore(const CLI::App& root, const CLI::App& command) {
   return {};
 }
 
-struct ChosenCommand {
-  CLI::App* app = nullptr;
-  std::function<int()> run;
-};
+}  // namespace
 
-// The program's options and those of every command; the first is the nameless command's.
+std::span<const StatusMeaning> statusMeanings() { return meanings; }
+
 std::vector<ChosenCommand> addCommands(CLI::App& root, std::span<const Command> table, std::string& level) {
+  std::vector<std::string_view> levelNames;
+  for (const auto& [name, value] : levels) levelNames.push_back(name);
   std::vector<ChosenCommand> choices = {{&root, {}}};
   for (const Command& command : table) {
     const bool nameless = *command.name == '\0';
     CLI::App& app = nameless ? root : *root.add_subcommand(command.name, command.summary);
-    app.footer("\nExamples:\n" + std::string(command.examples) + "\n\n" + exitStatusHelp);
+    app.footer("\nExamples:\n" + std::string(command.examples) + "\n\n" + exitStatusHelp());
     ChosenCommand choice{&app, command.add(app)};
     if (nameless) {
       choices.front() = choice;
@@ -111,11 +123,13 @@ std::vector<ChosenCommand> addCommands(CLI::App& root, std::span<const Command> 
     }
   }
   for (const ChosenCommand& choice : choices) {
-    choice.app->add_option("--log-level", level, "quiet, error, warning, info or debug (info)")->type_name("LEVEL");
+    choice.app->add_option("--log-level", level, "what is told (info)")->type_name(alternatives(levelNames));
   }
   root.require_subcommand(choices.front().run ? 0 : 1, 1);
   return choices;
 }
+
+namespace {
 
 int parseAndRun(std::span<const Command> table, int argc, char** argv) {
   log::setLevel(log::Level::info);
@@ -146,6 +160,12 @@ int parseAndRun(std::span<const Command> table, int argc, char** argv) {
 }
 
 }  // namespace
+
+std::string alternatives(std::span<const std::string_view> words) {
+  std::string text;
+  for (const std::string_view word : words) text += (text.empty() ? "" : "|") + std::string(word);
+  return text;
+}
 
 int badInput(const Error& error) {
   log::error(options::describe(error));

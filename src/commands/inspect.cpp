@@ -219,7 +219,7 @@ int runInspect(const InspectArguments& arguments) {
 
 std::function<int()> addInspect(CLI::App& app) {
   auto arguments = std::make_shared<InspectArguments>();
-  app.add_option("model", arguments->model, "a .gltf or .glb file, or builtin:NAME")->type_name("MODEL")->required();
+  app.add_option("MODEL", arguments->model, "a .gltf or .glb file, or builtin:NAME")->type_name("MODEL")->required();
   constexpr std::string_view wanted[] = {"scene",       "variant",     "brdf",         "brdf-dir",
                                          "brdf-lookup", "utia-decode", "allow-outside"};
   addPictureOptions(app, arguments->picture, wanted);

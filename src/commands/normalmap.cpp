@@ -28,7 +28,9 @@ int runNormalMap(const NormalMapArguments& arguments) {
 
 std::function<int()> addNormalMap(CLI::App& app) {
   const auto arguments = std::make_shared<NormalMapArguments>();
-  app.add_option("HEIGHT", arguments->heights, "a grey picture, 8 or 16 bit; white is high")->required();
+  app.add_option("HEIGHT", arguments->heights, "a grey picture, 8 or 16 bit; white is high")
+      ->type_name("HEIGHT.png")
+      ->required();
   app.add_option("-o,--output", arguments->output, "the normal map: PNG, 8 bit, +Y up as glTF has it")
       ->required()
       ->type_name("NORMAL.png");

@@ -323,7 +323,7 @@ int runRegress(const RegressArguments& arguments) {
 
 std::function<int()> addRegress(CLI::App& app) {
   auto arguments = std::make_shared<RegressArguments>();
-  app.add_option("DIR", arguments->folder, "folder of suite.json and baselines/");
+  app.add_option("DIR", arguments->folder, "folder of suite.json and baselines/")->type_name("DIR");
   app.add_option("-o,--output", arguments->results, "folder for pictures and reports (DIR/results)")->type_name("DIR");
   app.add_flag("--accept", arguments->accept, "what is beyond its limits or new becomes the baseline");
   app.add_flag("--accept-all", arguments->acceptAll, "so does what differs at all");
@@ -331,7 +331,7 @@ std::function<int()> addRegress(CLI::App& app) {
   app.add_option("--shard", arguments->shard, "only each N-th job from the I-th on, for many machines (1/1)")
       ->type_name("I/N");
   app.add_option("--merge", arguments->merge, "instead of a suite: results of shards, to make one report of")
-      ->type_name("RESULTS ...");
+      ->type_name("DIR");
   app.add_option("-j,--processes", arguments->processes, "processes beside each other (as many as cores, at most 4)")
       ->type_name("N")
       ->check(CLI::Range(1, 256));

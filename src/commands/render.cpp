@@ -269,7 +269,7 @@ int runRender(const RenderArguments& arguments) {
 
 std::function<int()> addRender(CLI::App& app) {
   auto arguments = std::make_shared<RenderArguments>();
-  app.add_option("model", arguments->model, "a .gltf or .glb file, or builtin:NAME")->type_name("MODEL");
+  app.add_option("MODEL", arguments->model, "a .gltf or .glb file, or builtin:NAME")->type_name("MODEL");
   app.add_option("-o,--output", arguments->output, "the picture: .png (display) or .exr (scene-linear)")
       ->type_name("FILE");
   app.add_option("--jobs", arguments->jobs, "many pictures in one process: a JSON list of jobs")->type_name("FILE");

@@ -114,14 +114,15 @@ std::function<int()> addReport(CLI::App& app) {
   std::string topics = "what it is about (all):";
   for (const report::Topic& topic : report::reportTopics())
     topics += (topics.back() == ':' ? " " : "; ") + std::string(topic.name) + " (" + std::string(topic.summary) + ")";
-  app.add_option("topic", arguments->topic, topics)->type_name("TOPIC");
-  app.add_option("--env", arguments->environment, "the environment to measure with (builtin:studio)")->type_name("ENV");
-  app.add_option("model,--model", arguments->model,
+  app.add_option("TOPIC", arguments->topic, topics)->type_name("TOPIC");
+  app.add_option("--env", arguments->environment, "the environment to measure with (builtin:studio)")
+      ->type_name("FILE|builtin:NAME");
+  app.add_option("MODEL,--model", arguments->model,
                  "the model of the pictures that are compared (builtin:spheres; frame: builtin:marbles; visibility: "
                  "builtin:poster)")
       ->type_name("MODEL");
-  app.add_option("--format", arguments->format, "markdown, csv or json (by the file's ending, else markdown)")
-      ->type_name("NAME");
+  app.add_option("--format", arguments->format, "how tables are written (by the file's ending, else markdown)")
+      ->type_name(alternatives(tableFormatNames()));
   app.add_option(
          "-o,--output", arguments->output,
          "a file (.md, .csv, .json) in the place of the terminal; a name without ending is a folder for all of them "

@@ -89,7 +89,7 @@ int runViewer(const WindowArguments& arguments) {
 
 std::function<int()> addWindow(CLI::App& app) {
   auto arguments = std::make_shared<WindowArguments>();
-  app.add_option("model", arguments->sources,
+  app.add_option("MODEL", arguments->sources,
                  "a .gltf or .glb file, or builtin:NAME (builtin:poster); folders are browsed")
       ->type_name("MODEL|FOLDER");
   app.add_flag("--last", arguments->last,

@@ -15,14 +15,17 @@ constexpr TableFormat formats[] = {
 
 std::span<const TableFormat> tableFormats() { return formats; }
 
+std::vector<std::string_view> tableFormatNames() {
+  std::vector<std::string_view> names;
+  for (const TableFormat& format : formats) names.push_back(format.name);
+  return names;
+}
+
 Result<const TableFormat*> tableFormat(std::string_view name) {
   if (name.empty()) return formats;
-  std::vector<std::string_view> names;
-  for (const TableFormat& format : formats) {
+  for (const TableFormat& format : formats)
     if (name == format.name) return &format;
-    names.push_back(format.name);
-  }
-  return fail({}, "--format", inQuotes(name) + " is not known", suggestion(name, names));
+  return fail({}, "--format", inQuotes(name) + " is not known", suggestion(name, tableFormatNames()));
 }
 
 Result<void> writeText(const std::filesystem::path& path, std::string_view text) { return writeWholeFile(path, text); }

@@ -19,6 +19,8 @@ struct TableFormat {
 };
 std::span<const TableFormat> tableFormats();  // Markdown first
 
+std::vector<std::string_view> tableFormatNames();
+
 // By the value of --format; empty: Markdown.
 Result<const TableFormat*> tableFormat(std::string_view name);
 

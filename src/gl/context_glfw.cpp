@@ -23,6 +23,11 @@ GLFWwindow* createWindow(int width, int height, const std::string& title, int mi
   glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, debug ? GLFW_TRUE : GLFW_FALSE);
   glfwWindowHint(GLFW_DEPTH_BITS, 0);  // the frame has its own targets; the window only shows the result
   glfwWindowHint(GLFW_STENCIL_BITS, 0);
+  glfwWindowHintString(GLFW_X11_CLASS_NAME, "facet");  // by which a desktop finds icon and name
+  glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "facet");
+#ifdef GLFW_WAYLAND_APP_ID
+  glfwWindowHintString(GLFW_WAYLAND_APP_ID, "facet");
+#endif
   return glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
 }
 

@@ -233,12 +233,18 @@ std::string writeColor(const glm::vec3& color) {
 
 // One material for everything: each of its options is one of that material, so that it switches it on.
 
+std::vector<std::string> materialNames() {
+  std::vector<std::string> names = {"plain"};
+  for (const optics::MetalPreset& metal : optics::metalPresets()) names.emplace_back(metal.name);
+  for (const optics::DielectricPreset& dielectric : optics::dielectricPresets()) names.emplace_back(dielectric.name);
+  return names;
+}
+
 Result<void> parseMaterial(Text text, PictureSettings& settings) {
-  std::vector<Text> names = {"plain"};
-  for (const optics::MetalPreset& metal : optics::metalPresets()) names.push_back(metal.name);
-  for (const optics::DielectricPreset& dielectric : optics::dielectricPresets()) names.push_back(dielectric.name);
+  const std::vector<std::string> names = materialNames();
   if (std::ranges::find(names, text) == names.end())
-    return fail({}, {}, inQuotes(text) + " is not known", suggestion(text, names));
+    return fail({}, {}, inQuotes(text) + " is not known",
+                suggestion(text, std::vector<Text>(names.begin(), names.end())));
   settings.look.material.on = true;
   choosePreset(settings.look.material, text == "plain" ? Text() : text);
   return {};
@@ -329,6 +335,11 @@ constexpr PictureOption comparisonOption(Text name, Text help) {
   option.write = writeBrdfCompare;
   return option;
 }
+constexpr PictureOption materialOption(Text name, Text help) {
+  PictureOption option{name, "NAME", help, parseMaterial, writeMaterial};
+  option.names = materialNames;
+  return option;
+}
 std::string channelWords() { return wordsOf(shading::channels); }
 constexpr PictureOption channelOption(Text name, Text help) {
   PictureOption option{name, "NAME", help, parseChannel, writeChannel};
@@ -353,9 +364,9 @@ constexpr PictureOption optionTable[] = {
     {"scene", "N", "index of the scene (the file's default)", parseScene, writeScene},
     {"variant", "NAME|INDEX", "the file's material variant (none: its own materials)",
      parseText<&S::look, &frame::Look::variant>, writeString<&S::look, &frame::Look::variant>},
-    {"material", "NAME",
-     "one material for everything: plain, or a substance of the panel's such as gold, silver, water, diamond (none)",
-     parseMaterial, writeMaterial},
+    materialOption("material",
+                   "one material for everything: plain, or a substance of the panel's such as gold, silver, water, "
+                   "diamond (none)"),
     {"material-color", "#rrggbb|R,G,B", "its base colour; as numbers linear (0.8,0.8,0.8; a metal's own)",
      parseMaterialColor, writeMaterialColor},
     {"material-metallic", "0..1", "its metallic (0; a metal's 1)", parseMaterialNumber<&M::metallic, 0, 1>,
@@ -465,6 +476,16 @@ std::string helpOf(const PictureOption& option) {
   if (!option.choices) return help;
   const std::string usual = option.write({});
   return help + ": " + option.choices() + " (" + (usual.empty() ? "none" : usual) + ")";
+}
+
+std::vector<std::string> wordsFor(const PictureOption& option) {
+  if (option.names) return option.names();
+  std::vector<std::string> words;
+  if (!option.choices) return words;
+  const std::string listed = option.choices();  // "auto, mirror; auto: ..."
+  for (const Text word : split(Text(listed).substr(0, listed.find(';')), ','))
+    words.emplace_back(word.substr(word.starts_with(' ') ? 1 : 0));
+  return words;
 }
 
 std::vector<Text> optionNames() {

@@ -22,11 +22,12 @@ struct PictureOption {
   Result<void> (*parse)(std::string_view text, frame::PictureSettings& settings);
   // The text that parse makes the same setting of; empty where nothing is set.
   std::string (*write)(const frame::PictureSettings& settings);
-  char separator = ',';                // between the numbers where a job gives an array
-  bool isPath = false;                 // in a job relative to the job file's folder
-  bool mayBeName = false;              // a path, but a plain word that is no file there is a name
-  std::string (*choices)() = nullptr;  // the words that it takes, for its help
-  bool flag = false;                   // on where it is named; in a job true or false
+  char separator = ',';                           // between the numbers where a job gives an array
+  bool isPath = false;                            // in a job relative to the job file's folder
+  bool mayBeName = false;                         // a path, but a plain word that is no file there is a name
+  std::string (*choices)() = nullptr;             // the words that it takes, for its help
+  bool flag = false;                              // on where it is named; in a job true or false
+  std::vector<std::string> (*names)() = nullptr;  // the names that it takes, where its help does not list them
 };
 
 // In the order in which they are applied, whatever order they are given in: a substance comes before what differs from
@@ -38,6 +39,9 @@ std::vector<std::string_view> optionNames();
 
 // Its help, with the words that it takes and in brackets what is chosen where it is not given.
 std::string helpOf(const PictureOption& option);
+
+// The words that it takes besides what `value` spells out; for whoever completes what is typed.
+std::vector<std::string> wordsFor(const PictureOption& option);
 
 // An option's text in a job: paths are taken below `folder`. "builtin:..." and "none" are names; so is a plain word of
 // an option that takes names, unless such a file exists there or its ending is that of a database.

@@ -25,8 +25,6 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr auto timeLimit = 60s;
-constexpr uintmax_t largestFile = uintmax_t{400}
-                                  << 20;  // of more, a preview would take the memory that the window needs
 
 bool isBuiltin(const std::string& source) { return source.starts_with("builtin:") || source == "none"; }
 
@@ -113,15 +111,19 @@ std::string thumbnailKey(const ThumbnailRequest& request) {
   return key + std::to_string(stamp.time.time_since_epoch().count()) + "\n" + std::to_string(stamp.bytes);
 }
 
-std::vector<std::string> thumbnailArguments(const ThumbnailRequest& request, const fs::path& png) {
+std::string thumbnailModel(const ThumbnailRequest& request) {
+  return request.kind == FileKind::model ? request.source : "builtin:furnace";
+}
+
+frame::PictureSettings thumbnailSettings(const ThumbnailRequest& request, int side) {
   frame::PictureSettings s;
-  s.frame.width = s.frame.height = thumbnailSide;
+  s.frame.width = s.frame.height = side;
   s.quality.visibility = frame::Visibility::none;  // what appears soon
   if (request.kind == FileKind::environment) {     // on the smooth metal sphere, no other
     s.sources.environment = request.source;
     s.look.lights = frame::Lights::none;
     s.viewpoint = {.camera = {}, .orbit = frame::Orbit{0, 90, 2.2}, .target = glm::dvec3(-5, 0.5, 0), .fovYDeg = 27};
-    return options::commandWords(s, "builtin:furnace", png.string());
+    return s;
   }
   s.frame.background = frame::Background::transparent;
   if (request.kind == FileKind::brdf) {  // one sphere
@@ -129,10 +131,14 @@ std::vector<std::string> thumbnailArguments(const ThumbnailRequest& request, con
     s.sources.environment = "builtin:studio";
     s.look.lights = frame::Lights::none;
     s.viewpoint = {.camera = {}, .orbit = frame::Orbit{0, 90, 3}, .target = glm::dvec3(-5, 0.5, 0), .fovYDeg = 19};
-    return options::commandWords(s, "builtin:furnace", png.string());
+    return s;
   }
   if (!isBuiltin(request.source)) s.sources.environment = "builtin:studio";
-  return options::commandWords(s, request.source, png.string());
+  return s;
+}
+
+std::vector<std::string> thumbnailArguments(const ThumbnailRequest& request, const fs::path& png) {
+  return options::commandWords(thumbnailSettings(request), thumbnailModel(request), png.string());
 }
 
 DiskCache thumbnailCache() {
@@ -201,7 +207,7 @@ void ThumbnailMaker::work(const std::stop_token& stop) {
 Result<io::Pixels> ThumbnailMaker::make(const ThumbnailRequest& request, const std::string& key,
                                         const std::stop_token& stop) const {
   if (const auto kept = readCached(cache_, key)) return decoded(*kept, request.source);
-  if (!isBuiltin(request.source) && fileStamp(request.source).bytes > largestFile)
+  if (!isBuiltin(request.source) && fileStamp(request.source).bytes > largestPreviewed)
     return fail(request.source, "", "is too large for a preview");
   const TemporaryFolder folder;
   if (folder.path.empty()) return fail(request.source, "", "no folder for temporary files, so no preview");

@@ -15,12 +15,14 @@
 
 #include "base/disk_cache.hpp"
 #include "base/error.hpp"
+#include "frame/settings_fwd.hpp"
 #include "io/image.hpp"
 #include "view/file_kind.hpp"
 
 namespace facet::view {
 
-inline constexpr int thumbnailSide = 96;  // pixels
+inline constexpr int thumbnailSide = 96;                             // pixels
+inline constexpr uintmax_t largestPreviewed = uintmax_t{400} << 20;  // bytes of a file; larger ones have no preview
 
 struct ThumbnailRequest {
   FileKind kind = FileKind::model;
@@ -35,8 +37,12 @@ struct ThumbnailMade {
 // Tells versions of a file apart. Built-ins change with the program, files by time and size.
 std::string thumbnailKey(const ThumbnailRequest& request);
 
-// Arguments of `facet` that make the picture. Environments: a mirror ball in front of them. Measured
-// BRDFs: a ball under the studio.
+// How it is drawn, and which model. Environments: a mirror ball in front of them. Measured BRDFs: a ball under the
+// studio.
+std::string thumbnailModel(const ThumbnailRequest& request);
+frame::PictureSettings thumbnailSettings(const ThumbnailRequest& request, int side = thumbnailSide);
+
+// Arguments of `facet` that make the picture.
 std::vector<std::string> thumbnailArguments(const ThumbnailRequest& request, const std::filesystem::path& png);
 
 DiskCache thumbnailCache();  // of the user; 64 MB
