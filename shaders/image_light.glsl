@@ -2,6 +2,7 @@
 #include "bsdf.glsl"
 #include "environment_layers.glsl"
 #include "irradiance.glsl"
+#include "horizon_occlusion.glsl" if HORIZONS
 
 layout(binding = mirrorLayersUnit) uniform samplerCubeArray mirrorLayers;
 layout(binding = roughLayersUnit) uniform samplerCubeArray roughLayers;
@@ -71,7 +72,8 @@ vec3 specularMeanDirection(Surface s) { return meanDirection(s.N, s.V, s.dfg.z);
 // The distant light's share, layer by layer as in evaluateBsdf.
 vec3 imageLight(Surface s) {
   vec3 irradiance = lookUpIrradiance(s.N);
-  vec3 radiance = specularRadiance(s) * prefilteredAlbedo(s) + irradiance * irradianceAlbedo(s);
+  vec3 specular = prefilteredAlbedo(s), rest = irradianceAlbedo(s);
+  vec3 radiance = (specularRadiance(s) * specular + irradiance * rest) * interreflected(s.occlusion, specular + rest);
   radiance = underLitCoat(s, underLitSheen(s, radiance, irradiance));
   return radiance * (frame.environmentScale.x * s.occlusion);
 }

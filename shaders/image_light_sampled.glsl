@@ -94,6 +94,7 @@ vec3 imageLight(Surface s) {
 #if DIFFUSE_MODEL != DIFFUSE_LAMBERT
   radiance += diffuseDetail(s) * s.diffuseShare * dielectricBaseShare(s);
 #endif
+  radiance *= interreflected(s.occlusion, prefilteredAlbedo(s) + irradianceAlbedo(s));
   radiance = underLitCoat(s, underLitSheen(s, radiance));
   return radiance * (frame.environmentScale.x * s.occlusion);
 }

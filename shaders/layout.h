@@ -16,6 +16,7 @@ LAYOUT_CONST texCoordSetCount = 8;
 LAYOUT_CONST frameBinding = 0;
 LAYOUT_CONST materialBinding = 1;
 LAYOUT_CONST pathsBinding = 2;
+LAYOUT_CONST shadowsBinding = 3;
 
 // Shader storage buffers.
 LAYOUT_CONST instanceBinding = 0;
@@ -59,6 +60,8 @@ LAYOUT_CONST lampCubeUnit = materialSlotCount + 17;    // environment_samples.gl
 LAYOUT_CONST lampPointsUnit = materialSlotCount + 18;
 LAYOUT_CONST groundUnit = materialSlotCount + 19;
 LAYOUT_CONST glowingUnit = materialSlotCount + 20;
+LAYOUT_CONST horizonsUnit = materialSlotCount + 21;   // horizon_occlusion.glsl
+LAYOUT_CONST shadowMapsUnit = materialSlotCount + 22;  // light_shadows.glsl
 
 // Compute passes: invocations of a work group along x and y; pixels along the edge of the square that one group sums up.
 LAYOUT_CONST groupSize = 8;
@@ -114,6 +117,7 @@ LAYOUT_CONST firstNormalLayer = 10;  // a alpha of the sharpest lobe
 LAYOUT_CONST differenceLayers = 11;
 LAYOUT_CONST holesFirstLocation = 0;
 LAYOUT_CONST groundNoiseLocation = 0;
+LAYOUT_CONST horizonReachLocation = 0;
 // Layers of what paths find at the floor [irradiance over pi], and of what is drawn of it (ground.glsl).
 LAYOUT_CONST groundVisibleSum = 0;    // what nothing blocks
 LAYOUT_CONST groundUnblockedSum = 1;  // as if nothing were in its way
@@ -132,6 +136,9 @@ LAYOUT_CONST sheenLayer = 6;  // that every sheen lobe reads (image_light_sheen.
 LAYOUT_CONST tapsTableSize = 16;
 LAYOUT_CONST tapsBlockCount = 6;
 
+// Shadow maps of all lights: six for a point.
+LAYOUT_CONST mostShadowMaps = 24;
+
 struct FrameUniforms {
   mat4 clipFromWorld;         // world = metres from the scene's origin (the centre of its bounds)
   mat4 worldFromClip;         // directions of the far plane's points; for the sky
@@ -145,6 +152,7 @@ struct FrameUniforms {
   vec4 stored;                // x what the targets hold of radiance 1, a power of two; y radiance of a stored 1; z the largest that they hold
   vec4 backdrop;              // rgb radiance of a colour put behind the picture later; w 0: there is none
   vec4 ground;                // the floor: xyz its middle, w half its width
+  vec4 screen;                // x, y texels of the horizons a pixel; z metres of a distance of 1 in them
 };
 
 // How a slot's texture is looked up: KHR_texture_transform's rows, each to be multiplied with (u, v, 1).
@@ -190,6 +198,11 @@ struct LightUniforms {
   vec4 direction;  // xyz unit, the way it shines; w: 1 / range^2 (0: no range)
   vec4 color;      // rgb linear * intensity (candela or lux)
   vec4 cone;       // x scale, y offset of the spot's cosine ramp; sun: x angular radius, y least radius of a draw's share (its direction is the map's)
+                   // z 1 + its first shadow map, negative: six of them, 0: none; w width of their texels [m], but of suns 1 m away
+};
+
+struct ShadowUniforms {
+  mat4 clipFromWorld[mostShadowMaps];  // world as in FrameUniforms
 };
 
 // At the start of a measured BRDF's buffer; its cells follow.
@@ -224,11 +237,12 @@ constexpr int groupsFor(int size, int perGroup = groupSize) { return (size + per
 #undef MEMBER
 static_assert(sizeof(SlotUniforms) == 2 * 16);
 static_assert(sizeof(MaterialUniforms) == offsetof(MaterialUniforms, baseColorSlot) + materialSlotCount * sizeof(SlotUniforms));
-static_assert(sizeof(FrameUniforms) == 18 * 16);
+static_assert(sizeof(FrameUniforms) == 19 * 16);
 static_assert(sizeof(Instance) == 8 * 16);
 static_assert(sizeof(Joint) == 3 * 16);
 static_assert(sizeof(MorphWeight) == 8);
 static_assert(sizeof(LightUniforms) == 4 * 16);
+static_assert(sizeof(ShadowUniforms) == mostShadowMaps * 4 * 16);
 static_assert(sizeof(MeasuredUniforms) == 2 * 16);
 static_assert(sizeof(FittedUniforms) == 3 * 16);
 #endif

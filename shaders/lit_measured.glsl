@@ -1,9 +1,10 @@
 // The measured BRDF in the material's place; what it emits stays.
 #include "material.glsl"
 #include "measured_light.glsl"
+#include "horizon_occlusion.glsl" if HORIZONS
 
 vec4 litRadiance(Varyings v, vec3 V, vec3 baseColor) {
-  MeasuredSurface s = makeMeasuredSurface(materialNormal(v, V), v.tangent, V, materialOcclusion(v));
+  MeasuredSurface s = makeMeasuredSurface(materialNormal(v, V), v.tangent, V, environmentShare(materialOcclusion(v)));
   vec3 radiance = materialEmission(v);
 #ifdef HAS_PUNCTUAL_LIGHTS
   radiance += measuredPunctualLight(s, v.position);

@@ -2,7 +2,7 @@
 // sampling (Krivanek and Colbert 2008) from a lobe that was fitted to the table (src/optics/measured_proxy.hpp).
 #include "measured_surface.glsl"
 #ifdef HAS_PUNCTUAL_LIGHTS
-#include "arriving_light.glsl"
+#include "light_shadows.glsl" if LIGHT_SHADOWS
 #endif
 #ifdef HAS_ENVIRONMENT
 #include "environment_samples.glsl"
@@ -15,7 +15,7 @@ vec3 measuredPunctualLight(MeasuredSurface s, vec3 position) {
     vec3 L;
     vec3 arriving = arrivingLight(lights[i], position, s.worldFromLocal[2], L);
     if (arriving == vec3(0.0)) continue;
-    if (isSun(lights[i])) arriving *= s.occlusion;
+    arriving *= reachingShare(lights[i], position, s.worldFromLocal[2], L, s.occlusion);
     L = L * s.worldFromLocal;
     radiance += measuredBrdf(s.V, L) * max(L.z, 0.0) * arriving;
   }

@@ -1,6 +1,6 @@
 // Light of the scene's points, spots and suns.
 #include "bsdf.glsl"
-#include "arriving_light.glsl"
+#include "light_shadows.glsl" if LIGHT_SHADOWS
 #include "frame.glsl"
 #include "sheen_table.glsl" if HAS_SHEEN
 #if ENERGY_MODEL == ENERGY_KULLA_CONTY
@@ -32,13 +32,14 @@ vec3 punctualLight(Surface s, vec3 position) {
     vec3 dfgL = lookUpDfg(dot(s.N, L), s.perceptualRoughness);
     s.albedoL = dfgL.x + dfgL.y;
 #endif
+    float share = reachingShare(lights[i], position, s.N, L, s.occlusion);
 #ifdef HAS_ENVIRONMENT
     if (isSun(lights[i])) {
-      radiance += evaluateBsdf(sunlit(s, lights[i]), L) * arriving * s.occlusion;
+      radiance += evaluateBsdf(sunlit(s, lights[i]), L) * arriving * share;
       continue;
     }
 #endif
-    radiance += evaluateBsdf(s, L) * arriving;
+    radiance += evaluateBsdf(s, L) * arriving * share;
   }
   return radiance;
 }
@@ -49,7 +50,7 @@ vec3 punctualIrradiance(vec3 N, vec3 position) {
   for (int i = 0; i < lights.length(); ++i) {
     vec3 L;
     vec3 arriving = arrivingLight(lights[i], position, N, L);
-    irradiance += arriving * (max(dot(N, L), 0.0) / PI);
+    irradiance += arriving * (max(dot(N, L), 0.0) / PI) * reachingShare(lights[i], position, N, L, 1.0);
   }
   return irradiance;
 }

@@ -64,9 +64,7 @@ float behindDistance(vec2 pixel, float radius) {
   float level = min(log2(max(radius, 1.0)), float(textureQueryLevels(behindDepth) - 1));
   int fine = int(level);
   vec2 at = pixel * exp2(-float(fine)) / vec2(textureSize(behindDepth, fine));
-  float depth = textureLod(behindDepth, at, float(fine)).r;
-  vec4 k = frame.distanceFromDepth;
-  return (k.y - k.w * depth) / max(k.x - k.z * depth, 1e-30);
+  return distanceFromDepth(textureLod(behindDepth, at, float(fine)).r);
 }
 
 // Pixels that a metre at that distance along the axis takes.

@@ -40,21 +40,29 @@ bool tracesPaths(const PictureSettings& settings) {
   if (!settings.look.channel.empty()) return false;
   return quality.transport == Transport::paths ||
          (quality.visibility == Visibility::automatic && quality.samples > correctedUpTo) ||
-         (quality.visibility != Visibility::none && quality.maxError);  // what rays smooth over no estimate sees
+         (quality.visibility != Visibility::none && quality.visibility != Visibility::screen &&
+          quality.maxError);  // what rays smooth over no estimate sees
 }
 
 bool correctedByRays(const PictureSettings& settings) {
-  return settings.quality.visibility != Visibility::none && settings.look.channel.empty() &&
+  const Visibility wish = settings.quality.visibility;
+  return wish != Visibility::none && wish != Visibility::screen && settings.look.channel.empty() &&
          settings.comparison.brdfCompare == BrdfCompare::none && !tracesPaths(settings);
 }
 
+bool usesScreen(const PictureSettings& settings) {
+  return settings.quality.visibility == Visibility::screen && settings.look.channel.empty() && !tracesPaths(settings);
+}
+
 VisibilityChosen chosenVisibility(const PictureSettings& settings, const DrawList& list) {
-  const bool asked = settings.quality.transport == Transport::paths || settings.quality.visibility == Visibility::rays;
+  const Visibility wish = settings.quality.visibility;
+  const bool asked = settings.quality.transport == Transport::paths || wish == Visibility::rays;
   if (list.features.paths)
     return {"paths", asked                       ? "asked for"
                      : settings.quality.maxError ? "an error is to be kept to"
                                                  : "more than " + std::to_string(correctedUpTo) + " samples"};
   if (list.features.difference) return {"rays", asked ? "asked for" : "few samples"};
+  if (list.features.shadows || list.features.horizons) return {"screen", "asked for"};
   if (!list.untraced.empty()) return {"none", list.untraced};
   if (!settings.look.channel.empty()) return {"none", "a channel shows no light"};
   if (settings.comparison.brdfCompare != BrdfCompare::none && settings.quality.visibility != Visibility::none)
@@ -69,8 +77,9 @@ bool converges(const PictureSettings& settings) {
 
 PictureSettings movingSettings(const PictureSettings& settings) {
   PictureSettings moving = settings;
+  if (moving.quality.transport == Transport::paths || moving.quality.visibility != Visibility::none)
+    moving.quality.visibility = Visibility::screen;
   moving.quality.transport = Transport::direct;
-  moving.quality.visibility = Visibility::none;
   moving.quality.samples = std::min(settings.quality.samples, convergedAbove);
   moving.quality.maxError.reset();
   return moving;
@@ -83,7 +92,7 @@ TextureFilter chooseTextureFilter(TextureFilter wish, bool software) {
 
 PictureSettings restingSettings(const PictureSettings& settings) {
   PictureSettings resting = settings;
-  if (correctedByRays(settings)) resting.quality.visibility = Visibility::none;
+  if (correctedByRays(settings)) resting.quality.visibility = Visibility::screen;
   return resting;
 }
 
@@ -101,6 +110,7 @@ DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment) {
   options.features.models = settings.look.models;
   if (tracesPaths(settings)) options.tracing = Tracing::paths;
   if (correctedByRays(settings)) options.tracing = Tracing::difference;
+  if (usesScreen(settings)) options.tracing = Tracing::screen;
   options.tracesAnyway =
       settings.quality.transport == Transport::paths || settings.quality.visibility == Visibility::rays;
   options.ground = settings.frame.ground && settings.look.channel.empty();

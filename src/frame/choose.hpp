@@ -23,10 +23,12 @@ inline constexpr int correctedUpTo = 16;
 bool tracesPaths(const PictureSettings& settings);
 // Rays correct the drawn picture, where there is anything that could be in the light's way.
 bool correctedByRays(const PictureSettings& settings);
+// Shadow maps and horizons do what they can.
+bool usesScreen(const PictureSettings& settings);
 
 // What became of a wish for visibility, and why.
 struct VisibilityChosen {
-  std::string method;  // "none", "rays", "paths"
+  std::string method;  // "none", "screen", "rays", "paths"
   std::string why;
 };
 VisibilityChosen chosenVisibility(const PictureSettings& settings, const DrawList& list);

@@ -18,8 +18,8 @@
 
 namespace facet::frame {
 
-// What rays are traced for.
-enum class Tracing { none, difference, paths };
+// What is done about what stands in the light's way: shadow maps and horizons, or rays for either use.
+enum class Tracing { none, screen, difference, paths };
 
 struct DrawOptions {
   shading::FrameFeatures features = {};  // punctualLights is set by buildDrawList

@@ -11,6 +11,7 @@
 #include "frame/ground.hpp"
 #include "frame/max_error.hpp"
 #include "frame/picture.hpp"
+#include "frame/screen.hpp"
 #include "frame/settings.hpp"
 
 namespace facet::frame {
@@ -146,32 +147,42 @@ void add(FrameStatistics& sum, FrameStatistics band) {
 
 // All bands; each goes to `read` when it is drawn.
 using ReadBand = std::function<Result<void>(const FrameInput& band)>;
-Result<DrawnFrame> drawBands(FrameInput in, const Targets& targets, shading::ProgramStore& programs,
+Result<DrawnFrame> drawBands(FrameInput in, Screen* screen, const Targets& targets, shading::ProgramStore& programs,
                              const gl::ContextInfo& context, const ReadBand& read) {
   DrawnFrame frame;
+  FrameStatistics before;
+  auto start = std::chrono::steady_clock::now();
+  const auto wait = [&] {
+    glFinish();
+    const auto now = std::chrono::steady_clock::now();
+    frame.milliseconds += std::chrono::duration<double, std::milli>(now - std::exchange(start, now)).count();
+  };
+  if (screen)
+    if (Result<void> r = prepareScreen(in, *screen, programs, before); !r) return tl::unexpected(r.error());
   std::optional<Difference> difference;
   if (in.list.features.difference) {
-    const auto start = std::chrono::steady_clock::now();
     setTextureDetail(in.gpu, tracedDraws, in.settings.quality.textureFilter, context);
     Result<Difference> traced = traceDifference(in, programs);
     setTextureDetail(in.gpu, gatheredDraws(in.settings, targets), in.settings.quality.textureFilter, context);
     if (!traced) return tl::unexpected(traced.error());
     difference = std::move(*traced);
     in.difference = &*difference;
-    frame.statistics.passes.emplace_back("trace difference");
-    frame.statistics.rays = difference->rays;
-    glFinish();
-    frame.milliseconds += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    before.passes.emplace_back("trace difference");
+    before.rays = difference->rays;
   }
+  wait();
   for (in.firstRow = 0; in.firstRow < in.settings.frame.height; in.firstRow += targets.height) {
-    const auto start = std::chrono::steady_clock::now();
+    start = std::chrono::steady_clock::now();
     Result<FrameStatistics> drawn = drawFrame(in, targets, programs);
     if (!drawn) return tl::unexpected(drawn.error());
-    glFinish();
-    frame.milliseconds += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    wait();
     add(frame.statistics, std::move(*drawn));
     if (Result<void> r = read ? read(in) : Result<void>(); !r) return tl::unexpected(r.error());
   }
+  before.passes.insert(before.passes.end(), frame.statistics.passes.begin(), frame.statistics.passes.end());
+  frame.statistics.passes = std::move(before.passes);
+  frame.statistics.draws += before.draws, frame.statistics.instances += before.instances;
+  frame.statistics.triangles += before.triangles, frame.statistics.rays += before.rays;
   return frame;
 }
 
@@ -289,18 +300,18 @@ Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& 
     setTextureDetail(gpu, list.features.paths ? tracedDraws : gatheredDraws(settings, targets),
                      settings.quality.textureFilter, context);
     std::vector<ComparisonSums> comparison;
-    Result<DrawnFrame> drawn =
-        drawBands(input, targets, programs, context, [&](const FrameInput& band) -> Result<void> {
-          stages.mark("first frame");
-          readBand(picture, request, targets, settings, unit, band.firstRow);
-          if (comparing(band)) {
-            Result<ComparisonSums> sums = sumComparison(band, targets, 1, programs);
-            if (!sums) return tl::unexpected(sums.error());
-            comparison.push_back(std::move(*sums));
-          }
-          stages.mark("read back");
-          return {};
-        });
+    Result<DrawnFrame> drawn = drawBands(input, drawable.screen.get(), targets, programs, context,
+                                         [&](const FrameInput& band) -> Result<void> {
+                                           stages.mark("first frame");
+                                           readBand(picture, request, targets, settings, unit, band.firstRow);
+                                           if (comparing(band)) {
+                                             Result<ComparisonSums> sums = sumComparison(band, targets, 1, programs);
+                                             if (!sums) return tl::unexpected(sums.error());
+                                             comparison.push_back(std::move(*sums));
+                                           }
+                                           stages.mark("read back");
+                                           return {};
+                                         });
     if (!drawn) return tl::unexpected(drawn.error());
     statistics.frame = std::move(drawn->statistics);
     statistics.frameMs = {drawn->milliseconds};
@@ -312,7 +323,7 @@ Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& 
     samples = nextSamples(asked, statistics.attempts);
   }
   for (int i = 0; i < request.repeat; ++i) {
-    const Result<DrawnFrame> drawn = drawBands(input, targets, programs, context, {});
+    const Result<DrawnFrame> drawn = drawBands(input, drawable.screen.get(), targets, programs, context, {});
     if (!drawn) return tl::unexpected(drawn.error());
     statistics.frameMs.push_back(drawn->milliseconds);
     stages.mark("repeated frames");
@@ -323,7 +334,7 @@ Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& 
   statistics.textureBytes = gpu.textureBytes();
   statistics.geometryBytes = gpu.geometryBytes();
   statistics.tableBytes = drawable.environment->tables.bytes();
-  statistics.targetBytes = targetBytes(targets);
+  statistics.targetBytes = targetBytes(targets) + (drawable.screen ? drawable.screen->bytes() : 0);
   statistics.variants = variantsOf(list);
   if (request.radiance) countExtremes(picture.radiance, unit * largestStored(precise), statistics);
   return picture;

@@ -10,10 +10,12 @@
 #include "frame/behind.hpp"
 #include "frame/difference.hpp"
 #include "frame/display_pass.hpp"
+#include "frame/draw_calls.hpp"
 #include "frame/fitted_gpu.hpp"
 #include "frame/ground.hpp"
 #include "frame/paths.hpp"
 #include "frame/scene_pass.hpp"
+#include "frame/screen.hpp"
 #include "frame/settings.hpp"
 #include "scene/geometry.hpp"
 
@@ -21,7 +23,6 @@ namespace facet::frame {
 
 namespace {
 
-using scene::TextureSlot;
 using shading::ProgramStore;
 
 Result<const gl::Program*> meshProgram(const shading::VariantKey& key, ProgramStore& programs) {
@@ -33,51 +34,6 @@ Result<const gl::Program*> skyProgram(ProgramStore& programs) {
 bool skyVisible(const FrameInput& in) {
   return in.settings.frame.background == Background::environment && in.tables.background &&
          in.list.features.channel == 0;
-}
-
-void bindMaterial(const FrameInput& in, const Draw& draw) {
-  const auto index = static_cast<size_t>(draw.material);
-  glBindBufferRange(GL_UNIFORM_BUFFER, layout::materialBinding, in.gpu.materials.id(),
-                    static_cast<GLintptr>(index * in.gpu.materialStride), sizeof(layout::MaterialUniforms));
-  bindTextures(in, draw.material, *draw.primitive);
-}
-
-uint64_t triangleCount(const GpuPrimitive& primitive) {
-  switch (primitive.mode) {
-    case GL_TRIANGLES:
-      return static_cast<uint64_t>(primitive.count) / 3;
-    case GL_TRIANGLE_STRIP:
-    case GL_TRIANGLE_FAN:
-      return static_cast<uint64_t>(std::max(0, primitive.count - 2));
-    default:
-      return 0;
-  }
-}
-
-void issue(const FrameInput& in, const Draw& draw, FrameStatistics& statistics) {
-  const GpuPrimitive& primitive = in.gpu.primitives.at(draw.primitive);
-  glBindVertexArray(primitive.vertexArray.id());
-  glFrontFace(draw.mirrored ? GL_CW : GL_CCW);
-  if (primitive.influences)
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::influenceBinding, primitive.influences.id());
-  if (primitive.morphTargets)
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::morphTargetBinding, primitive.morphTargets.id());
-  const auto instances = static_cast<GLsizei>(draw.instanceCount);
-  if (primitive.indexType == GL_NONE)
-    glDrawArraysInstancedBaseInstance(primitive.mode, 0, primitive.count, instances, draw.firstInstance);
-  else
-    glDrawElementsInstancedBaseInstance(primitive.mode, primitive.count, primitive.indexType, nullptr, instances,
-                                        draw.firstInstance);
-  ++statistics.draws;
-  statistics.instances += draw.instanceCount;
-  statistics.triangles += triangleCount(primitive) * draw.instanceCount;
-}
-
-void setCulling(bool doubleSided) {
-  if (doubleSided)
-    glDisable(GL_CULL_FACE);
-  else
-    glEnable(GL_CULL_FACE);
 }
 
 // Draws a run of the list, changing program and material only where they change.
@@ -177,22 +133,19 @@ void clearTargets(const FrameInput& in, const Targets& targets) {
 
 }  // namespace
 
-void bindTextures(const FrameInput& in, int index, const scene::Primitive& primitive) {
-  const scene::Material& material = in.list.materials[static_cast<size_t>(index)];
-  const float mask = in.list.maskThresholds[static_cast<size_t>(index)];
-  for (const TextureSlot slot : scene::textureSlots) {
-    if (!shading::samplesSlot({material, primitive, in.list.features}, slot)) continue;
-    const BoundTexture bound = boundTexture(in.gpu, in.model, material, slot, mask);
-    glBindTextureUnit(static_cast<GLuint>(slot), bound.texture);
-    glBindSampler(static_cast<GLuint>(slot), bound.sampler);
-  }
-}
-
 void bindMeasured(const FrameInput& in) {
   if (in.list.features.measured == shading::Measured::none) return;
   const gl::Buffer* buffer = in.measured;
   if ((in.fitted || in.list.features.measuredFitted) && in.fittedModel) buffer = in.fittedModel;
   if (buffer) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::measuredBinding, buffer->id());
+}
+
+void bindScene(const FrameInput& in) {
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::instanceBinding, in.gpu.instances.id());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::lightBinding, in.gpu.lights.id());
+  if (in.gpu.joints) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::jointBinding, in.gpu.joints.id());
+  if (in.gpu.morphWeights)
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::morphWeightBinding, in.gpu.morphWeights.id());
 }
 
 layout::FrameUniforms frameUniforms(const FrameInput& in, int draw, int draws, const glm::dvec2& offsetPixels) {
@@ -224,6 +177,10 @@ layout::FrameUniforms frameUniforms(const FrameInput& in, int draw, int draws, c
   if (in.settings.frame.background == Background::color)
     u.backdrop = glm::vec4(in.settings.frame.backgroundColor * std::exp2(-in.settings.display.exposureStops), 1);
   if (in.ground) u.ground = in.ground->place;
+  if (in.screen && in.screen->width > 0)
+    u.screen = glm::vec4(static_cast<float>(in.screen->width) / static_cast<float>(in.settings.frame.width),
+                         static_cast<float>(in.screen->height) / static_cast<float>(in.settings.frame.height),
+                         std::max(static_cast<float>(in.list.bounds.radius()), 1e-30f), 0);
   return u;
 }
 
@@ -236,11 +193,8 @@ Result<FrameStatistics> drawScene(const FrameInput& in, const VisibleDraws& visi
   glViewport(0, -in.firstRow, in.settings.frame.width, in.settings.frame.height);
   clearTargets(in, targets);
   glBindBufferBase(GL_UNIFORM_BUFFER, layout::frameBinding, frameBuffer.id());
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::instanceBinding, in.gpu.instances.id());
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::lightBinding, in.gpu.lights.id());
-  if (in.gpu.joints) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::jointBinding, in.gpu.joints.id());
-  if (in.gpu.morphWeights)
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::morphWeightBinding, in.gpu.morphWeights.id());
+  bindScene(in);
+  bindScreen(in);
   bindMeasured(in);
   bindTables(in.tables);
   glCullFace(GL_BACK);
@@ -276,6 +230,7 @@ std::vector<ProgramGetter> neededPrograms(const FrameInput& in, ProgramStore& pr
   }
   if (in.list.features.difference) needed = neededDifferencePrograms(in, programs);
   if (in.ground) std::ranges::copy(neededGroundPrograms(in, programs), std::back_inserter(needed));
+  std::ranges::copy(neededScreenPrograms(in, programs), std::back_inserter(needed));
   for (const shading::VariantKey& key : keys) needed.push_back([&, key] { return meshProgram(key, programs); });
   if (comparing(in))
     for (const shading::VariantKey& key : keys) {

@@ -2,6 +2,7 @@
 
 // One frame: draw list + tables + view -> scene-linear picture -> display picture. A list of passes over plain structs.
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -59,6 +60,7 @@ size_t targetBytes(const Targets& targets);  // of the textures
 struct PathScene;
 struct Difference;
 struct Ground;
+struct Screen;
 
 struct FrameInput {
   const scene::Model& model;
@@ -72,10 +74,14 @@ struct FrameInput {
   const PathScene* paths = nullptr;         // of the list, where paths are traced
   const Difference* difference = nullptr;   // what is added to the picture, where rays correct it
   const Ground* ground = nullptr;           // the floor, where there is one
+  const Screen* screen = nullptr;           // what it knows of what stands in the light's way, where that is wanted
   int firstRow = 0;                         // the targets hold the picture's rows from here on, counted from the bottom
   bool fitted = false;                      // draws the fitted model in the measured BRDF's place
   bool precise = false;                     // as createTargets has it
 };
+
+// One program, compiled where it is not there yet.
+using ProgramGetter = std::function<Result<const gl::Program*>()>;
 
 // Binds the tables that are there to the units of their names.
 void bindTables(const ibl::Tables& tables);

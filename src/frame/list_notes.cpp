@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "frame/shadow_maps.hpp"
 #include "scene/geometry.hpp"
 
 namespace facet::frame {
@@ -107,6 +108,15 @@ void notePaths(const DrawList& list, Notes& notes) {
                          " draws of lines or points are missing, because rays do not meet them"});
 }
 
+void noteShadows(const DrawList& list, Notes& notes) {
+  const int without = lightsWithoutMap(list);
+  if (without > 0)
+    notes.push_back({Note::Severity::warning, "",
+                     std::to_string(without) + (without == 1 ? " light casts" : " lights cast") +
+                         " no shadow in the drawn picture: there is room for " +
+                         std::to_string(layout::mostShadowMaps) + " shadow maps, six for a point light"});
+}
+
 }  // namespace
 
 Notes listNotes(const DrawList& list, const ibl::Needs& needs) {
@@ -118,6 +128,7 @@ Notes listNotes(const DrawList& list, const ibl::Needs& needs) {
   else
     noteModels(list, notes);
   if (list.features.paths) notePaths(list, notes);
+  if (list.features.shadows) noteShadows(list, notes);
   return notes;
 }
 

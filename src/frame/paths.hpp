@@ -77,7 +77,6 @@ gl::Buffer pathUniformBuffer(const FrameInput& in, int firstColumn, int columns)
 uint64_t tracedRays(const PathWork& work);
 
 // All that tracePaths uses.
-using ProgramGetter = std::function<Result<const gl::Program*>()>;
 std::vector<ProgramGetter> neededPathPrograms(const FrameInput& in, PathUse use, shading::ProgramStore& programs);
 
 }  // namespace facet::frame

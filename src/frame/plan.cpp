@@ -73,6 +73,7 @@ Result<void> makeList(Drawable& next, const Placement& placement) {
   const Result<scene::Pose> pose = choosePose(placement, next.scene->model());
   if (!pose) return tl::unexpected(pose.error());
   next.list = buildDrawList(next.scene->model(), inputs.scene, inputs.options, *pose);
+  if (next.list.features.shadows || next.list.features.horizons) next.screen = std::make_shared<Screen>();
   next.notes = listNotes(next.list, next.list.needs(next.inputs.tables.background));
   return {};
 }
@@ -199,6 +200,7 @@ FrameInput frameInput(const Drawable& drawable, const DrawList& part, const scen
   FrameInput in{drawable.scene->model(), part, drawable.scene->gpu, drawable.environment->tables, view, settings};
   if (drawable.inputs.list.measured) in.measured = &drawable.inputs.list.measured->buffer;
   in.paths = drawable.paths.get(), in.ground = drawable.ground.get();
+  in.screen = drawable.screen.get();
   in.precise = drawable.precise;
   if (drawable.inputs.list.fitted) in.fittedModel = &drawable.inputs.list.fitted->buffer;
   return in;

@@ -15,6 +15,7 @@
 #include "frame/frame.hpp"
 #include "frame/ground.hpp"
 #include "frame/paths.hpp"
+#include "frame/screen.hpp"
 #include "ibl/cache.hpp"
 #include "ibl/choice.hpp"
 #include "io/bump.hpp"
@@ -127,6 +128,7 @@ struct Drawable {
   std::shared_ptr<const PathScene> paths = {};  // of the list, where paths are traced
   bool precise = false;                         // FrameInput
   std::shared_ptr<Ground> ground = {};          // likewise, where there is a floor; its light is traced by who draws
+  std::shared_ptr<Screen> screen = {};          // likewise, where shadow maps and horizons are; prepared by who draws
 };
 FrameInput frameInput(const Drawable& drawable, const scene::View& view, const PictureSettings& settings);
 // Of a part of its list (partOf).

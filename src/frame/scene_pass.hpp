@@ -10,6 +10,9 @@ namespace facet::frame {
 // Those of the material that its shader reads where it draws the primitive, at the units of their slots.
 void bindTextures(const FrameInput& in, int material, const scene::Primitive& primitive);
 
+// Instances, lights, joints and weights of morph targets.
+void bindScene(const FrameInput& in);
+
 // The measured BRDF's table, or the model that was fitted to it.
 void bindMeasured(const FrameInput& in);
 

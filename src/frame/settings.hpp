@@ -63,12 +63,15 @@ inline constexpr Choice<TextureFilter> textureFilters[] = {
 static_assert(inOrder(textureFilters));
 
 // Whether drawn pictures (Transport::direct) know what stands in the light's way.
-enum class Visibility { automatic, none, rays };
+enum class Visibility { automatic, none, screen, rays };
 inline constexpr Choice<Visibility> visibilities[] = {
     {Visibility::automatic, "auto", "as it pays",
      "rays up to 16 samples, path-traced light beyond or where an error is to be kept to; none where nothing can be in "
      "the way"},
     {Visibility::none, "none", "none", "light reaches every surface from everywhere"},
+    {Visibility::screen, "screen", "screen space",
+     "shadow maps of all lights, and of the environment what the depth buffer's horizons hide: as while something "
+     "moves"},
     {Visibility::rays, "rays", "rays",
      "the drawn picture, corrected by one path a sample where something blocks or returns light; smoothed"}};
 static_assert(inOrder(visibilities));

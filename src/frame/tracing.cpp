@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "frame/draw_list.hpp"
+#include "frame/shadow_maps.hpp"
 #include "scene/convex.hpp"
 #include "scene/geometry.hpp"
 
@@ -15,12 +16,14 @@ bool SizeRange::holds(const scene::Bounds& bounds) const {
 
 namespace {
 
-// By paths: where nothing is lit there is no light whose way could be traced.
-bool anythingLit(const DrawList& list) {
-  const auto lit = [](const Draw& draw) { return shading::usesFeature(draw.key, shading::Feature::paths); };
-  return std::ranges::any_of(list.classes(),
-                             [&](const std::vector<Draw>* draws) { return std::ranges::any_of(*draws, lit); });
+bool anyUses(const DrawList& list, shading::Feature feature) {
+  return std::ranges::any_of(list.classes(), [&](const std::vector<Draw>* draws) {
+    return std::ranges::any_of(*draws, [&](const Draw& draw) { return shading::usesFeature(draw.key, feature); });
+  });
 }
+
+// By paths: where nothing is lit there is no light whose way could be traced.
+bool anythingLit(const DrawList& list) { return anyUses(list, shading::Feature::paths); }
 
 // A single convex body that lets no light pass: what faces the light gets it, nothing gets it from the body.
 bool nothingInTheWay(const DrawList& list) {
@@ -50,13 +53,31 @@ std::string whyUntraced(const DrawList& list, const DrawOptions& options) {
   return "";
 }
 
+// Shadow maps and horizons, of which each draw takes what it can show.
+void setScreen(DrawList& list) {
+  shading::FrameFeatures features = list.features;
+  features.shadows = features.horizons = true;
+  setFeatures(list, features);
+  features.shadows = anyUses(list, shading::Feature::shadows);
+  features.horizons = anyUses(list, shading::Feature::horizons);
+  setFeatures(list, features);
+  if (features.shadows) assignShadowMaps(list);
+  if (!features.shadows && !features.horizons) list.untraced = "nothing is lit";
+}
+
 }  // namespace
 
 void setTracing(DrawList& list, const DrawOptions& options) {
   list.untraced.clear();
+  if (list.features.shadows || list.features.horizons) {
+    shading::FrameFeatures without = list.features;
+    without.shadows = without.horizons = false;
+    setFeatures(list, without);
+  }
   if (options.tracing == Tracing::none) return;
   list.untraced = whyUntraced(list, options);
   if (!list.untraced.empty()) return;
+  if (options.tracing == Tracing::screen) return setScreen(list);
   const shading::FrameFeatures drawn = list.features;
   shading::FrameFeatures traced = shading::pathFeatures(drawn);
   setFeatures(list, traced);

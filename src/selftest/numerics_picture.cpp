@@ -3,6 +3,7 @@
 
 #include "ibl/layers.hpp"
 #include "optics/color.hpp"
+#include "optics/horizons.hpp"
 #include "optics/lights.hpp"
 #include "optics/mapping.hpp"
 #include "optics/microfacet.hpp"
@@ -293,6 +294,32 @@ Check checkSpreadKernel() {
   return check;
 }
 
+// ---- horizons.glsl --------------------------------------------------------------------------------------------------
+
+Check checkOpenArc() {
+  Check check =
+      absoluteCheck("openArc", "horizons.glsl", "out0.x = openArc(keptHorizon(in0.x, in0.y), in0.y);", {"h", "n"});
+  check.inputs = grid({-pi, -1.6, -0.5, -1e-4, 0, 0.3, 1.2, pi / 2, pi}, {-pi / 2, -1, -1e-4, 0, 0.7, pi / 2});
+  check.twin = [](CheckVectors in) -> CheckValues {
+    return {optics::openArc(optics::keptHorizon(in[0].x, in[0].y), in[0].y)};
+  };
+  allow(check, 16, "8 roundings; the precision of sin and cos is the driver's");
+  return check;
+}
+
+Check checkInterreflection() {
+  Check check = relativeCheck("interreflection", "horizons.glsl", "out0.xyz = interreflection(in0.x, in0.yzw);",
+                              {"share", "r", "g", "b"});
+  for (const double share : {1e-6, 1e-3, 0.1, 0.5, 0.9, 1.0})
+    for (const double albedo : {0.0, 0.04, 0.5, 0.96, 1.0}) check.inputs.emplace_back(share, albedo, 1 - albedo, 0.5);
+  check.twin = [](CheckVectors in) -> CheckValues {
+    const glm::dvec3 gain = optics::interreflection(in[0].x, glm::dvec3(in[0].y, in[0].z, in[0].w));
+    return {gain.x, gain.y, gain.z};
+  };
+  allow(check, 64, "a cubic whose terms cancel by a fifth");
+  return check;
+}
+
 }  // namespace
 
 Check checkDiscWidth() {
@@ -376,8 +403,8 @@ std::vector<Check> displayChecks() {
 }
 
 std::vector<Check> mappingChecks() {
-  return {checkToEquirect(), checkFromCube(), checkCubeDensity(),  checkCubeTexel(),
-          checkFrame(),      checkLayer(),    checkSpreadCosine(), checkSpreadKernel()};
+  return {checkToEquirect(), checkFromCube(),     checkCubeDensity(),  checkCubeTexel(), checkFrame(),
+          checkLayer(),      checkSpreadCosine(), checkSpreadKernel(), checkOpenArc(),   checkInterreflection()};
 }
 
 }  // namespace facet::selftest

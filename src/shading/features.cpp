@@ -179,6 +179,12 @@ bool isDoubleSided(const FeatureInput& in) { return in.material.doubleSided && r
 bool showsNoLight(const FeatureInput& in) { return unlit(in) || in.frame.channel != 0; }
 bool readsPunctualLights(const FeatureInput& in) { return in.frame.punctualLights && !showsNoLight(in); }
 bool readsEnvironment(const FeatureInput& in) { return in.frame.environment && !showsNoLight(in); }
+bool readsShadows(const FeatureInput& in) { return in.frame.shadows && readsPunctualLights(in); }
+// What is seen through is not in the depth buffer that they are made of.
+bool readsHorizons(const FeatureInput& in) {
+  return in.frame.horizons && readsEnvironment(in) && in.material.alphaMode != AlphaMode::blend &&
+         !has(in.material, scene::Effect::transmission);
+}
 bool tracesPaths(const FeatureInput& in) { return in.frame.paths && !showsNoLight(in); }
 bool measuredMerl(const FeatureInput& in) { return measured(in) && in.frame.measured == Measured::merl; }
 bool measuredNearest(const FeatureInput& in) {
@@ -284,13 +290,23 @@ bool readsDfgTable(const VariantKey& key) {
 
 FrameFeatures pathFeatures(FrameFeatures drawn) {
   drawn.paths = true;
-  drawn.difference = drawn.shadedOnce = false;
+  drawn.difference = drawn.shadedOnce = drawn.shadows = drawn.horizons = false;
   drawn.imageLightSamples = 0;
   drawn.occlusion = false;  // occlusion textures would count twice
   return drawn;
 }
 
 uint64_t attributeBits(const VariantKey& key) { return key.features & bitsOf(FeatureRole::attribute); }
+
+VariantKey depthKey(const VariantKey& key) {
+  uint64_t read = bitOf(Feature::skin) | bitOf(Feature::morphTargets);
+  if (usesFeature(key, Feature::alphaMask)) {
+    read |= bitOf(Feature::alphaMask) | bitOf(Feature::baseColorTexture) | bitOf(Feature::textureTransform) |
+            bitOf(Feature::vertexColors) | bitOf(Feature::morphedColors);
+    for (int set = 0; set < scene::maxTexCoordSets; ++set) read |= bitOf(texCoordFeature(set));
+  }
+  return {.features = key.features & read};
+}
 
 VariantKey fittedKey(const VariantKey& key, optics::DiffuseModel diffuse) {
   if (!isMeasured(key)) return key;

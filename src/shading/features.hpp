@@ -52,6 +52,8 @@ struct FrameFeatures {
   int channel = 0;
   bool paths = false;         // light comes by paths of rays: nothing else is looked up of the environment
   bool difference = false;    // the picture is drawn, and corrected by paths where something is in the light's way
+  bool shadows = false;       // of lights, by maps; what they hide
+  bool horizons = false;      // in the depth buffer, by what they hide of the environment
   bool shadedOnce = false;    // a pixel, for all of its coverage samples
   bool textureReads = false;  // where it is: slanted textures are read several times by the shader
   int imageLightSamples = 0;  // 0: split sum from the tables; else environment samples per shaded sample
@@ -145,6 +147,8 @@ int imageLightTaps(const VariantKey& key);
 
 // True where the key's draws show a measured BRDF.
 bool isMeasured(const VariantKey& key);
+// What a draw's depths are drawn by: what moves its vertices, and a mask's alpha.
+VariantKey depthKey(const VariantKey& key);
 // The same draw of the model that was fitted to its measured BRDF; other keys stay as they are.
 VariantKey fittedKey(const VariantKey& key, optics::DiffuseModel diffuse);
 

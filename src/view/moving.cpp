@@ -57,6 +57,7 @@ Result<void> drawWhole(Viewport& viewport, ViewerState& state, const scene::View
   const frame::FrameInput input = frame::frameInput(viewport.shown, view, viewport.moving.settings);
   const auto start = Clock::now();
   FrameClock::Slot* slot = viewport.clock.begin();
+  if (Result<void> looked = lookAround(viewport, input); !looked) return looked;
   Result<frame::FrameStatistics> drawn =
       isFinal(state) ? frame::drawInBands(input, viewport.targets, viewport.programs, viewport.context)
                      : frame::drawFrame(input, viewport.targets, viewport.programs);
@@ -76,8 +77,9 @@ Result<void> drawSmall(Viewport& viewport, const scene::View& view, int divisor)
   m.small.display.filterLinear();
   glFinish();
   const auto start = Clock::now();
-  const Result<frame::FrameStatistics> drawn =
-      frame::drawFrame(frame::frameInput(viewport.shown, view, s), m.small, viewport.programs);
+  const frame::FrameInput input = frame::frameInput(viewport.shown, view, s);
+  if (Result<void> looked = lookAround(viewport, input); !looked) return looked;
+  const Result<frame::FrameStatistics> drawn = frame::drawFrame(input, m.small, viewport.programs);
   if (!drawn) return tl::unexpected(drawn.error());
   glFinish();
   m.pixelNs = wholeOverSmall * millisecondsSince(start) * 1e6 / (static_cast<double>(s.frame.width) * s.frame.height);
@@ -88,6 +90,12 @@ Result<void> drawSmall(Viewport& viewport, const scene::View& view, int divisor)
 int64_t pixelsOf(const frame::PictureSettings& s) { return int64_t{s.frame.width} * s.frame.height; }
 
 }  // namespace
+
+Result<void> lookAround(Viewport& viewport, const frame::FrameInput& input) {
+  if (!viewport.shown.screen) return {};
+  frame::FrameStatistics statistics;
+  return frame::prepareScreen(input, *viewport.shown.screen, viewport.programs, statistics);
+}
 
 int reduction(double pixelNs, int64_t pixels, double milliseconds) {
   if (pixelNs < 0) return mostReduction;
@@ -123,7 +131,9 @@ Result<bool> drawMoving(Viewport& viewport, ViewerState& state, const scene::Vie
   }
   if (always || reduction(m.pixelNs, pixels, m.turnMs) == 1)
     return drawWhole(viewport, state, view).map([] { return true; });
-  m.picture = frame::beginSlices(frame::frameInput(viewport.shown, view, m.settings), viewport.context, isFinal(state));
+  const frame::FrameInput input = frame::frameInput(viewport.shown, view, m.settings);
+  if (Result<void> looked = lookAround(viewport, input); !looked) return tl::unexpected(looked.error());
+  m.picture = frame::beginSlices(input, viewport.context, isFinal(state));
   m.rows = static_cast<int64_t>(m.turnMs / (m.pixelNs * 1e-6 * m.settings.frame.width));
   m.spentMs = 0;
   m.underWay = true;

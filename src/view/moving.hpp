@@ -27,6 +27,9 @@ struct Moving {
 // for the whole one. pixelNs below 0: not known.
 int reduction(double pixelNs, int64_t pixels, double milliseconds);
 
+// What is known without rays of what stands in the light's way, for the picture to come.
+Result<void> lookAround(Viewport& viewport, const frame::FrameInput& input);
+
 // Begins the picture. True where it is whole.
 Result<bool> drawMoving(Viewport& viewport, ViewerState& state, const scene::View& view);
 // The next slice, while viewport.moving.underWay. True where it was the last one.

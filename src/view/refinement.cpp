@@ -66,7 +66,7 @@ Result<bool> prepare(Viewport& viewport, const ViewerState& state, const scene::
   return true;
 }
 
-void begin(Viewport& viewport, ViewerState& state, const scene::View& view) {
+Result<void> begin(Viewport& viewport, ViewerState& state, const scene::View& view) {
   Refinement& r = viewport.refinement;
   const frame::PictureSettings& s = r.settings;
   if (r.targets.width != s.frame.width || r.targets.height != s.frame.height) {
@@ -75,6 +75,7 @@ void begin(Viewport& viewport, ViewerState& state, const scene::View& view) {
   }
   frame::prepareBehind(r.targets, viewport.shown.list);
   frame::prepareComparison(r.targets, viewport.shown.list);
+  if (Result<void> looked = lookAround(viewport, frameInput(viewport, view)); !looked) return looked;
   r.gathering = frame::beginGathering(frameInput(viewport, view), r.targets);
   r.estimateAt = 1;
   r.parts.clear();
@@ -83,6 +84,7 @@ void begin(Viewport& viewport, ViewerState& state, const scene::View& view) {
   const double guessMs = state.shown.statistics.gpuMs;
   r.rows = guessMs > 0 ? static_cast<int64_t>(s.frame.height * stepMs / (2 * guessMs)) : s.frame.height / 8;
   r.rows = std::max(r.rows, fewestRows);
+  return {};
 }
 
 int64_t height(const Refinement& r) { return r.targets.height; }
@@ -225,7 +227,7 @@ bool refine(Viewport& viewport, ViewerState& state, const scene::View& view) {
     const Result<bool> ready = prepare(viewport, state, view);
     if (!ready) return giveUp(r, state, ready.error()), true;
     if (!*ready) return false;
-    begin(viewport, state, view);
+    if (Result<void> begun = begin(viewport, state, view); !begun) return giveUp(r, state, begun.error()), true;
   }
   bool drew = false;
   const frame::FrameInput in = frameInput(viewport, view);
@@ -242,7 +244,7 @@ bool refine(Viewport& viewport, ViewerState& state, const scene::View& view) {
     }
     if (last && again(r, state)) {
       const int64_t rows = r.rows;  // the steps know how long they take by now
-      begin(viewport, state, view);
+      if (Result<void> begun = begin(viewport, state, view); !begun) return giveUp(r, state, begun.error()), true;
       r.rows = rows, r.shown = false;
       setTextureDetail(viewport);
     } else if (last) {
