@@ -1,6 +1,7 @@
 // Distant light by samples at every pixel: the specular integral itself, without the split sum. Visible normals (Dupuy
 // and Benyoub 2023), and as many samples of the environment's lamps.
 #include "bsdf.glsl"
+#include "horizon_occlusion.glsl" if HORIZONS
 #include "lobe_frames.glsl"
 #include "frame.glsl"
 #include "environment_samples.glsl"

@@ -51,7 +51,8 @@ bool correctedByRays(const PictureSettings& settings) {
 }
 
 bool usesScreen(const PictureSettings& settings) {
-  return settings.quality.visibility == Visibility::screen && settings.look.channel.empty() && !tracesPaths(settings);
+  return settings.quality.visibility == Visibility::screen && settings.look.channel.empty() &&
+         settings.comparison.brdfCompare == BrdfCompare::none && !tracesPaths(settings);
 }
 
 VisibilityChosen chosenVisibility(const PictureSettings& settings, const DrawList& list) {

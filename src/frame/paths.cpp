@@ -268,16 +268,22 @@ size_t PathScene::bytes() const {
          instances.bytes();
 }
 
-Result<PathScene> pathScene(const DrawList& list, const scene::Model& model, const GpuScene& gpu,
-                            shading::ProgramStore& programs) {
+PathTrees pathTrees(const DrawList& list) {
   const auto start = std::chrono::steady_clock::now();
-  PathScene out;
+  PathTrees out;
   if (!list.features.paths) {
     out.drawn = list;
     setFeatures(*out.drawn, pathFeatures(list.features));
   }
   out.list = tracedList(out.drawn ? *out.drawn : list);
   out.buildMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return out;
+}
+
+Result<PathScene> pathScene(PathTrees trees, const DrawList& list, const scene::Model& model, const GpuScene& gpu,
+                            shading::ProgramStore& programs) {
+  PathScene out;
+  out.drawn = std::move(trees.drawn), out.list = std::move(trees.list), out.buildMs = trees.buildMs;
   rays::TracedScene& scene = out.list.scene;
   out.triangleCount = static_cast<int>(scene.triangles.size());
   out.nodes = bufferTexture(std::as_bytes(std::span(scene.nodes)), GL_RGBA32UI, "ray nodes");

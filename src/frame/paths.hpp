@@ -37,8 +37,18 @@ struct PathScene {
 
   size_t bytes() const;
 };
-// Textures of the list's materials are on the GPU.
-Result<PathScene> pathScene(const DrawList& list, const scene::Model& model, const GpuScene& gpu,
+
+// What of it needs no OpenGL, and most of the time.
+struct PathTrees {
+  std::optional<DrawList> drawn;  // PathScene's
+  TracedList list;
+  double buildMs = 0;
+};
+// On any thread; the model that the list is of must outlive it.
+PathTrees pathTrees(const DrawList& list);
+
+// trees: of the list. Textures of the list's materials are on the GPU.
+Result<PathScene> pathScene(PathTrees trees, const DrawList& list, const scene::Model& model, const GpuScene& gpu,
                             shading::ProgramStore& programs);
 
 // Paths under way.

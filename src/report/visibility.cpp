@@ -35,6 +35,11 @@ PictureSettings unblocked(PictureSettings settings, int samples, float occlusion
   settings.frame.occlusion = occlusion;
   return settings;
 }
+PictureSettings onScreen(PictureSettings settings, int samples) {
+  settings.quality.visibility = frame::Visibility::screen;
+  settings.quality.samples = samples;
+  return settings;
+}
 PictureSettings corrected(PictureSettings settings, int samples) {
   settings.quality.visibility = frame::Visibility::rays;
   settings.quality.samples = samples;
@@ -52,6 +57,7 @@ std::vector<LightWay> lightWays(const PictureSettings& common, const VisibilityO
                                 {"none", unblocked(common, options.samples, 0), quickFrames}};
   if (options.occlusionTextures)
     list.push_back({"occlusion textures", unblocked(common, options.samples, 1), quickFrames});
+  if (!options.raySamples.empty()) list.push_back({"screen", onScreen(common, quickSamples), quickFrames});
   for (const int samples : options.raySamples) list.push_back({"rays", corrected(common, samples), quickFrames});
   for (const int bounces : options.bounces)
     list.push_back({"paths, " + std::to_string(bounces) + (bounces == 1 ? " bounce" : " bounces"),
@@ -224,9 +230,9 @@ Result<Report> visibilityReport(const ReportInput& input) {
   const auto draw = [&](const PictureSettings& wanted, int repeat) {
     const frame::Quality& quality = wanted.quality;
     input.progress("visibility: " + std::to_string(quality.samples) + " samples, " +
-                   (quality.transport == Transport::paths           ? std::to_string(quality.bounces) + " bounces"
-                    : quality.visibility == frame::Visibility::rays ? "rays"
-                                                                    : "none"));
+                   (quality.transport == Transport::paths
+                        ? std::to_string(quality.bounces) + " bounces"
+                        : std::string(rowOf(frame::visibilities, quality.visibility).word)));
     Notes notes;
     Stages stages;
     return input.session->render(model, wanted, {.radiance = true, .repeat = repeat}, notes, stages);

@@ -41,7 +41,7 @@ struct VisibilityMeasure {
 struct VisibilityOptions {
   int samples = 256;  // a pixel of the reference and of what is converged, > 1
   std::vector<int> bounces = {1, 2, 3, 4, 8};
-  std::vector<int> raySamples = {4, 16};      // of drawn pictures that rays correct
+  std::vector<int> raySamples = {4, 16};      // of drawn pictures that rays correct; none: nor one of screen space
   std::vector<int> fewSamples = {4, 16, 64};  // of paths with all bounces; each at most half of `samples`
   bool occlusionTextures = false;             // the model has some
 };

@@ -36,6 +36,9 @@ frame::Supply supplyBeside(Viewport& viewport, Loader& loader) {
     if (!decodes(loader, scene.loaded, missing)) startImages(loader, scene.loaded, missing);
     return false;
   };
+  supply.trees = [&](const frame::Drawable& drawable) {
+    return findOrMakeTrees(viewport.trees, drawable.inputs.list, drawable.list);
+  };
   supply.tables = [&](frame::LoadedEnvironment& environment, const ibl::Needs& needs) {
     return provideTables(static_cast<EnvironmentSlot&>(environment), needs, viewport.programs,
                          viewport.environments.immediateMs);
@@ -274,8 +277,9 @@ bool bringUp(Viewport& viewport, ViewerState& state, Loader& loader) {
         frame::advance(viewport.plan, *scene, state.settings, shown, supply, viewport.programs, keepGoing);
     if (!step) return giveUp(viewport, state, step.error()), false;
     if (step->progress == frame::Progress::done) break;
-    viewport.comingUp = step->progress == frame::Progress::working;
-    if (!viewport.comingUp || std::chrono::steady_clock::now() >= end) return false;
+    const bool working = step->progress == frame::Progress::working;
+    viewport.comingUp = working || viewport.trees.making.running();
+    if (!working || std::chrono::steady_clock::now() >= end) return false;
   }
   viewport.comingUp = false;
   frame::Drawable next = std::move(viewport.plan.next);

@@ -54,8 +54,12 @@ Result<bool> prepare(Viewport& viewport, const ViewerState& state, const scene::
   const frame::PathScene* paths = viewport.shown.paths.get();
   const bool otherwise = paths && paths->drawn && paths->drawn->features != viewport.shown.list.features;
   if (viewport.shown.list.features.paths && (!paths || otherwise)) {
-    Result<frame::PathScene> made =
-        frame::pathScene(viewport.shown.list, viewport.scene->model(), viewport.scene->gpu, viewport.programs);
+    Result<std::optional<frame::PathTrees>> trees =
+        findOrMakeTrees(viewport.trees, viewport.shown.inputs.list, viewport.shown.list);
+    if (!trees) return tl::unexpected(trees.error());
+    if (!*trees) return false;
+    Result<frame::PathScene> made = frame::pathScene(std::move(**trees), viewport.shown.list, viewport.scene->model(),
+                                                     viewport.scene->gpu, viewport.programs);
     if (!made) return tl::unexpected(made.error());
     viewport.shown.paths = std::make_shared<const frame::PathScene>(std::move(*made));
   }

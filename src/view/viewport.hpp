@@ -17,6 +17,7 @@
 #include "view/moving.hpp"
 #include "view/outline.hpp"
 #include "view/refinement.hpp"
+#include "view/trees.hpp"
 #include "view/viewer_state.hpp"
 
 namespace facet::view {
@@ -59,6 +60,7 @@ struct Viewport {
   FrameClock clock;
   Moving moving;
   Refinement refinement;
+  Trees trees;
   Outline outline;
   // Of what comes up, so much goes on the GPU in one turn: the window answers in between.
   std::chrono::milliseconds slice{20};

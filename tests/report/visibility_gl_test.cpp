@@ -112,8 +112,12 @@ TEST_CASE("visibility: rays beside a drawn picture are nearer than none, and nea
   const VisibilityMeasure m = measured(whiteSpheres(), "builtin:white",
                                        {.samples = 128, .bounces = {}, .raySamples = {4, 16}, .fewSamples = {}});
   INFO(figures(m));
-  REQUIRE(m.rows.size() == 5);
-  const VisibilityRow &none = m.rows[0], &few = m.rows[2], &more = m.rows[3];
+  REQUIRE(m.rows.size() == 6);
+  const VisibilityRow &none = m.rows[0], &screen = m.rows[2], &few = m.rows[3], &more = m.rows[4];
+  CHECK(screen.name == "screen");
+  CHECK(screen.raysPerPixel == 0);
+  CHECK(screen.error.rms < none.error.rms);
+  CHECK(std::abs(screen.error.bias) < std::abs(none.error.bias));
   CHECK(few.error.rms < 0.75 * none.error.rms);
   CHECK(more.error.rms < 0.7 * few.error.rms);
   CHECK(std::abs(few.error.bias) < 0.25 * std::abs(none.error.bias));

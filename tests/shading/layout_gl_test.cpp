@@ -70,10 +70,19 @@ TEST_CASE("Uniform blocks lie in memory as C++ lays them out") {
   shading::ProgramStore store = test::makeProgramStore();
   const GLuint id = fullProgram(store).id();
 #define MEMBER(name) Member{"frame." #name, offsetof(FrameUniforms, name)}
-  std::vector<Member> members = {
-      MEMBER(clipFromWorld),       MEMBER(worldFromClip),    MEMBER(eye),      MEMBER(towardsEye),
-      MEMBER(environmentRotation), MEMBER(environmentScale), MEMBER(options),  MEMBER(picture),
-      MEMBER(distanceFromDepth),   MEMBER(stored),           MEMBER(backdrop), MEMBER(ground)};
+  std::vector<Member> members = {MEMBER(clipFromWorld),
+                                 MEMBER(worldFromClip),
+                                 MEMBER(eye),
+                                 MEMBER(towardsEye),
+                                 MEMBER(environmentRotation),
+                                 MEMBER(environmentScale),
+                                 MEMBER(options),
+                                 MEMBER(picture),
+                                 MEMBER(distanceFromDepth),
+                                 MEMBER(stored),
+                                 MEMBER(backdrop),
+                                 MEMBER(ground),
+                                 MEMBER(screen)};
 #undef MEMBER
   CHECK(property(id, GL_UNIFORM_BLOCK, "FrameBlock", GL_NUM_ACTIVE_VARIABLES) == GLint(members.size()));
   for (const Member& member : materialMembers("material.")) members.push_back(member);

@@ -46,7 +46,7 @@ find_window
 
 xdotool key h # the panel covers much of so small a window
 screenshot start
-"$facet" render builtin:spheres --size 480x360 --samples 1 --visibility none --env builtin:studio --orbit 0,90,9.2 --target 0,0,0 \
+"$facet" render builtin:spheres --size 480x360 --samples 1 --visibility screen --env builtin:studio --orbit 0,90,9.2 --target 0,0,0 \
   --fov-y 45 -o headless.png >/dev/null 2>&1 || fail "no headless picture"
 same headless start
 screenshot again
@@ -166,7 +166,7 @@ await "frame drawn: builtin:spheres, builtin:studio$" 1 # not by a preview of th
 find_window
 await "listed: brdfs" 1
 screenshot matte
-"$facet" render builtin:spheres --brdf brdfs/matte.bin --size 480x360 --samples 1 --visibility none --env builtin:studio --orbit 0,90,16 \
+"$facet" render builtin:spheres --brdf brdfs/matte.bin --size 480x360 --samples 1 --visibility screen --env builtin:studio --orbit 0,90,16 \
   --target 0,0,0 --fov-y 45 -o measured.png >/dev/null 2>&1 || fail "no headless picture of a measured BRDF"
 same measured matte
 choose satin.bin "measured BRDF: .*/brdfs/satin.bin" 1

@@ -50,6 +50,7 @@ struct Viewer {
     for (; view::atWork(viewport, state) && turns < 100'000; ++turns) {
       view::drawViewport(viewport, state);
       glFinish();
+      if (viewport.trees.making.running()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     REQUIRE_FALSE(view::atWork(viewport, state));
     return turns;
