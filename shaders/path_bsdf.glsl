@@ -56,11 +56,16 @@ PathSample samplePath(PathBsdf b, vec3 u) {
 // Of what the surface emits: it lies below the coat (KHR_materials_clearcoat).
 float emissionLeft(PathBsdf b) { return coatLeft(b.s); }
 
-#ifdef DIFFERENCE
+#if defined(DIFFERENCE) || defined(SOFT_CAUSTICS)
 // Of surfaces that broad lobes see: how sharp they mirror does not tell in what few paths find there, but how seldom they
 // mirror a lamp does.
 void widenLobe(PathState p, inout Surface s) {
-  float least = p.vertices > 0u ? 0.25 * mix(p.radiance.a, 1.0, p.throughput.w) : 0.0;
+#ifdef DIFFERENCE
+  float share = mix(p.radiance.a, 1.0, p.throughput.w);
+#else
+  float share = p.throughput.w;
+#endif
+  float least = p.vertices > 0u ? 0.25 * share : 0.0;
   if (s.alpha >= least) return;
   setRoughness(s, sqrt(least));
   s.dfg = lookUpDfg(s.NoV, s.perceptualRoughness);
@@ -70,7 +75,7 @@ void widenLobe(PathState p, inout Surface s) {
 PathBsdf pathBsdf(inout PathState p, PathSurface at, vec3 baseColor, float choice) {
   vec3 V = -p.direction.xyz;
   LitSurface lit = litSurface(at.v, V, baseColor);
-#ifdef DIFFERENCE
+#if defined(DIFFERENCE) || defined(SOFT_CAUSTICS)
   widenLobe(p, lit.s);
 #endif
   PathBsdf b;

@@ -102,6 +102,9 @@ PathTurn turnAt(PathState p, PathSurface at, vec3 baseColor) {
   if (!(most > 0.0) || isinf(most) || staysDrawn(p, at, drawn.L)) return turn;
   float broad = p.throughput.w;
   if (correcting(p)) broad = broadShare(b, drawn.L, drawn.density);
+#ifdef SOFT_CAUSTICS
+  broad = drawn.broad ? 1.0 : p.vertices == 0u ? 0.0 : broad;
+#endif
   float survival = 1.0;
   if (p.vertices + 1u >= rouletteVertices) {
     survival = min(most, 0.95);

@@ -58,10 +58,13 @@ bool usesScreen(const PictureSettings& settings) {
 VisibilityChosen chosenVisibility(const PictureSettings& settings, const DrawList& list) {
   const Visibility wish = settings.quality.visibility;
   const bool asked = settings.quality.transport == Transport::paths || wish == Visibility::rays;
-  if (list.features.paths)
-    return {"paths", asked                       ? "asked for"
-                     : settings.quality.maxError ? "an error is to be kept to"
-                                                 : "more than " + std::to_string(correctedUpTo) + " samples"};
+  if (list.features.paths) {
+    std::string why = asked                       ? "asked for"
+                      : settings.quality.maxError ? "an error is to be kept to"
+                                                  : "more than " + std::to_string(correctedUpTo) + " samples";
+    if (settings.quality.caustics == Caustics::soft) why += "; caustics are softened";
+    return {"paths", std::move(why)};
+  }
   if (list.features.difference) return {"rays", asked ? "asked for" : "few samples"};
   if (list.features.shadows || list.features.horizons) return {"screen", "asked for"};
   if (!list.untraced.empty()) return {"none", list.untraced};

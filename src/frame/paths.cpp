@@ -59,6 +59,7 @@ std::vector<Define> classDefines(const FrameInput& in, const PathClass& shaded, 
   std::vector<Define> defines =
       shading::variantDefines(in.fitted ? shading::fittedKey(shaded.key, in.list.features.models.diffuse) : shaded.key);
   for (const Define& define : commonDefines(in, use)) defines.push_back(define);
+  if (use == PathUse::picture && in.settings.quality.caustics == Caustics::soft) defines.push_back({"SOFT_CAUSTICS"});
   const bool sun = static_cast<int>(in.list.lights.size()) > in.paths->list.lights;
   if (use == PathUse::difference && sun && in.list.features.environment) defines.push_back({"PATH_SUN"});
   if (!in.paths->list.scene.placements.empty()) defines.push_back({"RAY_PLACEMENTS"});

@@ -76,6 +76,15 @@ inline constexpr Choice<Visibility> visibilities[] = {
      "the drawn picture, corrected by one path a sample where something blocks or returns light; smoothed"}};
 static_assert(inOrder(visibilities));
 
+// Of light that a surface sees by way of mirrors and glass, which single paths find: slow to converge.
+enum class Caustics { all, soft };
+inline constexpr Choice<Caustics> causticsChoices[] = {
+    {Caustics::all, "all", "all", "as light goes: few paths find them, and those are bright"},
+    {Caustics::soft, "soft", "softened",
+     "surfaces that a diffuse one sees mirror and refract with alpha 0.25 at least: less noise, and caustics are "
+     "spread"}};
+static_assert(inOrder(causticsChoices));
+
 // What is read from outside, besides the model.
 struct Sources {
   std::string bump;              // grey height map for the materials of a built-in scene; empty: none
@@ -173,7 +182,8 @@ struct Quality {
   int seed = 0;  // [0, largestSeed]
   Transport transport = Transport::direct;
   Visibility visibility = Visibility::automatic;
-  int bounces = 16;  // of path-traced light: surfaces that a path leaves at most, [0, 64]; 0: what shines by itself
+  Caustics caustics = Caustics::all;  // of path-traced light
+  int bounces = 16;  // likewise: surfaces that a path leaves at most, [0, 64]; 0: what shines by itself
 
   bool operator==(const Quality&) const = default;
 };

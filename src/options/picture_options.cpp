@@ -447,6 +447,8 @@ constexpr PictureOption optionTable[] = {
     choiceOption<frame::transports, &S::quality, &frame::Quality::transport>("light", "how light gets to a surface"),
     choiceOption<frame::visibilities, &S::quality, &frame::Quality::visibility>(
         "visibility", "whether a drawn picture knows what stands in the light's way"),
+    choiceOption<frame::causticsChoices, &S::quality, &frame::Quality::caustics>(
+        "caustics", "of path-traced light, by way of mirrors and glass"),
     {"bounces", "N", "surfaces that a traced path leaves at most (16)",
      parseNumberInto<0, 64, &S::quality, &frame::Quality::bounces>, writeNumber<&S::quality, &frame::Quality::bounces>},
     {"samples", "N", "samples a pixel (4); above 4 the environment is sampled too, and the picture converges",

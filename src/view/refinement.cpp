@@ -84,6 +84,7 @@ Result<void> begin(Viewport& viewport, ViewerState& state, const scene::View& vi
   r.estimateAt = 1;
   r.parts.clear();
   state.refinement.wanted = s.quality.samples;
+  state.refinement.softened = viewport.shown.list.features.paths && s.quality.caustics == frame::Caustics::soft;
   // A guess from the cheap frame: a sampled draw takes about as long per coverage sample. The steps adapt.
   const double guessMs = state.shown.statistics.gpuMs;
   r.rows = guessMs > 0 ? static_cast<int64_t>(s.frame.height * stepMs / (2 * guessMs)) : s.frame.height / 8;

@@ -258,11 +258,13 @@ void pictureSection(ViewerState& state) {
   channelChoice(settings);
   chooseEnum("light", settings.quality.transport, frame::transports, usual.quality.transport,
              "how it gets to a surface while the picture rests");
-  if (settings.quality.transport == frame::Transport::paths) {
+  if (frame::tracesPaths(settings)) {
     auto bounces = static_cast<float>(settings.quality.bounces);
     slider("bounces", bounces, 0, 64, "%.0f", static_cast<float>(usual.quality.bounces),
            "surfaces that a path leaves at most");
     settings.quality.bounces = static_cast<int>(std::lround(bounces));
+    chooseEnum("caustics", settings.quality.caustics, frame::causticsChoices, usual.quality.caustics,
+               "light by way of mirrors and glass");
   }
   if (settings.quality.transport == frame::Transport::direct)
     chooseEnum("visibility", settings.quality.visibility, frame::visibilities, usual.quality.visibility,

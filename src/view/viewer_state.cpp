@@ -38,12 +38,13 @@ std::string refinementText(const RefinementStatus& status) {
   if (status.wanted == 0 || status.gathered == 0) return {};
   std::string text = std::to_string(status.gathered) + " of " + std::to_string(status.wanted) + " samples";
   if (status.gathered == status.wanted) text = std::to_string(status.wanted) + " samples";
-  if (status.error < 0) return text;
-  if (status.error < 0.005) return text + ", error below 0.01/255";
+  const std::string end = status.softened ? ", caustics softened" : "";
+  if (status.error < 0) return text + end;
+  if (status.error < 0.005) return text + ", error below 0.01/255" + end;
   char error[48];
   std::snprintf(error, sizeof error, ", error %s %.*f/255", status.shown > 0 ? "up to" : "about",
                 status.error < 1 ? 2 : 1, status.error);
-  return text + error;
+  return text + error + end;
 }
 
 void say(ViewerState& state, const std::string& text) {

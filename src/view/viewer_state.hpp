@@ -80,6 +80,7 @@ struct RefinementStatus {
   // ErrorEstimate::most, of the cheap picture the likely one.
   double error = -1;
   bool lightPreview = false;  // the environment's tables are coarse as yet
+  bool softened = false;      // caustics are, which no error tells of
 };
 // "light is a preview"; "37 of 256 samples, error up to 1.2/255"; empty where there is nothing to say.
 std::string refinementText(const RefinementStatus& status);

@@ -77,6 +77,7 @@ PictureSettings unusual() {
   s.frame.backgroundColor = {0.3f, static_cast<float>(linearFromSrgb(7 / 255.0)), 1e-5f};
   s.look.lights = frame::Lights::demo, s.quality.transport = frame::Transport::paths;
   s.quality.visibility = frame::Visibility::rays;
+  s.quality.caustics = frame::Caustics::soft;
   s.frame.occlusion = 0;
   s.display.exposureStops = -2.5f;
   s.display.toneMapper = frame::ToneMapper::uncharted2;
@@ -170,6 +171,8 @@ TEST_CASE("each option sets its own field") {
   CHECK(set("lights", "none").look.lights == frame::Lights::none);
   CHECK(set("brdf-split", "0.25").comparison.brdfSplit == 0.25f);
   CHECK(set("brdf-difference-scale", "10").comparison.brdfDifferenceScale == 10);
+  CHECK(set("caustics", "soft").quality.caustics == frame::Caustics::soft);
+  CHECK(set("visibility", "screen").quality.visibility == frame::Visibility::screen);
   CHECK(set("occlusion", "0.5").frame.occlusion == 0.5f);
   CHECK(set("ground", "true").frame.ground);
   CHECK_FALSE(set("ground", "false").frame.ground);
@@ -427,5 +430,5 @@ TEST_CASE("every row of a choice is an option's word, comes back as it was given
     REQUIRE_FALSE(wrong);
     CHECK(wrong.error().problem == "'nonsense' is not known");
   }
-  CHECK(choices == 15);
+  CHECK(choices == 16);
 }

@@ -202,6 +202,8 @@ TEST_CASE("refinement: what the cheap picture is off by is only stated where it 
   CHECK(view::refinementText(status) == "4 of 256 samples, error below 0.01/255");
   status.error = 0.25;
   CHECK(view::refinementText(status) == "4 of 256 samples, error about 0.25/255");
+  status.softened = true;
+  CHECK(view::refinementText(status) == "4 of 256 samples, error about 0.25/255, caustics softened");
 }
 
 TEST_CASE("refinement: every error that is stated on the way is near the true one", "[gl]") {
