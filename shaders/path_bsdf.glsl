@@ -100,7 +100,7 @@ PathBsdf pathBsdf(inout PathState p, PathSurface at, vec3 baseColor, float choic
   b.through.alpha = max(body ? lit.s.alpha : transmittedAlpha(lit.s.perceptualRoughness, ior, false), minAnalyticAlpha);
 #ifdef HAS_VOLUME
   if (body && lit.transmitted > 0.0) {
-    uint outside = at.front ? p.media : leaveMedium(p.media, at.material);
+    uvec2 outside = at.front ? mediaOf(p) : leaveMedium(mediaOf(p), at.material);
     b.eta = at.front ? ior / mediumIor(outside) : mediumIor(outside) / max(ior, 1e-6);
     if (ior == 0.0) b.eta = at.front ? 0.0 : 1e-6;
     bool bends = abs(b.eta - 1.0) > 1e-3;

@@ -68,7 +68,7 @@ bool seeLight(inout PathState p, PathSurface at, PathBsdf b) {
   vec3 radiance = p.throughput.rgb * reflected;
   if (!(max(radiance.r, max(radiance.g, radiance.b)) > 0.0) || staysDrawn(p, at, L)) return false;
   p.lightOrigin = vec4(leaveSurface(at, L), distance);
-  p.lightDirection = vec4(L, 0.0);
+  p.lightDirection = L;
   p.lightRadiance = vec4(radiance, correcting(p) ? broadShare(b, L, pathDensity(b, L)) : p.throughput.w);
   rememberUnblocked(p, p.lightRadiance.rgb, p.lightRadiance.w, environment);
   return true;
@@ -113,8 +113,10 @@ PathTurn turnAt(PathState p, PathSurface at, vec3 baseColor) {
   }
   rememberUnblocked(turn.path, throughput * unblockedRadiance(drawn), broad, true);
 #ifdef HAS_VOLUME
-  if (dot(at.Ng, drawn.L) < 0.0 && materialThickness(at.v) > 0.0)
-    turn.path.media = at.front ? enterMedium(p.media, at.material) : leaveMedium(p.media, at.material);
+  if (dot(at.Ng, drawn.L) < 0.0 && materialThickness(at.v) > 0.0) {
+    uvec2 media = at.front ? enterMedium(mediaOf(p), at.material) : leaveMedium(mediaOf(p), at.material);
+    turn.path.media = media.x, turn.path.outerMedia = media.y;
+  }
 #endif
   turn.goesOn = true;
   turn.path.origin = vec4(leaveSurface(at, drawn.L), 0.0);

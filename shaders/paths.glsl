@@ -43,8 +43,9 @@ PathState newPath(uvec2 pixel) {
   p.origin = p.direction = vec4(0.0);
   p.throughput = vec4(1.0);
   p.radiance = vec4(0.0, 0.0, 0.0, 1.0);
-  p.lightOrigin = p.lightDirection = p.lightRadiance = p.onMiss = vec4(0.0);
-  p.triangle = p.instance = p.vertices = p.media = 0u;
+  p.lightOrigin = p.lightRadiance = p.onMiss = vec4(0.0);
+  p.lightDirection = vec3(0.0);
+  p.triangle = p.instance = p.vertices = p.media = p.outerMedia = 0u;
   p.distance = 0.0;
   p.weights = vec2(0.0);
   return p;

@@ -12,7 +12,8 @@ struct PathState {
   vec4 radiance;    // rgb what has been gathered; a coverage, or, where a drawn picture is corrected, alpha of the first surface
   // A light that is seen from the last surface unless something is between.
   vec4 lightOrigin;     // xyz; w distance to it
-  vec4 lightDirection;  // xyz unit; w unused
+  vec3 lightDirection;  // unit
+  uint outerMedia;      // as media, of the next four bodies
   vec4 lightRadiance;   // rgb what it adds; w as of throughput
   vec4 onMiss;          // rgb what it adds if the ray meets nothing; w 1: in the environment's place
   // What the ray has met: index of its triangle in the leaves' order, that of the placement's instance, where.

@@ -34,7 +34,7 @@ bool seeLightFromGround(inout PathState p) {
   light *= max(L.y, 0.0) / PI;
   if (!(max(light.r, max(light.g, light.b)) > 0.0)) return false;
   p.lightOrigin = vec4(p.origin.xyz, distance);
-  p.lightDirection = vec4(L, 0.0);
+  p.lightDirection = L;
   p.lightRadiance = vec4(light, 1.0);
   addToGround(p, groundUnblockedSum, light);
   return true;

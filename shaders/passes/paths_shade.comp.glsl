@@ -20,7 +20,7 @@ void main() {
   PathState p = paths[path];
   PathSurface at = pathSurface(p);
   selectMaterial(at.material);
-  p.throughput.rgb *= mediumTransmittance(p.media, p.distance);
+  p.throughput.rgb *= mediumTransmittance(mediaOf(p), p.distance);
   vec4 baseColor = materialBaseColor(at.v);
 #ifdef UNLIT
 #ifdef DIFFERENCE
@@ -44,6 +44,7 @@ void main() {
     paths[path].onMiss = turn.path.onMiss;
     paths[path].vertices = turn.path.vertices;
     paths[path].media = turn.path.media;
+    paths[path].outerMedia = turn.path.outerMedia;
     work[listAt(nextList(), atomicAdd(work[workNext], 1u))] = path;
   }
 #endif

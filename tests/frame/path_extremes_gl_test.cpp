@@ -114,12 +114,12 @@ TEST_CASE("Paths: glass that absorbs all in no distance is black but for its int
   for (int c = 0; c < 3; ++c) CHECK(meanOf(picture.radiance)[c] == Approx(0.04).margin(0.005));
 }
 
-TEST_CASE("Paths: four glass spheres in one another, and a ball between two mirrors, keep all light", "[gl]") {
+TEST_CASE("Paths: eight glass spheres in one another, and a ball between two mirrors, keep all light", "[gl]") {
   test::Studio studio;
   const frame::Picture nested = furnace(
       studio,
       [](GltfBuilder& builder, int material) {
-        for (const double radius : {0.8, 0.6, 0.4, 0.2})
+        for (const double radius : {0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.2, 0.1})
           test::addMeshNode(builder, test::addSphere(builder, radius, 48, 96), material);
       },
       clearGlass);

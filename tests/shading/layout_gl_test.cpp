@@ -291,8 +291,8 @@ TEST_CASE("Paths lie in memory as C++ lays them out") {
   Member { "paths[0]." #name, offsetof(layout::PathState, name) }
   for (const Member& member :
        {MEMBER(origin), MEMBER(direction), MEMBER(throughput), MEMBER(radiance), MEMBER(lightOrigin),
-        MEMBER(lightDirection), MEMBER(lightRadiance), MEMBER(triangle), MEMBER(instance), MEMBER(distance),
-        MEMBER(vertices), MEMBER(weights), MEMBER(pixel), MEMBER(media)}) {
+        MEMBER(lightDirection), MEMBER(outerMedia), MEMBER(lightRadiance), MEMBER(triangle), MEMBER(instance),
+        MEMBER(distance), MEMBER(vertices), MEMBER(weights), MEMBER(pixel), MEMBER(media)}) {
     INFO(member.name);
     CHECK(property(id, GL_BUFFER_VARIABLE, member.name, GL_OFFSET) == GLint(member.offset));
   }
