@@ -157,6 +157,7 @@ void print(const Json& out) {
       std::cout << "    textures that change nothing: " << joinedOrNone(material["unusedTextures"]) << "\n";
   }
   printParts(out, std::cout);
+  printImages(out["images"], std::cout);
   std::cout << "\nLeft out, because the scene does not need it\n";
   for (const Json& text : out["leftOut"]) std::cout << "  " << text.get<std::string>() << "\n";
   if (out["leftOut"].empty()) std::cout << "  nothing\n";
@@ -205,7 +206,8 @@ int runInspect(const InspectArguments& arguments) {
   checkImages(model, list, loaded->notes);
   if (!measured->is_null())
     std::ranges::move(frame::listNotes(list, list.needs(false)), std::back_inserter(loaded->notes));
-  const Json out = describeModel(model, loaded->notes, list, *scene, *measured);
+  Json out = describeModel(model, loaded->notes, list, *scene, *measured);
+  out["images"] = describeImages(model, frame::missingImages(model, list, {}));
   if (arguments.asJson)
     std::cout << out.dump(2, ' ', false, Json::error_handler_t::replace) << std::endl;
   else

@@ -4,6 +4,7 @@
 
 #include <iosfwd>
 #include <nlohmann/json_fwd.hpp>
+#include <vector>
 
 #include "optics/measured.hpp"
 #include "scene/model.hpp"
@@ -20,8 +21,14 @@ nlohmann::ordered_json describeMeasured(const optics::MeasuredBrdf& brdf, const 
 // Adds "animations", "skins", "morphTargets", "instancing", "variants" and "xmp", each an array, to the object.
 void describeParts(const scene::Model& model, nlohmann::ordered_json& out);
 
+// An array: each image's name, format, size, depth and mip levels as its header says, or its "problem", and whether it
+// is "decoded".
+nlohmann::ordered_json describeImages(const scene::Model& model, const std::vector<bool>& decoded);
+
 void printMeasured(const nlohmann::ordered_json& described, std::ostream& out);
 // The parts as text; nothing of what is empty.
 void printParts(const nlohmann::ordered_json& described, std::ostream& out);
+// The images as text; nothing where there are none.
+void printImages(const nlohmann::ordered_json& images, std::ostream& out);
 
 }  // namespace facet::commands

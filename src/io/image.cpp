@@ -24,14 +24,15 @@ bool startsWith(Bytes bytes, std::string_view magic, size_t at = 0) {
 }
 
 struct Format {
+  const char* name;
   bool (*is)(Bytes);
   Result<ImageHeader> (*readHeader)(Bytes);
   Result<Pixels> (*decode)(Bytes, const ImageHeader&);
 };
-constexpr Format formats[] = {{isPng, readPngHeader, decodePng},
-                              {isJpeg, readJpegHeader, decodeJpeg},
-                              {isWebp, readWebpHeader, decodeWebp},
-                              {isKtx2, readKtx2Header, decodeKtx2}};
+constexpr Format formats[] = {{"PNG", isPng, readPngHeader, decodePng},
+                              {"JPEG", isJpeg, readJpegHeader, decodeJpeg},
+                              {"WebP", isWebp, readWebpHeader, decodeWebp},
+                              {"KTX2", isKtx2, readKtx2Header, decodeKtx2}};
 
 const Format* formatOf(Bytes bytes) {
   const auto found = std::ranges::find_if(formats, [&](const Format& format) { return format.is(bytes); });
@@ -260,6 +261,25 @@ std::vector<Pixels> decodeImages(const scene::Model& model, const std::vector<bo
       result[work.index] = placeholderImage();
   }
   noteTransfers(model, result, notes);
+  return result;
+}
+
+std::vector<ImageInfo> describeImages(const scene::Model& model, const Limits& limits) {
+  std::vector<ImageInfo> result(model.images.size());
+  parallelFor(result.size(), [&](size_t i) {
+    Work work;
+    guarded(work, [&] { readWork(model.images[i], work, limits); });
+    ImageInfo& info = result[i];
+    info.problem = work.problem;
+    if (!work.problem.empty()) return;
+    const ImageHeader& header = work.header;
+    info.format = formatOf(work.bytes)->name + (header.texels.empty() ? "" : " (" + header.texels + ")");
+    info.width = header.width;
+    info.height = header.height;
+    info.channels = header.channels;
+    info.bytesPerSample = header.bytesPerSample;
+    info.levels = header.levels;
+  });
   return result;
 }
 

@@ -40,6 +40,17 @@ Result<Pixels> decodeImage(std::span<const uint8_t> encoded, const std::string& 
 std::vector<Pixels> decodeImages(const scene::Model& model, const std::vector<bool>& wanted, Notes& notes,
                                  const Limits& limits = {});
 
+// What an image's header says.
+struct ImageInfo {
+  std::string format;  // "PNG", "KTX2 (UASTC, Zstandard)"
+  int width = 0, height = 0, channels = 0, bytesPerSample = 1;
+  int levels = 1;            // mip levels in the file
+  std::string problem = {};  // not empty: it cannot be read
+};
+
+// Of the model's images; nothing is decoded.
+std::vector<ImageInfo> describeImages(const scene::Model& model, const Limits& limits = {});
+
 Pixels placeholderImage();  // magenta and black checks
 
 // 8-bit RGB or RGBA by all cores, the same bytes for the same pixels; whole or not at all (base/whole_file.hpp).

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 
 #include "base/error.hpp"
 #include "io/image.hpp"
@@ -17,6 +18,8 @@ struct ImageHeader {
   int bytesPerSample = 1;
   uint64_t leastBytes = 0;  // no file of so many pixels is shorter
   uint64_t passes = 1;      // how often the file comes back to all pixels
+  int levels = 1;           // mip levels
+  std::string texels = {};  // of KTX2: "UASTC, Zstandard"
   uint64_t pixels() const { return static_cast<uint64_t>(width) * static_cast<uint64_t>(height); }
 };
 

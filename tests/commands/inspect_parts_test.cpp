@@ -4,6 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "support/gltf_builder.hpp"
+#include "support/ktx2_samples.hpp"
+
 using namespace facet;
 using nlohmann::ordered_json;
 
@@ -50,6 +53,31 @@ TEST_CASE("inspect tells of motion, variants, instances and metadata, and of not
   CHECK(described["animations"][0] == ordered_json{{"name", "walk"}, {"seconds", 1.5}, {"channels", 3}});
   CHECK(described["xmp"][0]["packet"]["dc:title"] == "a");
   CHECK(described["xmp"][0]["about"] == ordered_json{"/asset", "/nodes/1"});
+}
+
+TEST_CASE("inspect tells what the images are") {
+  scene::Model model;
+  const auto add = [&](const char* name, std::vector<uint8_t> encoded) {
+    model.images.push_back({.name = name, .file = {}, .encoded = std::move(encoded), .problem = {}});
+  };
+  const std::vector<uint8_t> texels(12);
+  add("wood", test::pngBytes(2, 2, 3, 8, texels));
+  add("lamp", test::fromHex(test::uastcAlpha));
+  add("wall", test::fromHex(test::etc1sOpaque));
+  add("lost", {1});
+  const ordered_json images = commands::describeImages(model, {true, true, false, true});
+  std::ostringstream out;
+  commands::printImages(images, out);
+  CHECK(out.str() ==
+        "\nImages\n"
+        "  wood: PNG, 2 x 2, RGB of 8 bits\n"
+        "  lamp: KTX2 (UASTC, Zstandard), 16 x 8, RGBA of 8 bits, 5 mip levels\n"
+        "  wall: KTX2 (ETC1S, BasisLZ), 16 x 16, RGB of 8 bits, 5 mip levels, not decoded\n"
+        "  lost: is no PNG, JPEG, WebP or KTX2 image\n");
+  CHECK(images[1]["levels"] == 5);
+  std::ostringstream nothing;
+  commands::printImages(commands::describeImages({}, {}), nothing);
+  CHECK(nothing.str() == "");
 }
 
 TEST_CASE("inspect lists the effects of a material that can be seen") {

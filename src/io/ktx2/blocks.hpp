@@ -10,4 +10,22 @@ namespace facet::io {
 // uastc.cpp: 16 bytes
 bool decodeUastc(const uint8_t* block, uint8_t* rgba);
 
+// bc.cpp: 8 bytes for BC1 and BC4, else 16. Channels that a format lacks are 0, alpha 255.
+bool decodeBc1(const uint8_t* block, uint8_t* rgba);  // black of three colours and black is opaque
+bool decodeBc1Alpha(const uint8_t* block, uint8_t* rgba);
+bool decodeBc2(const uint8_t* block, uint8_t* rgba);
+bool decodeBc3(const uint8_t* block, uint8_t* rgba);
+bool decodeBc4(const uint8_t* block, uint8_t* rgba);
+bool decodeBc5(const uint8_t* block, uint8_t* rgba);
+
+// bc7.cpp: 16 bytes
+bool decodeBc7(const uint8_t* block, uint8_t* rgba);
+
+// etc2.cpp: 8 bytes, 16 with alpha and for RG11
+bool decodeEtc2(const uint8_t* block, uint8_t* rgba);
+bool decodeEtc2Punch(const uint8_t* block, uint8_t* rgba);  // alpha of one bit
+bool decodeEtc2Alpha(const uint8_t* block, uint8_t* rgba);
+bool decodeEacR11(const uint8_t* block, uint8_t* rgba);
+bool decodeEacRg11(const uint8_t* block, uint8_t* rgba);
+
 }  // namespace facet::io

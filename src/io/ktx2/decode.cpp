@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "io/image_formats.hpp"
+#include "io/ktx2/astc.hpp"
 #include "io/ktx2/container.hpp"
 #include "io/ktx2/etc1s.hpp"
 #include "io/ktx2/formats.hpp"
@@ -132,7 +133,11 @@ Result<std::vector<uint8_t>> decodeLevel(const Source& from, size_t level, int c
     std::vector<uint8_t> storage;
     const auto bytes = inflated(ktx, ktx.levels[level], levelBytes(format, width, height), storage);
     if (!bytes) return tl::unexpected(bytes.error());
-    if (format.decodeBlock == nullptr) {
+    if (format.astc) {
+      if (auto ok = decodeAstc(*bytes, format.blockWidth, format.blockHeight, format.srgb, width, height, out.data());
+          !ok)
+        return tl::unexpected(ok.error());
+    } else if (format.decodeBlock == nullptr) {
       unpackSamples(*bytes, format, out);
     } else if (const size_t faulty = unpackBlocks(*bytes, format, width, height, out); faulty > 0 && flaw.empty()) {
       flaw = std::to_string(faulty) + " of the blocks of its mip level " + std::to_string(level) + " are not " +
@@ -152,6 +157,9 @@ Result<ImageHeader> readKtx2Header(Bytes bytes) {
   const auto format = texelFormat(*ktx);
   if (!format) return tl::unexpected(format.error());
   ImageHeader header{ktx->width, ktx->height, shownChannels(*ktx, *format), format->bytesPerSample};
+  constexpr const char* schemes[] = {"", ", BasisLZ", ", Zstandard", ", ZLIB"};
+  header.texels = format->name + schemes[static_cast<uint32_t>(ktx->scheme)];
+  header.levels = static_cast<int>(ktx->levels.size());
   if (ktx->scheme == Supercompression::none)
     header.leastBytes = levelBytes(*format, ktx->width, ktx->height);
   else if (header.pixels() > freePixels)

@@ -31,6 +31,53 @@ TexelFormat plainFormat(const PlainRow& row, bool srgb) {
   return format;
 }
 
+// Blocks of 4 x 4 texels.
+struct BlockRow {
+  uint32_t unorm, srgb;  // 0: there is none
+  int bytes, channels;
+  BlockDecoder decode;
+  const char* name;
+};
+constexpr BlockRow blockRows[] = {{131, 132, 8, 3, decodeBc1, "BC1"},
+                                  {133, 134, 8, 4, decodeBc1Alpha, "BC1 with alpha"},
+                                  {135, 136, 16, 4, decodeBc2, "BC2"},
+                                  {137, 138, 16, 4, decodeBc3, "BC3"},
+                                  {139, 0, 8, 3, decodeBc4, "BC4"},
+                                  {141, 0, 16, 3, decodeBc5, "BC5"},
+                                  {145, 146, 16, 4, decodeBc7, "BC7"},
+                                  {147, 148, 8, 3, decodeEtc2, "ETC2"},
+                                  {149, 150, 8, 4, decodeEtc2Punch, "ETC2 with alpha of one bit"},
+                                  {151, 152, 16, 4, decodeEtc2Alpha, "ETC2 with alpha"},
+                                  {153, 0, 8, 3, decodeEacR11, "EAC R11"},
+                                  {155, 0, 16, 3, decodeEacRg11, "EAC RG11"}};
+
+TexelFormat blockFormat(const BlockRow& row, bool srgb) {
+  TexelFormat format;
+  format.name = row.name;
+  format.blockWidth = format.blockHeight = 4;
+  format.blockBytes = row.bytes;
+  format.channels = row.channels;
+  format.decodeBlock = row.decode;
+  format.srgb = srgb;
+  return format;
+}
+
+constexpr uint32_t firstAstc = 157, lastAstc = 184;  // UNORM and SRGB in turn, by the size of the blocks
+
+TexelFormat astcFormat(uint32_t vkFormat) {
+  constexpr uint8_t sizes[][2] = {{4, 4}, {5, 4},  {5, 5},  {6, 5},  {6, 6},   {8, 5},   {8, 6},
+                                  {8, 8}, {10, 5}, {10, 6}, {10, 8}, {10, 10}, {12, 10}, {12, 12}};
+  const auto& size = sizes[(vkFormat - firstAstc) / 2];
+  TexelFormat format;
+  format.blockWidth = size[0];
+  format.blockHeight = size[1];
+  format.name = "ASTC " + std::to_string(size[0]) + " x " + std::to_string(size[1]);
+  format.blockBytes = 16;
+  format.astc = true;
+  format.srgb = (vkFormat - firstAstc) % 2 == 1;
+  return format;
+}
+
 tl::unexpected<Error> notRead(const std::string& what) {
   return fail("", "", "is a KTX2 texture of " + what + ", which is not read", "convert it to UASTC, ETC1S or PNG");
 }
@@ -78,6 +125,11 @@ Result<TexelFormat> texelFormat(const Ktx2& ktx) {
     if (ktx.vkFormat != row.unorm && (ktx.vkFormat != row.srgb || row.srgb == 0)) continue;
     return plainFormat(row, ktx.vkFormat == row.srgb);
   }
+  for (const BlockRow& row : blockRows) {
+    if (ktx.vkFormat != row.unorm && (ktx.vkFormat != row.srgb || row.srgb == 0)) continue;
+    return blockFormat(row, ktx.vkFormat == row.srgb);
+  }
+  if (ktx.vkFormat >= firstAstc && ktx.vkFormat <= lastAstc) return astcFormat(ktx.vkFormat);
   return notRead("VkFormat " + std::to_string(ktx.vkFormat));
 }
 

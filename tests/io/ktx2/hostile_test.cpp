@@ -27,6 +27,15 @@ std::vector<Bytes> hostileSeeds() {
     }
     out.push_back(file.bytes());
   }
+  for (const uint32_t vkFormat : {133u, 141u, 145u, 151u, 166u}) {  // BC1, BC5, BC7, ETC2, ASTC 6 x 6
+    test::Ktx2File file;
+    file.vkFormat = vkFormat;
+    file.width = file.height = 7;
+    Bytes level(4 * (vkFormat == 133 ? 8 : 16));
+    for (size_t i = 0; i < level.size(); ++i) level[i] = static_cast<uint8_t>(91 * i + i / 5);
+    file.levels = {level};
+    out.push_back(file.bytes());
+  }
   return out;
 }
 
