@@ -95,3 +95,46 @@ TEST_CASE("PNG, WebP and KTX2 of one picture agree within the formats' errors", 
   CHECK(rms(shown(test::fromHex(test::uastcRamps), "KHR_texture_basisu")) == Approx(1.97).margin(0.1));
   CHECK(rms(shown(test::fromHex(test::etc1sRamps), "KHR_texture_basisu")) == Approx(6.89).margin(0.1));
 }
+
+// The alpha of a mask's levels is made from the largest one, whatever the file's say: here 0.
+TEST_CASE("Masks keep their coverage with mip levels of a file", "[gl][ktx2]") {
+  std::vector<uint8_t> texels;
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 16; ++x)
+      texels.insert(texels.end(), {200, 100, 50, static_cast<uint8_t>(x % 4 < 2 || y > 11 ? 255 : 0)});
+  test::Ktx2File file;
+  file.vkFormat = 43;
+  file.transfer = 2;
+  file.width = file.height = 16;
+  file.levels = {texels};
+  for (size_t side = 8; side > 0; side /= 2) {
+    std::vector<uint8_t> level;
+    for (size_t i = 0; i < side * side; ++i) level.insert(level.end(), {200, 100, 50, 0});
+    file.levels.push_back(level);
+  }
+  test::Studio studio;
+  const auto shown = [&](const std::vector<uint8_t>& image, const json& texture) {
+    test::GltfBuilder builder = emptyScene();
+    builder.append("images", {{"uri", test::dataUri(image)}});
+    builder.append("textures", texture);
+    json m = unlit({1, 1, 1, 1});
+    m["alphaMode"] = "MASK";
+    m["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+    json quad = test::addQuad(builder, {-1, -1}, {1, 1});
+    quad["attributes"]["TEXCOORD_0"] = builder.add(std::vector<float>{0, 0, 1, 0, 1, 1, 0, 1}, test::floatType, "VEC2");
+    test::addMeshNode(builder, quad, builder.append("materials", m));
+    test::addOrthographicCamera(builder, 1, 1);
+    frame::PictureSettings settings = test::bareSettings(4, 4);
+    settings.quality.samples = 16;
+    settings.viewpoint.camera = "0";
+    return studio.render(test::loadBuilt(builder), settings).radiance;
+  };
+  const auto png = shown(test::pngBytes(16, 16, 4, 8, texels), {{"source", 0}});
+  const auto ktx2 = shown(file.bytes(), {{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}});
+  float covered = 0;
+  for (int i = 0; i < 16; ++i) {
+    checkPixel(test::pixel(ktx2, i % 4, i / 4), test::pixel(png, i % 4, i / 4), 5e-3f);
+    covered += test::pixel(ktx2, i % 4, i / 4).w / 16;
+  }
+  CHECK(covered == Approx(0.625).margin(0.1));
+}

@@ -82,6 +82,9 @@ TEST_CASE("BC7, ETC2 and EAC blocks of all modes", "[io][image][ktx2]") {
     CHECK(test::checksum(decodedBlocks(row.vkFormat, 128, 128, blocks, row.channels)) == row.sum);
   }
   CHECK(decodedBlocks(145, 4, 4, Bytes(16), 4) == Bytes(64, 0));  // BC7's reserved mode
+  // ETC2's H mode with two equal colours, whose order is a bit of the distance (here 12, 13, 0 and 64).
+  CHECK(firstRow(147, {0x66, 0x14, 0x66, 0x87, 0xB2, 0x22, 0x1A, 0x58}, 3) ==
+        Bytes{255, 255, 64, 140, 157, 0, 255, 255, 64, 140, 157, 0});
 }
 
 TEST_CASE("Sides that are no multiple of a block", "[io][image][ktx2]") {
