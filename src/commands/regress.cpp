@@ -7,7 +7,6 @@
 #include <cerrno>
 #include <filesystem>
 #include <memory>
-#include <set>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -180,7 +179,7 @@ bool isToBeAccepted(const JobResult& job, const RegressArguments& arguments) {
 }
 
 Result<void> accept(const Suite& suite, const fs::path& results, JobResult& job) {
-  const fs::path file = suite.baseline(job.name), aside = file.string() + ".new";
+  const fs::path file = suite.baseline(job.name, suite.rendererOf(job.renderer)), aside = file.string() + ".new";
   if (Result<void> made = makeFolder(file.parent_path()); !made) return made;
   std::error_code error;
   fs::copy_file(results / job.picture, aside, fs::copy_options::overwrite_existing, error);
@@ -192,23 +191,12 @@ Result<void> accept(const Suite& suite, const fs::path& results, JobResult& job)
   return {};
 }
 
-std::vector<std::string> staleBaselines(const Suite& suite) {
-  std::set<std::string> known;
-  for (const SuiteJob& job : suite.jobs) known.insert(suite.baseline(job.name).filename().string());
-  std::vector<std::string> stale;
-  std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(suite.folder / "baselines", error)) {
-    const std::string name = entry.path().filename().string();
-    if (entry.path().extension() == ".png" && !known.contains(name)) stale.push_back(name);
-  }
-  std::ranges::sort(stale);
-  return stale;
-}
-
 // ---- The end --------------------------------------------------------------------------------------------------------
 
 int finish(const RegressionReport& report, const fs::path& results) {
   if (Result<void> written = compare::writeReports(report, results); !written) return badInput(written.error());
+  if (const std::string others = compare::otherRenderers(report); !others.empty())
+    log::info(others + "; now it is " + report.renderer);
   for (const std::string& name : report.stale)
     log::warning(report.suite + "/baselines/" + name + " belongs to no job; delete it, or add the job again");
   const auto bad = std::ranges::count_if(report.jobs, [](const JobResult& job) { return !job.good(); });

@@ -19,6 +19,12 @@ using compare::JobStatus;
 // Without what belongs to this machine: the picture's name alone.
 std::string commandOf(const SuiteJob& job) { return options::commandLine(job.settings, job.model, job.name + ".png"); }
 
+std::vector<std::pair<std::string, double>> limitFigures(const compare::Limits& limits) {
+  std::vector<std::pair<std::string, double>> figures;
+  for (const compare::Limit& limit : limits) figures.emplace_back(limit.metric->name, limit.most);
+  return figures;
+}
+
 struct Files {
   std::string picture, baseline, difference;
 };
@@ -42,9 +48,14 @@ std::string judgedBy(const std::vector<std::string>& passed, const SuiteJob& job
   return name.starts_with("flip") || name == "noticeable" ? "flip" : "display";
 }
 
+constexpr std::string_view rendererKeyword = "Renderer";
+
 Result<void> compareWithBaseline(const Suite& suite, const SuiteJob& job, const io::Pixels& display,
                                  const std::filesystem::path& results, JobResult& result) {
-  const std::filesystem::path file = suite.baseline(job.name);
+  const SuiteRenderer* renderer = suite.rendererOf(result.renderer);
+  const compare::Limits limits = limitsFor(job, renderer);
+  result.limits = limitFigures(limits);
+  const std::filesystem::path file = suite.comparedBaseline(job.name, renderer);
   std::error_code error;
   if (!std::filesystem::exists(file, error)) {
     result.status = JobStatus::missing;
@@ -55,6 +66,7 @@ Result<void> compareWithBaseline(const Suite& suite, const SuiteJob& job, const 
   std::filesystem::copy_file(file, results / files.baseline, std::filesystem::copy_options::overwrite_existing, error);
   if (error) return fail(file.string(), "", "cannot be copied to " + results.string(), "check both folders");
   result.baseline = files.baseline;
+  result.baselineRenderer = baselineRenderer(file);
   const Result<io::RadianceImage> before = compare::readPicture(file);
   if (!before) return tl::unexpected(before.error());
   const io::RadianceImage after = compare::linearPicture(display);
@@ -66,9 +78,11 @@ Result<void> compareWithBaseline(const Suite& suite, const SuiteJob& job, const 
   }
   for (const compare::Metric& metric : compare::metrics())
     result.figures.emplace_back(metric.name, metric.value(*comparison));
-  const std::vector<std::string> passed = compare::passedLimits(*comparison, job.limits);
+  const std::vector<std::string> passed = compare::passedLimits(*comparison, limits);
   result.status = passed.empty() ? JobStatus::passed : JobStatus::differs;
   for (const std::string& phrase : passed) result.message += (result.message.empty() ? "" : ", ") + phrase;
+  if (!passed.empty() && result.otherRenderer())
+    result.message += "; the baseline was drawn by " + result.baselineRenderer;
   if (comparison->largest == 0) return {};
   result.differenceOf = judgedBy(passed, job);
   const bool flip = result.differenceOf == "flip";
@@ -86,12 +100,19 @@ Result<void> tryJob(const Suite& suite, const SuiteJob& job, const std::filesyst
     std::filesystem::remove(results / file, ignored);  // of an earlier run
   const Result<io::Pixels> display = render(job, session, result);
   if (!display) return tl::unexpected(display.error());
-  if (Result<void> written = io::writePng(results / files.picture, *display); !written) return written;
+  const io::PngText drawnBy{std::string(rendererKeyword), result.renderer};
+  if (Result<void> written = io::writePng(results / files.picture, *display, {&drawnBy, 1}); !written) return written;
   result.picture = files.picture;
   return compareWithBaseline(suite, job, *display, results, result);
 }
 
 }  // namespace
+
+std::string rendererText(const gl::ContextInfo& context) { return context.renderer + ", OpenGL " + context.version; }
+
+std::string baselineRenderer(const std::filesystem::path& baseline) {
+  return io::readPngText(baseline, rendererKeyword);
+}
 
 JobResult startedResult(const SuiteJob& job) {
   JobResult result;
@@ -99,13 +120,14 @@ JobResult startedResult(const SuiteJob& job) {
   result.name = job.name;
   result.model = job.model;
   result.command = commandOf(job);
-  for (const compare::Limit& limit : job.limits) result.limits.emplace_back(limit.metric->name, limit.most);
+  result.limits = limitFigures(job.limits);
   return result;
 }
 
 JobResult runJob(const Suite& suite, const SuiteJob& job, const std::filesystem::path& results,
                  frame::Session& session) {
   JobResult result = startedResult(job);
+  result.renderer = rendererText(session.context());
   const auto start = std::chrono::steady_clock::now();
   if (Result<void> done = tryJob(suite, job, results, session, result); !done) {
     result.status = JobStatus::failed;
@@ -125,7 +147,7 @@ int answerJobs(const Suite& suite, const std::filesystem::path& results, const f
     const std::optional<int> index = wholeNumber(line);
     if (!index || *index < 0 || *index >= static_cast<int>(suite.jobs.size())) return exitBadInput;
     const JobResult result = runJob(suite, suite.jobs[static_cast<size_t>(*index)], results, **session);
-    std::cout << (*session)->context().renderer << '\t' << compare::jobText(result) << std::endl;
+    std::cout << rendererText((*session)->context()) << '\t' << compare::jobText(result) << std::endl;
   }
   return exitGood;
 }

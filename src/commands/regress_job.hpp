@@ -10,6 +10,13 @@
 
 namespace facet::commands {
 
+// By which a suite knows a driver, and what a baseline remembers: "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5 (Core
+// Profile) Mesa 22.3.6".
+std::string rendererText(const gl::ContextInfo& context);
+
+// The renderer of a baseline; empty where it does not say.
+std::string baselineRenderer(const std::filesystem::path& baseline);
+
 // What is known of a job before it has run.
 compare::JobResult startedResult(const SuiteJob& job);
 
@@ -18,8 +25,8 @@ compare::JobResult startedResult(const SuiteJob& job);
 compare::JobResult runJob(const Suite& suite, const SuiteJob& job, const std::filesystem::path& results,
                           frame::Session& session);
 
-// The process of a pool: reads indices of the suite's jobs, a line each, and answers with OpenGL's renderer, a tab, and
-// the result as compare::jobText has it. Returns the exit status.
+// The process of a pool: reads indices of the suite's jobs, a line each, and answers with the renderer, a tab, and the
+// result as compare::jobText has it. Returns the exit status.
 int answerJobs(const Suite& suite, const std::filesystem::path& results, const frame::SessionOptions& options);
 
 }  // namespace facet::commands

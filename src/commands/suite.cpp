@@ -1,9 +1,12 @@
 #include "commands/suite.hpp"
 
+#include <fnmatch.h>
+
 #include <algorithm>
 #include <cctype>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "base/nearest.hpp"
 #include "base/text.hpp"
@@ -16,6 +19,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::string_view jobKeys[] = {"name", "model", "tolerance"};
+constexpr std::string_view rendererKeys[] = {"name", "matches", "tolerance"};
 constexpr std::string_view defaultKeys[] = {"tolerance"};
 
 Result<void> applyTolerance(const json& object, const std::string& file, const std::string& pointer,
@@ -100,6 +104,40 @@ Result<SuiteJob> parseDefaults(const json& document, const Context& context) {
   return job;
 }
 
+Result<std::vector<SuiteRenderer>> parseRenderers(const json& document, const std::string& file) {
+  std::vector<SuiteRenderer> renderers;
+  const auto list = document.find("renderers");
+  if (list == document.end()) return renderers;
+  if (!list->is_array())
+    return fail(file, "/renderers", "this is no list", "write [{\"name\": ..., \"matches\": \"*Mesa 25.*\"}]");
+  for (size_t i = 0; i < list->size(); ++i) {
+    const std::string pointer = "/renderers/" + std::to_string(i);
+    const json& object = (*list)[i];
+    const auto textOf = [&](const char* key) -> Result<std::string> {
+      if (!object.is_object() || !object.contains(key) || !object[key].is_string() ||
+          object[key].get_ref<const std::string&>().empty())
+        return fail(file, pointer, std::string("the renderer has no \"") + key + "\"",
+                    "every renderer has a name, and matches a pattern such as *Mesa 25.*");
+      return object[key].get<std::string>();
+    };
+    const Result<std::string> name = textOf("name"), pattern = textOf("matches");
+    if (!name) return tl::unexpected(name.error());
+    if (!pattern) return tl::unexpected(pattern.error());
+    for (const auto& [key, value] : object.items())
+      if (std::ranges::find(rendererKeys, key) == std::end(rendererKeys))
+        return fail(file, pointer + "/" + pointerToken(key), "there is no such key", suggestion(key, rendererKeys));
+    if (!isFileName(*name))
+      return fail(file, pointer + "/name", inQuotes(*name) + " makes no folder's name",
+                  "use only letters, digits and the signs - _ and dot");
+    if (std::ranges::find(renderers, *name, &SuiteRenderer::name) != renderers.end())
+      return fail(file, pointer + "/name", "is there twice", "name each renderer differently");
+    SuiteRenderer renderer{*name, *pattern, {}};
+    if (auto set = applyTolerance(object, file, pointer, renderer.limits); !set) return tl::unexpected(set.error());
+    renderers.push_back(std::move(renderer));
+  }
+  return renderers;
+}
+
 std::string folderName(const std::filesystem::path& folder) {
   std::error_code ignored;
   const std::filesystem::path whole = std::filesystem::weakly_canonical(folder, ignored);
@@ -108,12 +146,55 @@ std::string folderName(const std::filesystem::path& folder) {
 
 }  // namespace
 
+const SuiteRenderer* Suite::rendererOf(const std::string& rendererText) const {
+  const auto fits = [&](const SuiteRenderer& r) { return fnmatch(r.pattern.c_str(), rendererText.c_str(), 0) == 0; };
+  const auto found = std::ranges::find_if(renderers, fits);
+  return found == renderers.end() ? nullptr : &*found;
+}
+
+std::filesystem::path Suite::baseline(const std::string& job, const SuiteRenderer* renderer) const {
+  const std::filesystem::path all = folder / "baselines";
+  return (renderer ? all / renderer->name : all) / (job + ".png");
+}
+
+std::filesystem::path Suite::comparedBaseline(const std::string& job, const SuiteRenderer* renderer) const {
+  std::error_code ignored;
+  const std::filesystem::path own = baseline(job, renderer);
+  return std::filesystem::exists(own, ignored) ? own : baseline(job);
+}
+
+compare::Limits limitsFor(const SuiteJob& job, const SuiteRenderer* renderer) {
+  compare::Limits limits = job.limits;
+  if (!renderer) return limits;
+  for (const compare::Limit& wide : renderer->limits)
+    for (compare::Limit& limit : limits)
+      if (limit.metric == wide.metric) limit.most = std::max(limit.most, wide.most);
+  return limits;
+}
+
+std::vector<std::string> staleBaselines(const Suite& suite) {
+  std::set<std::filesystem::path> known;
+  for (const SuiteJob& job : suite.jobs) {
+    known.insert(suite.baseline(job.name));
+    for (const SuiteRenderer& renderer : suite.renderers) known.insert(suite.baseline(job.name, &renderer));
+  }
+  std::vector<std::string> stale;
+  std::error_code error;
+  const std::filesystem::path all = suite.folder / "baselines";
+  for (std::filesystem::recursive_directory_iterator entry(all, error), end; !error && entry != end;
+       entry.increment(error))
+    if (entry->path().extension() == ".png" && !known.contains(entry->path()))
+      stale.push_back(entry->path().lexically_relative(all).string());
+  std::ranges::sort(stale);
+  return stale;
+}
+
 Result<Suite> parseSuite(std::string_view text, const std::string& name, const std::filesystem::path& folder,
                          const PictureArguments& overrides) {
   const Result<json> document = parseJson(text, name);
   if (!document) return tl::unexpected(document.error());
   if (!document->is_object()) return fail(name, {}, "there are no jobs", "write {\"jobs\": [...]}");
-  constexpr std::string_view known[] = {"defaults", "jobs"};
+  constexpr std::string_view known[] = {"defaults", "jobs", "renderers"};
   for (const auto& [key, value] : document->items())
     if (std::ranges::find(known, key) == std::end(known))
       return fail(name, "/" + pointerToken(key), "there is no such key", suggestion(key, known));
@@ -124,7 +205,10 @@ Result<Suite> parseSuite(std::string_view text, const std::string& name, const s
   const Result<SuiteJob> defaults = parseDefaults(*document, context);
   if (!defaults) return tl::unexpected(defaults.error());
 
-  Suite suite{folder, folderName(folder), {}};
+  Result<std::vector<SuiteRenderer>> renderers = parseRenderers(*document, name);
+  if (!renderers) return tl::unexpected(renderers.error());
+
+  Suite suite{folder, folderName(folder), {}, std::move(*renderers)};
   std::map<std::string, std::string> places;  // name -> pointer
   for (size_t i = 0; i < list->size(); ++i) {
     const std::string pointer = "/jobs/" + std::to_string(i);

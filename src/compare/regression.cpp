@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "base/whole_file.hpp"
@@ -44,7 +45,9 @@ Json jobJson(const JobResult& job) {
   for (const auto& [key, file] : {std::pair("picture", &job.picture),
                                   {"baseline", &job.baseline},
                                   {"difference", &job.difference},
-                                  {"differenceOf", &job.differenceOf}})
+                                  {"differenceOf", &job.differenceOf},
+                                  {"renderer", &job.renderer},
+                                  {"baselineRenderer", &job.baselineRenderer}})
     if (!file->empty()) out[key] = *file;
   if (!job.warnings.empty()) out["warnings"] = job.warnings;
   return out;
@@ -68,6 +71,8 @@ JobResult jobOf(const Json& object) {
   job.baseline = object.value("baseline", "");
   job.difference = object.value("difference", "");
   job.differenceOf = object.value("differenceOf", "");
+  job.renderer = object.value("renderer", "");
+  job.baselineRenderer = object.value("baselineRenderer", "");
   job.warnings = object.value("warnings", std::vector<std::string>());
   return job;
 }
@@ -81,6 +86,17 @@ std::string_view nameOf(JobStatus status) {
 }
 
 bool RegressionReport::good() const { return remarks.empty() && std::ranges::all_of(jobs, &JobResult::good); }
+
+std::string otherRenderers(const RegressionReport& report) {
+  std::map<std::string, int> counts;
+  for (const JobResult& job : report.jobs)
+    if (job.otherRenderer()) ++counts[job.baselineRenderer];
+  std::string text;
+  for (const auto& [renderer, count] : counts)
+    text += text.empty() ? std::to_string(count) + " of the baselines were drawn by " + renderer
+                         : ", " + std::to_string(count) + " by " + renderer;
+  return text;
+}
 
 std::string reportJson(const RegressionReport& report) {
   Json out;

@@ -32,6 +32,10 @@ struct JobResult {
   std::string picture, baseline, difference;  // files beside the report; empty: none
   std::string differenceOf;                   // what it shows: "flip", or of the display
   std::vector<std::string> warnings;          // of the picture
+  std::string renderer, baselineRenderer;     // that drew the picture, the baseline; empty: not known
+
+  // What differs may be the drivers' doing.
+  bool otherRenderer() const { return !baselineRenderer.empty() && !renderer.empty() && baselineRenderer != renderer; }
 
   bool good() const { return status == JobStatus::passed || status == JobStatus::accepted; }
 };
@@ -45,6 +49,9 @@ struct RegressionReport {
   std::vector<std::string> remarks;  // what else is wrong: shards that are missing
   bool good() const;                 // all jobs are, nothing is missing
 };
+
+// "12 of the baselines were drawn by a, 3 by b"; empty where all are of the renderer that draws now, or say nothing.
+std::string otherRenderers(const RegressionReport& report);
 
 // report.json, report.html (no server, nothing from outside) and junit.xml.
 Result<void> writeReports(const RegressionReport& report, const std::filesystem::path& folder);

@@ -108,6 +108,7 @@ std::string article(const JobResult& job) {
   std::string out = "<article id=\"" + escaped(job.name) + "\"><h2>" + escaped(job.name) + " <span class=\"" + mood +
                     "\">" + std::string(nameOf(job.status)) + "</span></h2>";
   if (!job.message.empty()) out += std::string("<div class=\"") + mood + "\">" + escaped(job.message) + "</div>";
+  if (job.otherRenderer()) out += "<div class=\"quiet\">before: " + escaped(job.baselineRenderer) + "</div>";
   for (const std::string& warning : job.warnings) out += "<div class=\"quiet\">" + escaped(warning) + "</div>";
   out += pictures(job) + figuresTable(job);
   return out + "<div><code>" + escaped(job.command) + "</code> <span class=\"quiet\">" +
@@ -133,6 +134,8 @@ std::string reportHtml(const RegressionReport& report) {
   page += "<p class=\"quiet\">" + escaped(report.renderer);
   if (report.shards > 1) page += ", shard " + std::to_string(report.shard) + " of " + std::to_string(report.shards);
   page += "</p>\n";
+  if (const std::string others = otherRenderers(report); !others.empty())
+    page += "<p class=\"quiet\">" + escaped(others) + "</p>\n";
   for (const std::string& remark : report.remarks) page += "<p class=\"bad\">" + escaped(remark) + "</p>\n";
   for (const std::string& stale : report.stale)
     page += "<p class=\"quiet\">a baseline of no job: " + escaped(stale) + "</p>\n";

@@ -89,7 +89,8 @@ Result<void> checkSparse(const Document& doc, const tinygltf::Accessor& accessor
     return doc.error(place + "/sparse/indices/componentType",
                      std::to_string(sparse.indices.componentType) + " is no unsigned integer type");
   }
-  if (sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0) {
+  // tinygltf 2.9 has them unsigned.
+  if (static_cast<int64_t>(sparse.indices.byteOffset) < 0 || static_cast<int64_t>(sparse.values.byteOffset) < 0) {
     return doc.error(place + "/sparse", "an offset is negative");
   }
   const size_t indexSize = componentSize(sparse.indices.componentType);

@@ -63,9 +63,9 @@ inline std::string pointer(std::string_view path, size_t index) {
 }
 
 // Of an object; null where it is none or has no such member (tinygltf asserts that it is one).
-inline const tinygltf::Value& memberValue(const tinygltf::Value& value, const std::string& key) {
+inline const tinygltf::Value& memberValue(const tinygltf::Value& value, std::string_view key) {
   static const tinygltf::Value none;
-  return value.IsObject() ? value.Get(key) : none;
+  return value.IsObject() ? value.Get(std::string(key)) : none;
 }
 
 // The one check for every index in the file. what: "buffer view", "node" and so on.

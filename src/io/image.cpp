@@ -329,15 +329,20 @@ Result<std::vector<uint8_t>> encodePng(const Pixels& pixels, const std::string& 
   return out;
 }
 
-Result<void> writePng(const std::filesystem::path& path, const Pixels& pixels) {
+Result<void> writePng(const std::filesystem::path& path, const Pixels& pixels, std::span<const PngText> texts) {
   if (auto ok = checkWritable(pixels, path.string()); !ok) return ok;
   std::vector<uint8_t> bytes;
   try {
-    bytes = pngOf(pixels);
+    bytes = pngOf(pixels, texts);
   } catch (const std::bad_alloc&) {
   }
   if (bytes.empty()) return fail(path.string(), "", "there is not enough memory for the PNG", "choose a smaller size");
   return writeWholeFile(path, std::as_bytes(std::span(bytes)));
+}
+
+std::string readPngText(const std::filesystem::path& path, std::string_view keyword, const Limits& limits) {
+  const auto bytes = readRegularFile(path, limits.fileBytes);
+  return bytes && isPng(bytes->span()) ? pngText(bytes->span(), keyword) : std::string();
 }
 
 Result<Pixels> readImage(const std::filesystem::path& path, const Limits& limits) {

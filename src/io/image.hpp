@@ -53,9 +53,18 @@ std::vector<ImageInfo> describeImages(const scene::Model& model, const Limits& l
 
 Pixels placeholderImage();  // magenta and black checks
 
-// 8-bit RGB or RGBA by all cores, the same bytes for the same pixels; whole or not at all (base/whole_file.hpp).
-// Errors: the file cannot be written.
-Result<void> writePng(const std::filesystem::path& path, const Pixels& pixels);
+// What a PNG says about itself (tEXt).
+struct PngText {
+  std::string keyword;  // 1 to 79 characters of Latin-1
+  std::string text;
+};
+
+// 8-bit RGB or RGBA by all cores, the same bytes for the same pixels and texts; whole or not at all
+// (base/whole_file.hpp). Errors: the file cannot be written.
+Result<void> writePng(const std::filesystem::path& path, const Pixels& pixels, std::span<const PngText> texts = {});
+
+// The text of that keyword; empty where there is none, or no PNG.
+std::string readPngText(const std::filesystem::path& path, std::string_view keyword, const Limits& limits = {});
 
 // A small one into memory; `name` leads the error.
 Result<std::vector<uint8_t>> encodePng(const Pixels& pixels, const std::string& name);

@@ -48,7 +48,9 @@ bool isKtx2(std::span<const uint8_t> bytes);
 Result<ImageHeader> readKtx2Header(std::span<const uint8_t> bytes);
 Result<Pixels> decodeKtx2(std::span<const uint8_t> bytes, const ImageHeader& header);
 
+std::string pngText(std::span<const uint8_t> bytes, std::string_view keyword);
+
 // The pixels as a PNG file, 8 bits a channel; empty where memory does not do.
-std::vector<uint8_t> pngOf(const Pixels& pixels);
+std::vector<uint8_t> pngOf(const Pixels& pixels, std::span<const PngText> texts);
 
 }  // namespace facet::io

@@ -105,4 +105,15 @@ Result<Pixels> decodePng(std::span<const uint8_t> bytes, const ImageHeader& head
   return pixels;
 }
 
+std::string pngText(std::span<const uint8_t> bytes, std::string_view keyword) {
+  const PngDecoder d = openPng(bytes);
+  uint32_t count = 0;
+  if (d.status != 0 || spng_get_text(d.context.get(), nullptr, &count) != 0) return {};
+  std::vector<spng_text> texts(count);
+  if (spng_get_text(d.context.get(), texts.data(), &count) != 0) return {};
+  for (const spng_text& text : texts)
+    if (keyword == text.keyword) return {text.text, text.length};
+  return {};
+}
+
 }  // namespace facet::io

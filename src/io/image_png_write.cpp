@@ -96,7 +96,7 @@ void deflateBand(std::span<const uint8_t> filtered, size_t begin, size_t end, Ba
 
 }  // namespace
 
-std::vector<uint8_t> pngOf(const Pixels& pixels) {
+std::vector<uint8_t> pngOf(const Pixels& pixels, std::span<const PngText> texts) {
   const auto channels = static_cast<size_t>(pixels.channels), height = static_cast<size_t>(pixels.height);
   const size_t rowBytes = static_cast<size_t>(pixels.width) * channels, filteredBytes = rowBytes + 1;
   const size_t rowsOfBand = std::max<size_t>(bandBytes / filteredBytes, 1);
@@ -142,6 +142,12 @@ std::vector<uint8_t> pngOf(const Pixels& pixels) {
   addWord(header, static_cast<uint32_t>(pixels.height));
   header.insert(header.end(), {8, colorTypes[channels], 0, 0, 0});
   addChunk(out, "IHDR", header);
+  for (const PngText& text : texts) {
+    std::vector<uint8_t> data(text.keyword.begin(), text.keyword.end());
+    data.push_back(0);
+    data.insert(data.end(), text.text.begin(), text.text.end());
+    addChunk(out, "tEXt", data);
+  }
   constexpr size_t mostOfChunk = size_t{1} << 30;  // its length has 31 bits
   for (size_t begin = 0; begin < stream.size(); begin += mostOfChunk)
     addChunk(out, "IDAT", std::span(stream).subspan(begin, std::min(mostOfChunk, stream.size() - begin)));

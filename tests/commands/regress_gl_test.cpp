@@ -64,6 +64,40 @@ TEST_CASE("regress: missing, accepted, passed, changed, accepted again, stale", 
   CHECK(std::filesystem::last_write_time(folder.path() / "baselines" / "spheres.png") == before);
 }
 
+TEST_CASE("regress: a renderer that the suite names gets baselines of its own", "[gl]") {
+  const test::TemporaryFolder folder;
+  const auto write = [&](const std::string& material, const std::string& renderers) {
+    folder.write("suite.json", R"({"defaults": {"size": "16x16", "samples": 1}, "renderers": [)" + renderers +
+                                   R"(], "jobs": [{"name": "a", "model": "builtin:metals", "material": ")" + material +
+                                   "\"}]}");
+  };
+  const std::string dir = folder.path().string(), mine = R"({"name": "mine", "matches": "*OpenGL*"})";
+  write("gold", R"({"name": "other", "matches": "no such*"})");
+  REQUIRE(runFacet({"regress", dir, "--accept"}).status == 0);
+  CHECK(std::filesystem::exists(folder.path() / "baselines/a.png"));
+  CHECK_FALSE(std::filesystem::exists(folder.path() / "baselines/other"));
+  // Within the limits of all, it needs none; beyond them its own, which the others do not see.
+  write("gold", mine);
+  CHECK(runFacet({"regress", dir, "--accept"}).status == 0);
+  CHECK_FALSE(std::filesystem::exists(folder.path() / "baselines/mine"));
+  write("copper", mine);
+  CHECK(runFacet({"regress", dir}).status == 1);
+  CHECK(runFacet({"regress", dir, "--accept"}).status == 0);
+  CHECK(std::filesystem::exists(folder.path() / "baselines/mine/a.png"));
+  CHECK(runFacet({"regress", dir}).status == 0);
+  write("copper", "");
+  const Outcome others = runFacet({"regress", dir});
+  CHECK(others.status == 1);
+  CHECK(holds(others.text, "baselines/mine/a.png belongs to no job"));
+  write("copper", R"({"name": "mine", "matches": "*", "tolerance": {"flip": 1, "noticeable": 1, "alpha": 255}})");
+  std::filesystem::remove_all(folder.path() / "baselines/mine");
+  CHECK(runFacet({"regress", dir}).status == 0);
+  // The picture says who drew it, and so does the report.
+  const nlohmann::json report = readJson(folder.path() / "results/report.json");
+  CHECK(report["jobs"][0]["renderer"] == report["renderer"]);
+  CHECK(report["jobs"][0]["baselineRenderer"] == report["renderer"]);
+}
+
 TEST_CASE("regress: shards merge into one report, a shard that is missing is no success", "[gl]") {
   const test::TemporaryFolder folder;
   folder.write("suite.json", suite);

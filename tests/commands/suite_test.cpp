@@ -2,7 +2,11 @@
 
 #include <catch2/catch.hpp>
 
+#include "commands/regress_job.hpp"
 #include "commands/shard.hpp"
+#include "gl/context.hpp"
+#include "io/image.hpp"
+#include "support/temporary_folder.hpp"
 
 using namespace facet;
 using commands::Suite;
@@ -48,6 +52,65 @@ TEST_CASE("suite: defaults, what jobs change of them, and paths") {
   CHECK(limit(b, "ssim") == -1);
 }
 
+TEST_CASE("suite: a renderer has baselines and limits of its own") {
+  const std::string text = R"({"jobs": [{"name": "a", "model": "a.glb", "tolerance": {"flip": 0.02, "ssim": 0.5}}],
+      "renderers": [{"name": "mesa-25", "matches": "llvmpipe*Mesa 25.*", "tolerance": {"flip": 0.05, "ssim": 0.1,
+                                                                                       "largest": 0.3}},
+                    {"name": "nvidia", "matches": "NVIDIA*"}, {"name": "mesa", "matches": "*Mesa*"}]})";
+  const test::TemporaryFolder folder;
+  const Result<Suite> suite = commands::parseSuite(text, "suite.json", folder.path());
+  REQUIRE(suite);
+  gl::ContextInfo context;
+  const auto rendererOf = [&](const std::string& renderer, const std::string& version) {
+    context.renderer = renderer, context.version = version;
+    const commands::SuiteRenderer* found = suite->rendererOf(commands::rendererText(context));
+    return found ? found->name : "";
+  };
+  CHECK(rendererOf("llvmpipe (LLVM 19.1.7, 256 bits)", "4.5 (Core Profile) Mesa 25.0.7-2") == "mesa-25");
+  CHECK(rendererOf("llvmpipe (LLVM 15.0.6, 256 bits)", "4.5 (Core Profile) Mesa 22.3.6") == "mesa");
+  CHECK(rendererOf("NVIDIA H200/PCIe/SSE2", "4.6.0 NVIDIA 570.1") == "nvidia");
+  CHECK(rendererOf("AMD Radeon", "4.6.0") == "");
+
+  const commands::SuiteRenderer& first = suite->renderers[0];
+  const std::filesystem::path all = folder.path() / "baselines";
+  CHECK(suite->baseline("a", &first) == all / "mesa-25/a.png");
+  CHECK(suite->comparedBaseline("a", &first) == all / "a.png");  // as long as it has none of its own
+  folder.write("baselines/mesa-25/a.png", std::string("png"));
+  CHECK(suite->comparedBaseline("a", &first) == all / "mesa-25/a.png");
+  CHECK(suite->comparedBaseline("a", nullptr) == all / "a.png");
+
+  // The wider limit counts; what a job does not limit stays free.
+  const commands::SuiteJob& job = suite->jobs[0];
+  commands::SuiteJob judged = job;
+  judged.limits = commands::limitsFor(job, &first);
+  CHECK(limit(judged, "flip") == 0.05);
+  CHECK(limit(judged, "ssim") == 0.5);
+  CHECK(limit(judged, "largest") == -1);
+  judged.limits = commands::limitsFor(job, nullptr);
+  CHECK(limit(judged, "flip") == 0.02);
+
+  for (const char* name : {"b.png", "mesa/b.png", "other/a.png", "a.png", "nvidia/a.png", "notes.txt"})
+    folder.write("baselines/" + std::string(name), std::string("png"));
+  CHECK(commands::staleBaselines(*suite) == std::vector<std::string>{"b.png", "mesa/b.png", "other/a.png"});
+}
+
+TEST_CASE("suite: a baseline remembers the renderer that drew it") {
+  const test::TemporaryFolder folder;
+  io::Pixels pixels{.width = 2, .height = 1, .channels = 3, .data = {1, 2, 3, 250, 251, 252}};
+  const io::PngText texts[] = {{"Title", "t"}, {"Renderer", "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5"}};
+  REQUIRE(io::writePng(folder.file("with.png"), pixels, texts));
+  REQUIRE(io::writePng(folder.file("without.png"), pixels));
+  CHECK(commands::baselineRenderer(folder.file("with.png")) == "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5");
+  CHECK(io::readPngText(folder.file("with.png"), "Title") == "t");
+  CHECK(commands::baselineRenderer(folder.file("without.png")) == "");
+  CHECK(commands::baselineRenderer(folder.write("no.png", std::string("no picture"))) == "");
+  CHECK(commands::baselineRenderer(folder.file("none.png")) == "");
+  // Decoders other than ours take it, too, and see the same pixels.
+  const Result<io::Pixels> read = io::readImage(folder.file("with.png"));
+  REQUIRE(read);
+  CHECK(read->data == std::vector<uint8_t>{1, 2, 3, 255, 250, 251, 252, 255});
+}
+
 TEST_CASE("suite: every way to be wrong has its sentence") {
   struct Row {
     std::string text, message;
@@ -72,6 +135,24 @@ TEST_CASE("suite: every way to be wrong has its sentence") {
        "suite.json: /jobs/0/tolerance/flip: this is no limit; give a number from 0 on, or null for none."},
       {"{\"jobs\": [{\"name\": \"a\", \"model\": \"a\", \"sample\": 1}]}",
        "suite.json: /jobs/0/sample: there is no such option; perhaps samples is meant."},
+      {"{\"jobs\": [{\"name\": \"a\", \"model\": \"a\"}], \"renderers\": {}}",
+       "suite.json: /renderers: this is no list; write [{\"name\": ..., \"matches\": \"*Mesa 25.*\"}]."},
+      {"{\"jobs\": [{\"name\": \"a\", \"model\": \"a\"}], \"renderers\": [{\"name\": \"m\"}]}",
+       "suite.json: /renderers/0: the renderer has no \"matches\"; every renderer has a name, and matches a pattern "
+       "such as "
+       "*Mesa 25.*."},
+      {"{\"jobs\": [{\"name\": \"a\", \"model\": \"a\"}], \"renderers\": [{\"name\": \"../m\", \"matches\": \"*\"}]}",
+       "suite.json: /renderers/0/name: '../m' makes no folder's name; use only letters, digits and the signs - _ and "
+       "dot."},
+      {"{\"jobs\": [{\"name\": \"a\", \"model\": \"a\"}], \"renderers\": [{\"name\": \"m\", \"matches\": \"*\"}, "
+       "{\"name\": \"m\", \"matches\": \"b\"}]}",
+       "suite.json: /renderers/1/name: is there twice; name each renderer differently."},
+      {"{\"jobs\": [{\"name\": \"a\", \"model\": \"a\"}], \"renderers\": [{\"name\": \"m\", \"matches\": \"*\", "
+       "\"tolerance\": {\"flop\": 1}}]}",
+       "suite.json: /renderers/0/tolerance/flop: there is no such metric; perhaps flip is meant."},
+      {"{\"jobs\": [{\"name\": \"a\", \"model\": \"a\"}], \"renderers\": [{\"name\": \"m\", \"matches\": \"*\", "
+       "\"job\": 1}]}",
+       "suite.json: /renderers/0/job: there is no such key; choose one of name, matches, tolerance."},
       {"{\"defaults\": {\"materal\": \"a\"}, \"jobs\": [{\"name\": \"a\"}]}",
        "suite.json: /defaults/materal: there is no such option; perhaps material is meant."},
   }));

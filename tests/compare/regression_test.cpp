@@ -76,6 +76,24 @@ TEST_CASE("regression: what is written is read back") {
           "r: is no report of facet regress; give folders that it has written.");
 }
 
+TEST_CASE("regression: baselines of another renderer are told") {
+  JobResult a = job(0, "a", JobStatus::passed), b = job(1, "b", JobStatus::differs, "flip 0.02 > 0.01"), c = b, d = a;
+  for (JobResult* each : {&a, &b, &c, &d}) each->renderer = "now";
+  a.baselineRenderer = "now", b.baselineRenderer = "then <1>", c.baselineRenderer = "then <1>";  // d's does not say
+  c.name = "c";
+  RegressionReport report = shard(1, 1, {a, d});
+  CHECK(compare::otherRenderers(report).empty());
+  report.jobs = {a, b, c, d};
+  report.jobs[0].baselineRenderer = "before";
+  CHECK(compare::otherRenderers(report) == "1 of the baselines were drawn by before, 2 by then <1>");
+  CHECK(countOf(compare::reportHtml(report), "<div class=\"quiet\">before: then &lt;1&gt;</div>") == 2);
+  CHECK(countOf(compare::reportHtml(report), "1 of the baselines were drawn by before, 2 by then &lt;1&gt;") == 1);
+  const Result<RegressionReport> read = compare::parseReport(compare::reportJson(report), "r");
+  REQUIRE(read);
+  CHECK(read->jobs[1].baselineRenderer == "then <1>");
+  CHECK(read->jobs[1].renderer == "now");
+}
+
 TEST_CASE("regression: shards become one report in the suite's order, what is missing is told") {
   const RegressionReport one = shard(1, 2, {job(0, "a", JobStatus::passed), job(2, "c", JobStatus::passed)});
   const RegressionReport two = shard(2, 2, {job(1, "b", JobStatus::passed)});
