@@ -34,7 +34,7 @@ Result<void> sortSources(const std::vector<std::string>& sources, view::WindowOp
       return fail(source, "", "is the second model", "name one model, and folders to browse");
     } else {
       options.model = source;
-      named = true;
+      named = options.modelNamed = true;
     }
   }
   return {};
@@ -51,6 +51,7 @@ Result<void> applyLast(view::WindowOptions& options) {
       !last["picture"].is_object())
     return fail(file, "", "is not what a window has written", "delete it");
   const std::string folder = last["folder"], model = last["model"];
+  options.modelNamed = true;
   options.model = model.starts_with("builtin:") ? model : (std::filesystem::path(folder) / model).string();
   return applyObject(last["picture"], {}, folder, file, "/picture", options.settings);
 }

@@ -377,9 +377,12 @@ Result<bool> runWindow(const WindowOptions& options) {
   else
     complain(state, keys.error());
   Viewport viewport = createViewport(context->info(), options);
-  std::vector<std::string> folders = options.folders;
+  const bool opensFolder = !options.modelNamed && options.folders.size() == 1;
+  std::vector<std::string> folders;
+  if (!opensFolder) folders = options.folders;
   for (const std::filesystem::path& folder : io::brdfFolders(state.settings.sources.brdfDir)) folders.push_back(folder);
   openBrowser(loop.browser, folders, options.diskCache ? thumbnailCache() : DiskCache{}, glfwPostEmptyEvent);
+  if (opensFolder) dropFolder(loop.browser, options.folders.front());
   loadFirst(options, loop, viewport, state, loader);
   std::string title;
   while (turn(loop, imgui, viewport, state, loader)) {

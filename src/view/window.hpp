@@ -13,6 +13,7 @@ namespace facet::view {
 struct WindowOptions {
   std::string model = "builtin:poster";  // a path or "builtin:NAME"
   frame::PictureSettings settings;       // the size is the window's
+  bool modelNamed = false;               // else the only model of the only folder takes its place
   std::vector<std::string> folders;      // to be browsed
   bool sizeGiven = false;                // else the window gets the size that it had last
   bool diskCache = true;                 // program binaries, tables

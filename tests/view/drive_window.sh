@@ -25,8 +25,8 @@ for options in "cut.glb" "builtin:spheres --camera door"; do
   : >log
   "$facet" $options --size 480x360 --log-level debug >log 2>&1 &
   viewer=$!
-  for _ in $(seq 400); do grep -q "error: " log && break; sleep 0.05; done
-  grep -q "error: .*\(cut.glb\|door\)" log || fail "nothing is told of $options"
+  for _ in $(seq 400); do grep -q "facet: error: " log && break; sleep 0.05; done
+  grep -q "facet: error: .*\(cut.glb\|door\)" log || fail "nothing is told of $options"
   window=$(xdotool search --sync --onlyvisible --name facet | head -1)
   xdotool windowfocus --sync "$window" || fail "the window takes no focus"
   for _ in 1 2 3 4; do # a key may come before the window listens
