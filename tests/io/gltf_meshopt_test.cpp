@@ -260,7 +260,10 @@ TEST_CASE("Meshopt: what is broken is refused", "[io][meshopt]") {
   CHECK(refused(0, [](Json& e) { e["byteOffset"] = 1; }) ==
         ": its data does not begin as the mode ATTRIBUTES asks for");
   CHECK(refused(0, [](Json& e) { e["byteLength"] = 2; }) == ": its data ends before 9 elements are decoded");
-  CHECK(refused(1, [](Json& e) { e["mode"] = "INDICES"; }) == ": its data does not begin as the mode INDICES asks for");
+  const std::string otherMode =
+      refused(1, [](Json& e) { e["mode"] = "INDICES"; });  // meshoptimizer 0.22: the length first
+  CHECK((otherMode == ": its data does not begin as the mode INDICES asks for" ||
+         otherMode == ": its data ends before 24 elements are decoded"));
   CHECK(refused(0, [](Json& e) { e["count"] = 8; }) ==
         "/count: 8 elements of 12 bytes do not make the 108 bytes of the buffer view");
   CHECK(refused(0, [](Json& e) { e["count"] = 4294967296u; }) == "/count: 4294967296 elements are more than 2^32 - 1");
