@@ -152,7 +152,7 @@ struct FrameUniforms {
   vec4 stored;                // x what the targets hold of radiance 1, a power of two; y radiance of a stored 1; z the largest that they hold
   vec4 backdrop;              // rgb radiance of a colour put behind the picture later; w 0: there is none
   vec4 ground;                // the floor: xyz its middle, w half its width
-  vec4 screen;                // x, y texels of the horizons a pixel; z metres of a distance of 1 in them
+  vec4 screen;                // x, y texels of the horizons a pixel; z metres of a distance of 1 in them: the scene's radius
 };
 
 // How a slot's texture is looked up: KHR_texture_transform's rows, each to be multiplied with (u, v, 1).

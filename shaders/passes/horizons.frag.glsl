@@ -1,27 +1,27 @@
 // Horizons of the depth buffer around each of its texels: which share of the sky over the surface nothing hides (ground-truth
-// ambient occlusion, Jimenez et al. 2016), cosine-weighted, as far as the scene reaches. What is nearer hides all that is
-// behind it, however thin it is.
+// ambient occlusion, Jimenez et al. 2016), cosine-weighted. What is nearer hides all that is behind it, however
+// thin it is.
 #include "frame.glsl"
 #include "horizons.glsl"
 
 layout(binding = sourceUnit) uniform sampler2D depths;
-layout(location = horizonReachLocation) uniform vec4 parameters;  // x metres that horizons are looked for; y slices, z steps a side
+layout(location = horizonReachLocation) uniform vec4 parameters;  // x how far horizons are looked for; y slices, z steps a side
 layout(location = 0) out vec2 outShare;  // as horizon_occlusion.glsl reads it
 
-// Viewer's space: x right, y up, z towards the viewer.
+// In units of screen.z, which scenes of all sizes fill alike. Viewer's space: x right, y up, z towards the viewer.
 vec3 positionAt(ivec2 texel) {
-  float distance = distanceFromDepth(texelFetch(depths, texel, 0).r);
+  float distance = distanceFromDepth(texelFetch(depths, texel, 0).r) / frame.screen.z;
   vec2 pixel = (vec2(texel) + 0.5) / frame.screen.xy - 0.5 * frame.picture.xy;
-  return vec3(pixel / frame.picture.w * (frame.eye.w > 0.5 ? distance : 1.0), -distance);
+  return vec3(pixel / frame.picture.w * (frame.eye.w > 0.5 ? distance : 1.0 / frame.screen.z), -distance);
 }
 
 bool covered(ivec2 texel) { return texelFetch(depths, texel, 0).r > 0.0; }
 
 // To the next texel of the same surface: that of both neighbours which is nearer; without any it faces the viewer.
-vec3 nearer(vec3 here, ivec2 texel, ivec2 to, ivec2 size, float metres) {
+vec3 nearer(vec3 here, ivec2 texel, ivec2 to, ivec2 size, float texelSize) {
   ivec2 ahead = min(texel + to, size - 1), behind = max(texel - to, ivec2(0));
   bool any = false;
-  vec3 step = vec3(vec2(to) * metres, 0.0);
+  vec3 step = vec3(vec2(to) * texelSize, 0.0);
   if (ahead != texel && covered(ahead)) step = positionAt(ahead) - here, any = true;
   if (behind != texel && covered(behind)) {
     vec3 other = here - positionAt(behind);
@@ -38,9 +38,9 @@ void main() {
   }
   vec3 here = positionAt(texel);
   vec3 V = frame.eye.w > 0.5 ? -normalize(here) : vec3(0.0, 0.0, 1.0);
-  float metresPerTexel = (frame.eye.w > 0.5 ? -here.z : 1.0) / (frame.picture.w * frame.screen.x);
-  vec3 N = normalize(cross(nearer(here, texel, ivec2(1, 0), size, metresPerTexel), nearer(here, texel, ivec2(0, 1), size, metresPerTexel)));
-  float reach = min(parameters.x / metresPerTexel, float(max(size.x, size.y)));
+  float texelSize = (frame.eye.w > 0.5 ? -here.z : 1.0 / frame.screen.z) / (frame.picture.w * frame.screen.x);
+  vec3 N = normalize(cross(nearer(here, texel, ivec2(1, 0), size, texelSize), nearer(here, texel, ivec2(0, 1), size, texelSize)));
+  float reach = min(parameters.x / texelSize, float(max(size.x, size.y)));
   int slices = int(parameters.y), steps = int(parameters.z);
   // Each of 4 x 4 texels looks along other lines, at other distances.
   int turn = (texel.x & 3) * 4 + (texel.y & 3), start = (texel.x + 2 * texel.y) & 3;
@@ -67,5 +67,5 @@ void main() {
     float h0 = keptHorizon(acos(clamp(highest.x, -1.0, 1.0)), n), h1 = keptHorizon(-acos(clamp(highest.y, -1.0, 1.0)), n);
     open += weight * (openArc(h0, n) + openArc(h1, n));
   }
-  outShare = vec2(min(open / float(slices), 1.0), -here.z / frame.screen.z);
+  outShare = vec2(min(open / float(slices), 1.0), -here.z);
 }

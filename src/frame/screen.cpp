@@ -72,8 +72,7 @@ Result<void> drawHorizons(const FrameInput& in, Screen& screen, ProgramStore& pr
   const gl::Buffer frame =
       gl::Buffer::of(std::vector<layout::FrameUniforms>{frameUniforms(whole, 0, 1, glm::dvec2(0))}, "horizons' frame");
   glBindBufferBase(GL_UNIFORM_BUFFER, layout::frameBinding, frame.id());
-  const float reach = reachRadii * static_cast<float>(in.list.bounds.radius());
-  (*find)->set(layout::horizonReachLocation, glm::vec4(reach, slices, stepsASide, 0));
+  (*find)->set(layout::horizonReachLocation, glm::vec4(reachRadii, slices, stepsASide, 0));
   drawOver(screen, screen.finding, screen.depth, **find);
   drawOver(screen, screen.smoothing, screen.found, **smooth);
   statistics.passes.emplace_back("horizons");

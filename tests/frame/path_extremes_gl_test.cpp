@@ -82,6 +82,25 @@ TEST_CASE("Paths: a scene of a picometre and one of a hundred million kilometres
   }
 }
 
+TEST_CASE("Screen space: shadow maps and horizons of a picometre and of a hundred million kilometres are the same",
+          "[gl]") {
+  test::Studio studio;
+  PictureSettings settings = test::bareSettings(48, 48);
+  settings.sources.environment = "builtin:sky";  // with a sun
+  const frame::Picture unblocked = studio.render(sphereOverPlane(1), settings);
+  settings.quality.visibility = frame::Visibility::screen;
+  const frame::Picture usual = studio.render(sphereOverPlane(1), settings);
+  const double mean = meanOf(usual.radiance).x;
+  CHECK(rootMeanSquare(usual.radiance, unblocked.radiance) > 0.1 * mean);
+  for (const double size : {1e-12, 1e-9, 1e-4, 1e4, 1e8, 5e10}) {
+    const frame::Picture picture = studio.render(sphereOverPlane(size), settings);
+    INFO("size " << size);
+    CHECK(picture.statistics.visibility.method == "screen");
+    CHECK(picture.statistics.nonFinitePixels == 0);
+    CHECK(rootMeanSquare(usual.radiance, picture.radiance) < 0.02 * mean);
+  }
+}
+
 TEST_CASE("Paths: glass that absorbs nothing loses nothing, whatever its index, depth and roughness", "[gl]") {
   test::Studio studio;
   struct Row {
