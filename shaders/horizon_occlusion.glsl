@@ -15,7 +15,8 @@ float openShare() {
   return dot(open, weights) / dot(weights, vec4(1.0));
 }
 
-// An occlusion texture tells of the same, and of what is too fine for pixels.
-float environmentShare(float textureShare) { return min(textureShare, openShare()); }
+// An occlusion texture tells of what is too fine for texels of the depth buffer; the product is nearer than the darker of
+// both (src/frame/README.md).
+float environmentShare(float textureShare) { return textureShare * openShare(); }
 
 vec3 interreflected(float share, vec3 albedo) { return interreflection(share, albedo); }
