@@ -48,7 +48,8 @@ static_assert(inOrder(lightChoices));
 // How light gets to a surface.
 enum class Transport { direct, paths };
 inline constexpr Choice<Transport> transports[] = {
-    {Transport::direct, "direct", "drawn", "from lights and tables at each pixel; what stands in its way is up to visibility"},
+    {Transport::direct, "direct", "drawn",
+     "from lights and tables at each pixel; what stands in its way is up to visibility"},
     {Transport::paths, "paths", "path traced",
      "on all ways that there are: shadows, interreflection, refraction; the picture converges with the samples"}};
 static_assert(inOrder(transports));
