@@ -2,7 +2,7 @@
 #include "frame.glsl"
 #include "horizons.glsl"
 
-layout(binding = horizonsUnit) uniform sampler2D horizons;  // r open share, g distance along the view's axis / screen.z
+layout(binding = horizonsUnit) uniform sampler2D horizons;  // r open share, g distance along the view's axis / screen.z, up to farthestHorizon
 
 // From the four texels around the pixel, those at the surface's own distance.
 float openShare() {
@@ -10,7 +10,7 @@ float openShare() {
   vec2 first = floor(at), part = at - first, gathered = (first + 1.0) / size;
   vec4 open = textureGather(horizons, gathered, 0), distances = textureGather(horizons, gathered, 1);
   vec4 weights = vec4(part.y, part.y, 1.0 - part.y, 1.0 - part.y) * vec4(1.0 - part.x, part.x, part.x, 1.0 - part.x);
-  float distance = distanceFromDepth(gl_FragCoord.z) / frame.screen.z;
+  float distance = min(distanceFromDepth(gl_FragCoord.z) / frame.screen.z, farthestHorizon);
   weights *= 1.0 / (1e-3 + abs(distances / distance - 1.0));
   return dot(open, weights) / dot(weights, vec4(1.0));
 }

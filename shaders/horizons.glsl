@@ -1,6 +1,8 @@
 // Occlusion by the horizons of a height field, and what surfaces of one albedo return. The twin is src/optics/horizons.cpp.
 #include "constants.glsl"
 
+const float farthestHorizon = 4e4;  // in radii of the scene: what is farther is not told apart in half floats
+
 // Share of a slice's cosine-weighted arc that is open up to a horizon at angle h from the viewer, by either side; the
 // projected normal is n from the viewer (Jimenez et al. 2016, "Practical Realtime Strategies for Accurate Indirect
 // Occlusion", equation 7).

@@ -14,7 +14,7 @@ int cubeFace(vec3 d) {
 // 0 in shadow, 1 in light. N: of the surface; occlusion: the environment's, which a map knows better of its sun.
 float reachingShare(LightUniforms light, vec3 position, vec3 N, vec3 L, float occlusion) {
   int first = int(abs(light.cone.z)) - 1;
-  if (first < 0) return 1.0;
+  if (first < 0) return isSun(light) ? occlusion : 1.0;
   bool far = light.position.w < 0.5 || light.position.w > 2.5, cube = light.cone.z < 0.0;
   // A texel and a half away from the surface and one towards the light: a surface does not hide itself.
   float texel = light.cone.w * (far ? 1.0 : length(light.position.xyz - position));

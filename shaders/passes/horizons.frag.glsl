@@ -67,5 +67,5 @@ void main() {
     float h0 = keptHorizon(acos(clamp(highest.x, -1.0, 1.0)), n), h1 = keptHorizon(-acos(clamp(highest.y, -1.0, 1.0)), n);
     open += weight * (openArc(h0, n) + openArc(h1, n));
   }
-  outShare = vec2(min(open / float(slices), 1.0), -here.z);
+  outShare = vec2(min(open / float(slices), 1.0), min(-here.z, farthestHorizon));
 }

@@ -13,9 +13,9 @@ namespace facet::frame {
 
 namespace {
 
-constexpr int fineSize = 1024;                  // texels along an edge
-constexpr int fineMaps = 6;                     // up to so many are fine
-constexpr double widestSpot = 60.0 * pi / 180;  // [rad] half its cone; wider ones have six maps
+constexpr int fineSize = 1024;                 // texels along an edge
+constexpr int fineMaps = 6;                    // up to so many are fine
+constexpr double widestMap = 60.0 * pi / 180;  // [rad] to either side; what would be wider has six
 
 enum class Kind { directional = 0, point = 1, spot = 2, sun = 3 };
 Kind kindOf(const layout::LightUniforms& light) { return static_cast<Kind>(static_cast<int>(light.position.w)); }
@@ -25,9 +25,25 @@ double outerCone(const layout::LightUniforms& light) {
   return std::acos(std::clamp(-static_cast<double>(light.cone.y) / static_cast<double>(light.cone.x), -1.0, 1.0));
 }
 
-int mapsOf(const layout::LightUniforms& light) {
+// How a light's maps see the scene: one of them that far to either side of an axis, or six.
+struct Cover {
+  int maps = 1;
+  glm::dvec3 axis = glm::dvec3(0, 0, -1);
+  double halfAngle = 0;  // [rad]; 0: light is parallel
+  double zNear = 0;
+};
+Cover coverOf(const DrawList& list, const layout::LightUniforms& light) {
   const Kind kind = kindOf(light);
-  return kind == Kind::point || (kind == Kind::spot && outerCone(light) > widestSpot) ? 6 : 1;
+  if (kind == Kind::directional || kind == Kind::sun) return {.axis = light.direction};
+  const double radius = std::max(list.bounds.radius(), 1e-30), near = 1e-5 * radius;
+  const glm::dvec3 position(light.position);  // the scene's middle is its origin
+  const double distance = glm::length(position);
+  if (distance * std::sin(widestMap) > radius) {
+    const double all = std::asin(radius / distance);
+    return {1, -position / distance, all, std::max(0.99 * (distance - radius), near)};
+  }
+  if (kind == Kind::spot && outerCone(light) <= widestMap) return {1, light.direction, outerCone(light) + 0.01, near};
+  return {.maps = 6, .halfAngle = pi / 4, .zNear = near};
 }
 
 bool shines(const layout::LightUniforms& light) { return glm::vec3(light.color) != glm::vec3(0); }
@@ -54,44 +70,37 @@ scene::View parallelView(const DrawList& list, const glm::dvec3& direction) {
   return view;
 }
 
-// halfAngle [rad] of the map's edges; a texel more, which filtering reads.
-scene::View pointView(const DrawList& list, const glm::dvec3& eye, const glm::dvec3& direction, double halfAngle) {
-  scene::View view = lookAlong(eye, direction);
-  const double wider = std::atan(std::tan(halfAngle) * (1 + 4.0 / shadowMapSize(list)));
-  view.zNear = 1e-5 * std::max(list.bounds.radius(), 1e-30);
+// A texel wider, which filtering reads.
+scene::View pointView(const DrawList& list, const glm::dvec3& eye, const glm::dvec3& axis, const Cover& cover) {
+  scene::View view = lookAlong(eye, axis);
+  const double wider = std::atan(std::tan(cover.halfAngle) * (1 + 4.0 / shadowMapSize(list)));
+  view.zNear = cover.zNear;
   view.clipFromView = scene::perspective(2 * wider, 1, view.zNear, view.zFar);
   view.clipFromWorld = view.clipFromView * view.viewFromWorld;
   return view;
-}
-
-double spotEdge(const layout::LightUniforms& light) { return outerCone(light) + 0.01; }
-
-// Width of a texel [m], but of what spreads 1 m away.
-double texelWidth(const DrawList& list, const layout::LightUniforms& light, int size) {
-  const Kind kind = kindOf(light);
-  if (kind == Kind::directional || kind == Kind::sun) return 2.02 * list.bounds.radius() / size;
-  return 2 * (mapsOf(light) == 6 ? 1 : std::tan(spotEdge(light))) / size;
 }
 
 }  // namespace
 
 int shadowMapSize(const DrawList& list) {
   int maps = 0;
-  for (const layout::LightUniforms& light : list.lights) maps += shines(light) ? mapsOf(light) : 0;
+  for (const layout::LightUniforms& light : list.lights) maps += shines(light) ? coverOf(list, light).maps : 0;
   return maps <= fineMaps ? fineSize : fineSize / 2;
 }
 
 void assignShadowMaps(DrawList& list) {
   const int size = shadowMapSize(list);
   int next = 0;
-  for (layout::LightUniforms& light : list.lights) {
-    light.cone.z = light.cone.w = 0;
-    const int maps = mapsOf(light);
-    if (!shines(light) || next + maps > layout::mostShadowMaps) continue;
-    light.cone.z = static_cast<float>(maps == 6 ? -(next + 1) : next + 1);
-    light.cone.w = static_cast<float>(texelWidth(list, light, size));
-    next += maps;
-  }
+  for (layout::LightUniforms& light : list.lights) light.cone.z = light.cone.w = 0;
+  for (const int maps : {1, 6})
+    for (layout::LightUniforms& light : list.lights) {
+      const Cover cover = coverOf(list, light);
+      if (cover.maps != maps || !shines(light) || next + maps > layout::mostShadowMaps) continue;
+      const double halfWidth = cover.halfAngle > 0 ? std::tan(cover.halfAngle) : 1.01 * list.bounds.radius();
+      light.cone.z = static_cast<float>(maps == 6 ? -(next + 1) : next + 1);
+      light.cone.w = static_cast<float>(2 * halfWidth / size);
+      next += maps;
+    }
 }
 
 int lightsWithoutMap(const DrawList& list) {
@@ -101,22 +110,27 @@ int lightsWithoutMap(const DrawList& list) {
 
 std::vector<scene::View> shadowViews(const DrawList& list, double environmentRotationDeg) {
   std::vector<scene::View> views;
+  const auto place = [&](size_t index, scene::View view) {
+    views.resize(std::max(views.size(), index + 1));
+    views[index] = std::move(view);
+  };
   const glm::dmat4 turn = glm::rotate(glm::dmat4(1), glm::radians(environmentRotationDeg), glm::dvec3(0, 1, 0));
   for (const layout::LightUniforms& light : list.lights) {
     if (light.cone.z == 0) continue;
-    const Kind kind = kindOf(light);
-    const glm::dvec3 direction(light.direction), eye = list.origin + glm::dvec3(light.position);
-    if (kind == Kind::directional || kind == Kind::sun) {
-      views.push_back(parallelView(list, kind == Kind::sun ? glm::dvec3(turn * glm::dvec4(direction, 0)) : direction));
-    } else if (mapsOf(light) == 1) {
-      views.push_back(pointView(list, eye, direction, spotEdge(light)));
+    const auto first = static_cast<size_t>(std::abs(light.cone.z) - 1);
+    const Cover cover = coverOf(list, light);
+    const glm::dvec3 eye = list.origin + glm::dvec3(light.position);
+    if (cover.halfAngle == 0) {
+      const bool sun = kindOf(light) == Kind::sun;
+      place(first, parallelView(list, sun ? glm::dvec3(turn * glm::dvec4(cover.axis, 0)) : cover.axis));
+    } else if (cover.maps == 1) {
+      place(first, pointView(list, eye, cover.axis, cover));
     } else {
-      for (int axis = 0; axis < 3; ++axis)
-        for (const double side : {1.0, -1.0}) {
-          glm::dvec3 face(0);
-          face[axis] = side;
-          views.push_back(pointView(list, eye, face, pi / 4));
-        }
+      for (size_t face = 0; face < 6; ++face) {
+        glm::dvec3 axis(0);
+        axis[static_cast<int>(face / 2)] = face % 2 == 0 ? 1 : -1;
+        place(first + face, pointView(list, eye, axis, cover));
+      }
     }
   }
   return views;
@@ -125,10 +139,12 @@ std::vector<scene::View> shadowViews(const DrawList& list, double environmentRot
 Result<void> drawShadowMaps(const FrameInput& in, ShadowMaps& maps, shading::ProgramStore& programs,
                             FrameStatistics& statistics) {
   const float rotation = in.settings.frame.environmentRotationDeg;
-  if (maps.depths && maps.environmentRotationDeg == rotation) return {};
+  const bool turns = std::ranges::any_of(in.list.lights,
+                                         [](const layout::LightUniforms& light) { return kindOf(light) == Kind::sun; });
+  if (maps.drawn && (!turns || maps.environmentRotationDeg == rotation)) return {};
   const std::vector<scene::View> views = shadowViews(in.list, static_cast<double>(rotation));
   const int size = shadowMapSize(in.list), count = std::max(1, static_cast<int>(views.size()));
-  if (!maps.depths || maps.depths.description().layers != count) {
+  if (!maps.depths || maps.depths.description().layers != count || maps.depths.description().width != size) {
     maps.depths = gl::Texture({.target = GL_TEXTURE_2D_ARRAY,
                                .format = GL_DEPTH_COMPONENT32F,
                                .width = size,
@@ -150,7 +166,7 @@ Result<void> drawShadowMaps(const FrameInput& in, ShadowMaps& maps, shading::Pro
       return r;
   }
   maps.uniforms = gl::Buffer::of(uniforms, "shadow maps");
-  maps.environmentRotationDeg = rotation;
+  maps.environmentRotationDeg = rotation, maps.drawn = true;
   statistics.passes.emplace_back(std::to_string(views.size()) + (views.size() == 1 ? " shadow map" : " shadow maps"));
   return {};
 }

@@ -36,9 +36,8 @@ frame::Supply supplyBeside(Viewport& viewport, Loader& loader) {
     if (!decodes(loader, scene.loaded, missing)) startImages(loader, scene.loaded, missing);
     return false;
   };
-  supply.trees = [&](const frame::Drawable& drawable) {
-    return findOrMakeTrees(viewport.trees, drawable.inputs.list, drawable.list);
-  };
+  // Of a floor, whose list may be another one each turn: there is no waiting for those.
+  supply.trees = [](const frame::Drawable& drawable) { return std::optional(frame::pathTrees(drawable.list)); };
   supply.tables = [&](frame::LoadedEnvironment& environment, const ibl::Needs& needs) {
     return provideTables(static_cast<EnvironmentSlot&>(environment), needs, viewport.programs,
                          viewport.environments.immediateMs);
@@ -49,6 +48,11 @@ frame::Supply supplyBeside(Viewport& viewport, Loader& loader) {
 // Of one pose to the next of what is shown: same programs and tables, nothing to be told.
 void move(Viewport& viewport, ViewerState& state, frame::Drawable next) {
   stopRefinement(viewport, state);
+  forgetTrees(viewport.trees);
+  if (next.screen && viewport.shown.screen) {  // its textures serve again
+    *next.screen = std::move(*viewport.shown.screen);
+    next.screen->shadows.drawn = false;
+  }
   viewport.shown = std::move(next);
   ++viewport.listNumber;
   state.shown.bounds = viewport.shown.list.bounds;
@@ -80,6 +84,7 @@ void tellNewScene(ViewerState& state, bool again) {
 
 void show(Viewport& viewport, ViewerState& state, frame::Drawable next) {
   stopRefinement(viewport, state);
+  forgetTrees(viewport.trees);
   const bool newScene = viewport.next != nullptr, again = newScene && viewport.next->again;
   const bool complained = !viewport.scene && state.status.isError;  // of what was to be shown, too
   const Status told = state.status;
@@ -277,9 +282,8 @@ bool bringUp(Viewport& viewport, ViewerState& state, Loader& loader) {
         frame::advance(viewport.plan, *scene, state.settings, shown, supply, viewport.programs, keepGoing);
     if (!step) return giveUp(viewport, state, step.error()), false;
     if (step->progress == frame::Progress::done) break;
-    const bool working = step->progress == frame::Progress::working;
-    viewport.comingUp = working || viewport.trees.making.running();
-    if (!working || std::chrono::steady_clock::now() >= end) return false;
+    viewport.comingUp = step->progress == frame::Progress::working;
+    if (!viewport.comingUp || std::chrono::steady_clock::now() >= end) return false;
   }
   viewport.comingUp = false;
   frame::Drawable next = std::move(viewport.plan.next);

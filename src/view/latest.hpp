@@ -26,6 +26,7 @@ class Latest {
   // Nobody waits for it any more.
   void forget() {
     if (current_.valid()) superseded_.push_back(std::move(current_));
+    std::erase_if(superseded_, isReady);
   }
   // The newest task's result, once, as soon as it is there; wait: waits for it.
   std::optional<T> take(bool wait = false) {

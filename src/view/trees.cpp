@@ -1,6 +1,6 @@
 #include "view/trees.hpp"
 
-#include <new>
+#include <exception>
 #include <utility>
 
 namespace facet::view {
@@ -11,9 +11,9 @@ namespace {
 TreesMade make(const frame::ListInputs& inputs, const frame::DrawList& list) {
   try {
     return {inputs, list.features, frame::pathTrees(list)};
-  } catch (const std::bad_alloc&) {
+  } catch (const std::exception&) {  // of memory or of threads
     return {inputs, list.features,
-            fail(inputs.model->model.name, "", "the memory does not suffice for trees of its triangles",
+            fail(inputs.model->model.name, "", "memory or threads do not suffice for trees of its triangles",
                  "give a smaller input, or choose no visibility")};
   }
 }
@@ -26,6 +26,7 @@ Result<std::optional<frame::PathTrees>> findOrMakeTrees(Trees& trees, const fram
   if (std::optional<TreesMade> made = trees.making.take()) trees.made = std::move(made);
   if (trees.made && ofThis(*trees.made)) {
     Result<frame::PathTrees> found = std::move(std::exchange(trees.made, std::nullopt)->trees);
+    trees.inputs = {};
     if (!found) return tl::unexpected(found.error());
     return std::optional(std::move(*found));
   }
@@ -35,6 +36,12 @@ Result<std::optional<frame::PathTrees>> findOrMakeTrees(Trees& trees, const fram
     trees.making.start([inputs, list] { return make(inputs, list); });
   }
   return std::optional<frame::PathTrees>();
+}
+
+void forgetTrees(Trees& trees) {
+  trees.making.forget();
+  trees.made.reset();
+  trees.inputs = {};
 }
 
 }  // namespace facet::view

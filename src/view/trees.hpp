@@ -1,6 +1,6 @@
 #pragma once
 
-// Trees of what is shown, or comes next, for rays: made beside the window, which goes on meanwhile.
+// Trees of what is shown, for the rays of a picture at rest: made beside the window, which goes on meanwhile.
 
 #include "frame/plan.hpp"
 #include "view/latest.hpp"
@@ -24,5 +24,8 @@ struct Trees {
 // Of that list, once; nothing while they are being made. Errors: the memory does not suffice.
 Result<std::optional<frame::PathTrees>> findOrMakeTrees(Trees& trees, const frame::ListInputs& inputs,
                                                         const frame::DrawList& list);
+
+// They are not wanted any more.
+void forgetTrees(Trees& trees);
 
 }  // namespace facet::view

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "frame/draw_list.hpp"
 
@@ -46,9 +47,10 @@ TEST_CASE("Shadow maps: parallel light sees all corners of the scene, from any d
         for (const double y : {-1.0, 3.0})
           for (const double z : {4.0, 7.0}) CHECK(sees(views[0], {x, y, z}));
       // The environment's sun turns with it.
-      const glm::dvec3 forward = views[0].forward, given = glm::normalize(glm::dvec3(direction));
-      CHECK(glm::length(forward - given) < (kind == 3 && direction.x + direction.z != 0 ? 2 : 1e-6));
-      if (kind == 3) CHECK(forward.y == Approx(given.y).margin(1e-6));
+      glm::dvec3 along = glm::normalize(glm::dvec3(direction));
+      if (kind == 3)
+        along = glm::dvec3(glm::rotate(glm::dmat4(1), glm::radians(30.0), {0, 1, 0}) * glm::dvec4(along, 0));
+      CHECK(glm::length(glm::dvec3(views[0].forward) - along) < 1e-6);
     }
   const std::vector<scene::View> turned = frame::shadowViews(listOf({lightOf(3, {}, {0, 0, 1})}), 90);
   CHECK(turned[0].forward.x == Approx(1));  // about +Y from +Z towards +X
@@ -88,14 +90,38 @@ TEST_CASE("Shadow maps: a spot's sees its cone, wide ones have six, and what is 
   CHECK(frame::lightsWithoutMap(none) == 0);
 }
 
-TEST_CASE("Shadow maps: where there is no room for all lights, the first ones have theirs and the rest is told") {
+TEST_CASE("Shadow maps: where there is no room for all lights, those of one map come first, and the rest is told") {
   std::vector<layout::LightUniforms> lights(6, lightOf(1, {}, {0, 0, -1}));
   lights.push_back(lightOf(0, {}, {0, -1, 0}));
   const frame::DrawList list = listOf(lights);
-  CHECK(list.lights[3].cone.z == -19);
-  CHECK(list.lights[4].cone.z == 0);
-  CHECK(list.lights[6].cone.z == 0);
+  CHECK(list.lights[6].cone.z == 1);
+  CHECK(list.lights[0].cone.z == -2);
+  CHECK(list.lights[2].cone.z == -14);
+  CHECK(list.lights[3].cone.z == 0);
   CHECK(frame::lightsWithoutMap(list) == 3);
-  CHECK(frame::shadowViews(list, 0).size() == layout::mostShadowMaps);
+  const std::vector<scene::View> views = frame::shadowViews(list, 0);
+  REQUIRE(views.size() == 19);
+  CHECK(views[0].orthographic);
+  CHECK(views[0].forward.y == Approx(-1));
+  CHECK_FALSE(views[1].orthographic);
   CHECK(frame::shadowMapSize(list) < frame::shadowMapSize(listOf({lights.back()})));
+}
+
+TEST_CASE("Shadow maps: a light outside sees all of the scene in one, whose texels do not grow with its distance") {
+  double near = 0;
+  for (const double distance : {5.0, 50.0, 5e4})
+    for (const float kind : {1.0f, 2.0f}) {
+      const glm::vec3 position = static_cast<float>(distance) * glm::normalize(glm::vec3(1, 2, -1));
+      const frame::DrawList list = listOf({lightOf(kind, position, {0, -1, 0}, 1.5)});
+      INFO(distance << " m, of kind " << kind);
+      CHECK(list.lights[0].cone.z == 1);
+      const std::vector<scene::View> views = frame::shadowViews(list, 0);
+      REQUIRE(views.size() == 1);
+      for (const double x : {2.0, 5.0})
+        for (const double y : {-1.0, 3.0})
+          for (const double z : {4.0, 7.0}) CHECK(sees(views[0], {x, y, z}));
+      const double texel = double(list.lights[0].cone.w) * distance;
+      if (near == 0) near = texel;
+      CHECK(texel <= near * 1.001);
+    }
 }

@@ -189,6 +189,35 @@ TEST_CASE("refinement: the automatic visibility rests as facet render shows it",
   CHECK((viewer.display().data == renderedWhole("builtin:poster", viewer.state.settings).data));
 }
 
+TEST_CASE("refinement: shadow maps and horizons follow rotation, camera, size, lights and pose", "[gl]") {
+  Viewer viewer;
+  frame::PictureSettings& settings = viewer.state.settings;
+  settings.sources.environment = "builtin:sky";  // with a sun
+  viewer.load("builtin:poster");
+  const auto check = [&](const char* what) {
+    viewer.settle();
+    viewer.converge();
+    INFO(what);
+    CHECK(viewer.viewport.shown.list.features.shadows);
+    frame::PictureSettings whole = settings;
+    const scene::OrbitCamera& camera = viewer.state.camera;
+    whole.viewpoint.orbit = frame::Orbit{camera.theta, camera.phi, camera.radius};
+    whole.viewpoint.target = camera.target, whole.viewpoint.fovYDeg = camera.fovY;
+    CHECK((viewer.display().data == renderedWhole("builtin:poster", whole).data));
+  };
+  check("as it comes");
+  settings.frame.environmentRotationDeg = 120;
+  check("rotation");
+  viewer.state.camera.theta += 50;
+  check("camera");
+  settings.frame.width = 96, settings.frame.height = 40;
+  check("size");
+  settings.look.lights = frame::Lights::demo;
+  check("lights");
+  settings.frame.environmentRotationDeg = 30, settings.quality.samples = 6;
+  check("rotation, refined");
+}
+
 TEST_CASE("refinement: what the cheap picture is off by is only stated where it outweighs what the gathered one is") {
   CHECK(view::cheapError(5, {3, 4}) == Approx(4));
   CHECK(view::cheapError(5, {0, 0}) == 5);

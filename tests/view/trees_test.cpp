@@ -66,3 +66,23 @@ TEST_CASE("Trees: who asks for another list gets its own, and not those that wer
   CHECK_FALSE(*view::findOrMakeTrees(trees, two.inputs, two.list));
   CHECK(waitedFor(trees, drawn).drawn);
 }
+
+TEST_CASE("Trees: what is not wanted any more is forgotten, and its model with it") {
+  view::Trees trees;
+  std::weak_ptr<const io::LoadedModel> model;
+  {
+    const Listed three = spheres(3);
+    model = three.inputs.model;
+    CHECK_FALSE(*view::findOrMakeTrees(trees, three.inputs, three.list));
+    view::forgetTrees(trees);
+  }
+  CHECK_FALSE(trees.making.running());
+  for (int i = 0; i < 2000 && !model.expired(); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    view::forgetTrees(trees);
+  }
+  CHECK(model.expired());
+  const Listed two = spheres(2);
+  waitedFor(trees, two);
+  CHECK(trees.inputs.model == nullptr);
+}

@@ -317,3 +317,37 @@ TEST_CASE("viewport: an environment whose file changes is read again, a faulty o
   CHECK(viewer.middle().g == 255);
   CHECK(viewer.viewport.environments.slots.size() == 1);
 }
+
+TEST_CASE("viewport: what plays over a floor goes on, and trees that nobody waits for keep no window awake", "[gl]") {
+  test::GltfBuilder b = test::triangle();
+  const std::vector<float> normals = {0, 0, 1, 0, 0, 1, 0, 0, 1}, times = {0, 1}, heights = {0, 0, 0, 0, 1, 0};
+  b.json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] = b.add(normals, test::floatType, "VEC3");
+  b.append(
+      "animations",
+      {{"samplers",
+        {{{"input", b.add(times, test::floatType, "SCALAR")}, {"output", b.add(heights, test::floatType, "VEC3")}}}},
+       {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}}});
+  const test::TemporaryFolder folder;
+  test::Viewer viewer;
+  frame::PictureSettings& settings = viewer.state.settings;
+  settings.frame.ground = true;
+  settings.placement.animation = "all";
+  viewer.load(folder.write("rise.glb", b.glb()));
+  int shown = 0;
+  for (int turn = 1; turn <= 20; ++turn) {
+    settings.placement.timeSeconds = 0.04 * turn;  // another pose each turn
+    shown += view::bringUp(viewer.viewport, viewer.state, viewer.loader) ? 1 : 0;
+  }
+  CHECK(shown > 10);
+  // Paths are asked for, and no more before their trees are there.
+  settings.frame.ground = false;
+  settings.quality.samples = 64;
+  viewer.settle();
+  for (int turn = 0; turn < 3; ++turn) view::drawViewport(viewer.viewport, viewer.state);
+  settings.quality.samples = 1;
+  settings.quality.visibility = frame::Visibility::none;
+  viewer.settle();
+  viewer.converge();
+  CHECK_FALSE(view::atWork(viewer.viewport, viewer.state));
+  CHECK_FALSE(viewer.viewport.comingUp);
+}
