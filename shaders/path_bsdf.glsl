@@ -66,9 +66,17 @@ void widenLobe(PathState p, inout Surface s) {
   float share = p.throughput.w;
 #endif
   float least = p.vertices > 0u ? 0.25 * share : 0.0;
-  if (s.alpha >= least) return;
-  setRoughness(s, sqrt(least));
-  s.dfg = lookUpDfg(s.NoV, s.perceptualRoughness);
+#ifdef SOFT_CAUSTICS
+  widenCoat(s.coat, least);
+  widenGrain(s.grain, least);
+#endif
+  if (s.alpha < least) {
+    setRoughness(s, sqrt(least));
+    s.dfg = lookUpDfg(s.NoV, s.perceptualRoughness);
+  }
+#ifdef SOFT_CAUSTICS
+  setGrainDfg(s.grain, s.N, s.V, s.dfg);
+#endif
 }
 #endif
 

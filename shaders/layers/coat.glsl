@@ -15,6 +15,7 @@ void setCoat(inout Coat coat, vec3 N, float NoV, float weight, float perceptualR
   coat = Coat(N, NoV, weight, perceptualRoughness, perceptualRoughness * perceptualRoughness, dfg);
 }
 void spreadCoat(inout Coat coat, float angularRadius) { coat.alpha = alphaOfDisc(coat.alpha, angularRadius); }
+void widenCoat(inout Coat coat, float alpha) { coat.alpha = max(coat.alpha, alpha); }  // its albedo stays
 
 float coatAlbedo(Coat coat) { return coatF0 * coat.dfg.x + coat.dfg.y; }
 // Share of light from below that leaves it towards V.

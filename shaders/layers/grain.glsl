@@ -21,6 +21,7 @@ void setGrainDfg(Grain grain, vec3 N, vec3 V, inout vec3 dfg) {
 void spreadGrain(inout Grain grain, float angularRadius) {
   grain.alpha = vec2(alphaOfDisc(grain.alpha.x, angularRadius), alphaOfDisc(grain.alpha.y, angularRadius));
 }
+void widenGrain(inout Grain grain, float alpha) { grain.alpha = max(grain.alpha, alpha); }
 
 // D V without Fresnel term and cosine [1/sr].
 float lobeFacets(Grain grain, vec3 N, vec3 V, float NoV, vec3 L, float NoL, vec3 H, float alpha) {

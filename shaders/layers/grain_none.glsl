@@ -9,6 +9,7 @@ struct Grain {
 void setGrain(inout Grain grain, vec3 along, vec3 N, float alpha, float strength) {}
 void setGrainDfg(Grain grain, vec3 N, vec3 V, inout vec3 dfg) {}
 void spreadGrain(inout Grain grain, float angularRadius) {}
+void widenGrain(inout Grain grain, float alpha) {}
 
 float lobeFacets(Grain grain, vec3 N, vec3 V, float NoV, vec3 L, float NoL, vec3 H, float alpha) {
   alpha = max(alpha, minAnalyticAlpha);

@@ -63,6 +63,28 @@ TEST_CASE("Caustics: softened ones have less noise, keep their light and are tol
   CHECK(softened.statistics.visibility.why == "asked for; caustics are softened");
 }
 
+TEST_CASE("Caustics: those of coats and of brushed metals are softened, too", "[gl]") {
+  test::Studio studio;
+  for (const bool coat : {true, false}) {
+    io::LoadedModel model = ballOnFloor(true);
+    scene::Material& ball = model.model.materials[1];
+    if (coat) {
+      ball.baseColorFactor = glm::vec4(0, 0, 0, 1), ball.metallicFactor = 0, ball.perceptualRoughnessFactor = 1;
+      ball.clearcoatFactor = 1;
+    } else {
+      ball.perceptualRoughnessFactor = 0.2f, ball.anisotropyStrength = 0.9f;
+      scene::Primitive& p = model.model.meshes[1].primitives[0];
+      for (const glm::vec3& n : p.normals) {
+        const glm::vec3 along = glm::cross(glm::vec3(0, 0, 1), n);
+        p.tangents.emplace_back(glm::length(along) > 0 ? glm::normalize(along) : glm::vec3(1, 0, 0), 1);
+      }
+    }
+    const double all = noise(studio, model, Caustics::all), soft = noise(studio, model, Caustics::soft);
+    INFO((coat ? "coat" : "grain") << ": noise " << all << ", softened " << soft);
+    CHECK(soft < 0.95 * all);
+  }
+}
+
 TEST_CASE("Caustics: where no surface is diffuse, nothing is softened", "[gl]") {
   test::Studio studio;
   const io::LoadedModel model = ballOnFloor(false);
