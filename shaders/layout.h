@@ -198,7 +198,7 @@ struct LightUniforms {
   vec4 direction;  // xyz unit, the way it shines; w: 1 / range^2 (0: no range)
   vec4 color;      // rgb linear * intensity (candela or lux)
   vec4 cone;       // x scale, y offset of the spot's cosine ramp; sun: x angular radius, y least radius of a draw's share (its direction is the map's)
-                   // z 1 + its first shadow map, negative: six of them, 0: none; w width of their texels [m], but of suns 1 m away
+                   // z 1 + its first shadow map, negative: six of them, 0: none; w width of their texels [m], 1 m away unless light is parallel
 };
 
 struct ShadowUniforms {

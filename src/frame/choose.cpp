@@ -33,6 +33,16 @@ const scene::BuiltinScene* builtinOf(const std::string& source) {
   return source.starts_with("builtin:") ? scene::findBuiltinScene(source) : nullptr;
 }
 
+bool wantsRays(const Quality& quality) {
+  return quality.visibility == Visibility::automatic || quality.visibility == Visibility::rays;
+}
+
+// Of light in a picture that is drawn, once.
+bool drawsLight(const PictureSettings& settings) {
+  return settings.look.channel.empty() && settings.comparison.brdfCompare == BrdfCompare::none &&
+         !tracesPaths(settings);
+}
+
 }  // namespace
 
 bool tracesPaths(const PictureSettings& settings) {
@@ -40,24 +50,17 @@ bool tracesPaths(const PictureSettings& settings) {
   if (!settings.look.channel.empty()) return false;
   return quality.transport == Transport::paths ||
          (quality.visibility == Visibility::automatic && quality.samples > correctedUpTo) ||
-         (quality.visibility != Visibility::none && quality.visibility != Visibility::screen &&
-          quality.maxError);  // what rays smooth over no estimate sees
+         (wantsRays(quality) && quality.maxError);  // what rays smooth over no estimate sees
 }
 
-bool correctedByRays(const PictureSettings& settings) {
-  const Visibility wish = settings.quality.visibility;
-  return wish != Visibility::none && wish != Visibility::screen && settings.look.channel.empty() &&
-         settings.comparison.brdfCompare == BrdfCompare::none && !tracesPaths(settings);
-}
+bool correctedByRays(const PictureSettings& settings) { return wantsRays(settings.quality) && drawsLight(settings); }
 
 bool usesScreen(const PictureSettings& settings) {
-  return settings.quality.visibility == Visibility::screen && settings.look.channel.empty() &&
-         settings.comparison.brdfCompare == BrdfCompare::none && !tracesPaths(settings);
+  return settings.quality.visibility == Visibility::screen && drawsLight(settings);
 }
 
 VisibilityChosen chosenVisibility(const PictureSettings& settings, const DrawList& list) {
-  const Visibility wish = settings.quality.visibility;
-  const bool asked = settings.quality.transport == Transport::paths || wish == Visibility::rays;
+  const bool asked = settings.quality.transport == Transport::paths || settings.quality.visibility == Visibility::rays;
   if (list.features.paths) {
     std::string why = asked                       ? "asked for"
                       : settings.quality.maxError ? "an error is to be kept to"

@@ -31,11 +31,10 @@ DisplayParameters displayParameters(const FrameInput& in, float scale) {
           {s.frame.backgroundColor, s.frame.background == Background::color ? 1.0f : 0.0f}};
 }
 
-void drawFullscreen(const gl::Framebuffer& target, const Targets& targets, const gl::Texture& source,
-                    const gl::Program& program) {
-  glBindFramebuffer(GL_FRAMEBUFFER, target.id());
-  glBindVertexArray(targets.noAttributes.id());
-  glViewport(0, 0, targets.width, targets.height);
+void drawFullscreen(const FullscreenTarget& target, const gl::Texture& source, const gl::Program& program) {
+  glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.id());
+  glBindVertexArray(target.noAttributes.id());
+  glViewport(0, 0, target.width, target.height);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
   source.bind(layout::sourceUnit);
@@ -67,7 +66,8 @@ Result<void> showPicture(const FrameInput& in, const Targets& targets, float sca
                               in.settings.comparison.brdfDifferenceScale, difference, 0));
     targets.fitted.bind(layout::comparedUnit);
   }
-  drawFullscreen(shown.shown, targets, targets.sum ? targets.sum : targets.color, **program);
+  drawFullscreen({shown.shown, targets.noAttributes, targets.width, targets.height},
+                 targets.sum ? targets.sum : targets.color, **program);
   return {};
 }
 

@@ -19,9 +19,13 @@ struct DisplayParameters {
 };
 DisplayParameters displayParameters(const FrameInput& in, float scale);
 
+struct FullscreenTarget {
+  const gl::Framebuffer& framebuffer;
+  const gl::VertexArray& noAttributes;
+  int width, height;
+};
 // A triangle over the whole target.
-void drawFullscreen(const gl::Framebuffer& target, const Targets& targets, const gl::Texture& source,
-                    const gl::Program& program);
+void drawFullscreen(const FullscreenTarget& target, const gl::Texture& source, const gl::Program& program);
 
 // The picture is of a measured BRDF and of the model fitted to it.
 bool comparing(const FrameInput& in);

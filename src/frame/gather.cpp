@@ -39,7 +39,7 @@ Result<void> addToSum(const Targets& targets, const gl::Framebuffer& sum, const 
   (*program)->set(layout::gatherShareLocation, 1.0f / static_cast<float>(gathering.draws()));
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
-  drawFullscreen(sum, targets, targets.color, **program);
+  drawFullscreen({sum, targets.noAttributes, targets.width, targets.height}, targets.color, **program);
   glDisable(GL_BLEND);
   return {};
 }

@@ -133,10 +133,7 @@ Result<Step> nextStep(Plan& plan, const PictureSettings& wish, const Supply& sup
     return Step{Progress::working, "upload"};
   }
   if ((next.list.features.paths || next.list.features.difference || next.list.ground) && !next.paths) {
-    Result<std::optional<PathTrees>> trees = supply.trees(next);
-    if (!trees) return tl::unexpected(trees.error());
-    if (!*trees) return Step{Progress::waiting, "trees"};
-    Result<PathScene> made = pathScene(std::move(**trees), next.list, scene.model(), scene.gpu, programs);
+    Result<PathScene> made = pathScene(pathTrees(next.list), next.list, scene.model(), scene.gpu, programs);
     if (!made) return tl::unexpected(made.error());
     next.paths = std::make_shared<const PathScene>(std::move(*made));
     if (next.list.ground)

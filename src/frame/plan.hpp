@@ -67,8 +67,6 @@ void findSun(LoadedEnvironment& environment);
 // What of the tables is not there yet, from the cache or computed.
 Result<void> prepareTables(LoadedEnvironment& environment, const ibl::Needs& needs, shading::ProgramStore& programs);
 
-struct Drawable;
-
 // Where things come from. What is empty (null, false) is on its way: the plan goes on with it when it is asked again.
 struct Supply {
   std::function<Result<LoadedEnvironment*>(const std::string& source)> environment;
@@ -78,8 +76,6 @@ struct Supply {
       fitted;
   // All of the missing images or some into scene.pixels.
   std::function<Result<bool>(LoadedScene& scene, const std::vector<bool>& missing)> images;
-  // Of the drawable's list.
-  std::function<Result<std::optional<PathTrees>>(const Drawable& drawable)> trees;
   // What of the tables is missing; coarse ones may do for a time.
   std::function<Result<void>(LoadedEnvironment& environment, const ibl::Needs& needs)> tables;
 };

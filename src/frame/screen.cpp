@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "frame/depth_pass.hpp"
+#include "frame/display_pass.hpp"
 #include "frame/scene_pass.hpp"
 #include "frame/settings.hpp"
 
@@ -46,17 +47,6 @@ void prepareTargets(Screen& screen, const FrameSettings& frame) {
   screen.smoothing.attach(GL_COLOR_ATTACHMENT0, screen.shares);
 }
 
-void drawOver(const Screen& screen, const gl::Framebuffer& target, const gl::Texture& source,
-              const gl::Program& program) {
-  glBindFramebuffer(GL_FRAMEBUFFER, target.id());
-  glBindVertexArray(screen.noAttributes.id());
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_CULL_FACE);
-  source.bind(layout::sourceUnit);
-  glUseProgram(program.id());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
-}
-
 Result<void> drawHorizons(const FrameInput& in, Screen& screen, ProgramStore& programs, FrameStatistics& statistics) {
   const auto find = horizonsProgram(programs);
   if (!find) return tl::unexpected(find.error());
@@ -73,8 +63,8 @@ Result<void> drawHorizons(const FrameInput& in, Screen& screen, ProgramStore& pr
       gl::Buffer::of(std::vector<layout::FrameUniforms>{frameUniforms(whole, 0, 1, glm::dvec2(0))}, "horizons' frame");
   glBindBufferBase(GL_UNIFORM_BUFFER, layout::frameBinding, frame.id());
   (*find)->set(layout::horizonReachLocation, glm::vec4(reachRadii, slices, stepsASide, 0));
-  drawOver(screen, screen.finding, screen.depth, **find);
-  drawOver(screen, screen.smoothing, screen.found, **smooth);
+  drawFullscreen({screen.finding, screen.noAttributes, screen.width, screen.height}, screen.depth, **find);
+  drawFullscreen({screen.smoothing, screen.noAttributes, screen.width, screen.height}, screen.found, **smooth);
   statistics.passes.emplace_back("horizons");
   return {};
 }

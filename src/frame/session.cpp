@@ -66,7 +66,6 @@ Supply supplyAtOnce(Shelf& shelf, shading::ProgramStore& programs, Notes& notes)
   supply.images = [&](LoadedScene& scene, const std::vector<bool>& missing) {
     return decodeSome(scene, missing, notes);
   };
-  supply.trees = [](const Drawable& drawable) { return std::optional(pathTrees(drawable.list)); };
   supply.tables = [&](LoadedEnvironment& environment, const ibl::Needs& needs) {
     return prepareTables(environment, needs, programs);
   };

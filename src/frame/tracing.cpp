@@ -1,4 +1,4 @@
-// Whether rays are traced for a draw list, and why not.
+// What is done about what stands in the way of a draw list's light, and why not.
 
 #include <algorithm>
 
@@ -21,9 +21,6 @@ bool anyUses(const DrawList& list, shading::Feature feature) {
     return std::ranges::any_of(*draws, [&](const Draw& draw) { return shading::usesFeature(draw.key, feature); });
   });
 }
-
-// By paths: where nothing is lit there is no light whose way could be traced.
-bool anythingLit(const DrawList& list) { return anyUses(list, shading::Feature::paths); }
 
 // A single convex body that lets no light pass: what faces the light gets it, nothing gets it from the body.
 bool nothingInTheWay(const DrawList& list) {
@@ -58,11 +55,11 @@ void setScreen(DrawList& list) {
   shading::FrameFeatures features = list.features;
   features.shadows = features.horizons = true;
   setFeatures(list, features);
-  features.shadows = anyUses(list, shading::Feature::shadows);
-  features.horizons = anyUses(list, shading::Feature::horizons);
-  setFeatures(list, features);
-  if (features.shadows) assignShadowMaps(list);
-  if (!features.shadows && !features.horizons) list.untraced = "nothing is lit";
+  // What no draw reads changes none of them, and is not made.
+  list.features.shadows = anyUses(list, shading::Feature::shadows);
+  list.features.horizons = anyUses(list, shading::Feature::horizons);
+  if (list.features.shadows) assignShadowMaps(list);
+  if (!list.features.shadows && !list.features.horizons) list.untraced = "nothing is lit";
 }
 
 }  // namespace
@@ -81,7 +78,7 @@ void setTracing(DrawList& list, const DrawOptions& options) {
   const shading::FrameFeatures drawn = list.features;
   shading::FrameFeatures traced = shading::pathFeatures(drawn);
   setFeatures(list, traced);
-  if (!anythingLit(list)) {
+  if (!anyUses(list, shading::Feature::paths)) {
     list.untraced = "nothing is lit";
     return setFeatures(list, drawn);
   }

@@ -36,8 +36,6 @@ frame::Supply supplyBeside(Viewport& viewport, Loader& loader) {
     if (!decodes(loader, scene.loaded, missing)) startImages(loader, scene.loaded, missing);
     return false;
   };
-  // Of a floor, whose list may be another one each turn: there is no waiting for those.
-  supply.trees = [](const frame::Drawable& drawable) { return std::optional(frame::pathTrees(drawable.list)); };
   supply.tables = [&](frame::LoadedEnvironment& environment, const ibl::Needs& needs) {
     return provideTables(static_cast<EnvironmentSlot&>(environment), needs, viewport.programs,
                          viewport.environments.immediateMs);

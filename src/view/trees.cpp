@@ -7,14 +7,12 @@ namespace facet::view {
 
 namespace {
 
-// The inputs hold the model that the list points to.
-TreesMade make(const frame::ListInputs& inputs, const frame::DrawList& list) {
+TreesMade make(const TreesOf& of, const frame::DrawList& list) {
   try {
-    return {inputs, list.features, frame::pathTrees(list)};
+    return {of, frame::pathTrees(list)};
   } catch (const std::exception&) {  // of memory or of threads
-    return {inputs, list.features,
-            fail(inputs.model->model.name, "", "memory or threads do not suffice for trees of its triangles",
-                 "give a smaller input, or choose no visibility")};
+    return {of, fail(of.inputs.model->model.name, "", "memory or threads do not suffice for trees of its triangles",
+                     "give a smaller input, or choose no visibility")};
   }
 }
 
@@ -22,18 +20,18 @@ TreesMade make(const frame::ListInputs& inputs, const frame::DrawList& list) {
 
 Result<std::optional<frame::PathTrees>> findOrMakeTrees(Trees& trees, const frame::ListInputs& inputs,
                                                         const frame::DrawList& list) {
-  const auto ofThis = [&](const auto& of) { return of.inputs == inputs && of.features == list.features; };
+  const TreesOf wanted{inputs, list.features};
   if (std::optional<TreesMade> made = trees.making.take()) trees.made = std::move(made);
-  if (trees.made && ofThis(*trees.made)) {
+  if (trees.made && trees.made->of == wanted) {
     Result<frame::PathTrees> found = std::move(std::exchange(trees.made, std::nullopt)->trees);
-    trees.inputs = {};
+    trees.asked = {};
     if (!found) return tl::unexpected(found.error());
     return std::optional(std::move(*found));
   }
-  if (!trees.making.running() || !ofThis(trees)) {
+  if (!trees.making.running() || trees.asked != wanted) {
     trees.made.reset();
-    trees.inputs = inputs, trees.features = list.features;
-    trees.making.start([inputs, list] { return make(inputs, list); });
+    trees.asked = wanted;
+    trees.making.start([wanted, list] { return make(wanted, list); });
   }
   return std::optional<frame::PathTrees>();
 }
@@ -41,7 +39,7 @@ Result<std::optional<frame::PathTrees>> findOrMakeTrees(Trees& trees, const fram
 void forgetTrees(Trees& trees) {
   trees.making.forget();
   trees.made.reset();
-  trees.inputs = {};
+  trees.asked = {};
 }
 
 }  // namespace facet::view

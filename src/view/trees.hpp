@@ -7,9 +7,16 @@
 
 namespace facet::view {
 
-struct TreesMade {
-  frame::ListInputs inputs;  // of the list that they are of
+// Which list they are of. The inputs hold the model that it points to.
+struct TreesOf {
+  frame::ListInputs inputs;
   shading::FrameFeatures features;
+
+  bool operator==(const TreesOf&) const = default;
+};
+
+struct TreesMade {
+  TreesOf of;
   Result<frame::PathTrees> trees;
 };
 
@@ -17,8 +24,7 @@ struct TreesMade {
 struct Trees {
   Latest<TreesMade> making;
   std::optional<TreesMade> made;  // not taken yet
-  frame::ListInputs inputs;       // of those that are being made
-  shading::FrameFeatures features;
+  TreesOf asked;                  // of those that are being made
 };
 
 // Of that list, once; nothing while they are being made. Errors: the memory does not suffice.

@@ -84,5 +84,5 @@ TEST_CASE("Trees: what is not wanted any more is forgotten, and its model with i
   CHECK(model.expired());
   const Listed two = spheres(2);
   waitedFor(trees, two);
-  CHECK(trees.inputs.model == nullptr);
+  CHECK(trees.asked.inputs.model == nullptr);
 }

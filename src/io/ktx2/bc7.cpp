@@ -3,6 +3,7 @@
 #include <cstring>
 #include <utility>
 
+#include "io/ktx2/bit_reader.hpp"
 #include "io/ktx2/blocks.hpp"
 
 namespace facet::io {
@@ -53,17 +54,6 @@ constexpr uint8_t thirdOfThree[64] = {15, 8, 8,  3,  15, 15, 3,  8,  15, 15, 15,
 constexpr uint8_t weights2[] = {0, 21, 43, 64}, weights3[] = {0, 9, 18, 27, 37, 46, 55, 64},
                   weights4[] = {0, 4, 9, 13, 17, 21, 26, 30, 34, 38, 43, 47, 51, 55, 60, 64};
 
-struct Bc7Reader {
-  uint64_t low, high;
-  unsigned at = 0;
-
-  uint32_t take(unsigned count) {
-    const uint64_t bits = at >= 64 ? high >> (at - 64) : at == 0 ? low : low >> at | high << (64 - at);
-    at += count;
-    return static_cast<uint32_t>(bits) & ((1u << count) - 1);
-  }
-};
-
 struct Bc7Ends {
   uint8_t rgba[6][4];
 };
@@ -73,7 +63,7 @@ uint8_t toEightBits(uint32_t value, unsigned bits) {
   return static_cast<uint8_t>(value | value >> bits);
 }
 
-Bc7Ends readEnds(Bc7Reader& reader, const Bc7Mode& mode) {
+Bc7Ends readEnds(BlockReader& reader, const Bc7Mode& mode) {
   const int count = 2 * mode.subsets;
   uint32_t raw[6][4];
   for (int c = 0; c < 4; ++c)
@@ -106,7 +96,7 @@ Bc7Partition partitionOf(int subsets, uint32_t index) {
   return out;
 }
 
-void readWeights(Bc7Reader& reader, const Bc7Partition& partition, unsigned bits, uint32_t (&weights)[16]) {
+void readWeights(BlockReader& reader, const Bc7Partition& partition, unsigned bits, uint32_t (&weights)[16]) {
   const uint8_t* table = bits == 2 ? weights2 : bits == 3 ? weights3 : weights4;
   for (int i = 0; i < 16; ++i) {
     const bool anchor = partition.anchors[partition.subset[i]] == i;
@@ -124,9 +114,7 @@ bool decodeBc7(const uint8_t* block, uint8_t* rgba) {
     return true;
   }
   const Bc7Mode& mode = bc7Modes[number];
-  Bc7Reader reader;
-  std::memcpy(&reader.low, block, 8);
-  std::memcpy(&reader.high, block + 8, 8);
+  BlockReader reader(block);
   reader.at = static_cast<unsigned>(number) + 1;
   const Bc7Partition partition = partitionOf(mode.subsets, reader.take(mode.partitionBits));
   const uint32_t rotation = reader.take(mode.rotationBits);

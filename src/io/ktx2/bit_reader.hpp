@@ -3,6 +3,7 @@
 // Bits of a byte string from the lowest of the first byte on. Internal to io/.
 
 #include <cstdint>
+#include <cstring>
 #include <span>
 
 namespace facet::io {
@@ -25,6 +26,22 @@ struct BitReader {
     const uint32_t bits = peek(count);
     at += count;
     return bits;
+  }
+};
+
+// The same of a block of 16 bytes, which holds all that is taken; count < 32.
+struct BlockReader {
+  uint64_t low, high;
+  unsigned at = 0;
+
+  explicit BlockReader(const uint8_t* block) {
+    std::memcpy(&low, block, 8);
+    std::memcpy(&high, block + 8, 8);
+  }
+  uint32_t take(unsigned count) {
+    const uint64_t bits = at >= 64 ? high >> (at - 64) : at == 0 ? low : low >> at | high << (64 - at);
+    at += count;
+    return static_cast<uint32_t>(bits) & ((1u << count) - 1);
   }
 };
 

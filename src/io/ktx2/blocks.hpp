@@ -7,6 +7,10 @@
 
 namespace facet::io {
 
+// KDFS 1.4, chapter 21 (ETC1): what is added to a colour or taken from it, of ETC1S and ETC2.
+inline constexpr int etcModifiers[8][2] = {{2, 8},   {5, 17},  {9, 29},   {13, 42},
+                                           {18, 60}, {24, 80}, {33, 106}, {47, 183}};
+
 // uastc.cpp: 16 bytes
 bool decodeUastc(const uint8_t* block, uint8_t* rgba);
 

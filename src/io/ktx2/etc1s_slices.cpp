@@ -1,15 +1,17 @@
 #include <algorithm>
 
 #include "io/image_formats.hpp"
+#include "io/ktx2/blocks.hpp"
 #include "io/ktx2/etc1s.hpp"
 
 namespace facet::io {
 
 namespace {
 
-// KDFS 1.4, chapter 21 (ETC1): what is added to the colour, from the darkest on.
-constexpr int modifiers[8][4] = {{-8, -2, 2, 8},     {-17, -5, 5, 17},   {-29, -9, 9, 29},     {-42, -13, 13, 42},
-                                 {-60, -18, 18, 60}, {-80, -24, 24, 80}, {-106, -33, 33, 106}, {-183, -47, 47, 183}};
+// Of the four colours from the darkest on.
+int modifier(uint8_t intensity, size_t color) {
+  return color < 2 ? -etcModifiers[intensity][1 - color] : etcModifiers[intensity][color - 2];
+}
 
 struct BlockIndex {
   uint32_t endpoint = 0, selector = 0;
@@ -148,7 +150,7 @@ std::array<std::array<uint8_t, 3>, 4> colorsOf(const Etc1sEndpoint& endpoint) {
   for (size_t i = 0; i < 4; ++i) {
     for (size_t c = 0; c < 3; ++c) {
       const int base = endpoint.color[c] << 3 | endpoint.color[c] >> 2;
-      out[i][c] = static_cast<uint8_t>(std::clamp(base + modifiers[endpoint.intensity][i], 0, 255));
+      out[i][c] = static_cast<uint8_t>(std::clamp(base + modifier(endpoint.intensity, i), 0, 255));
     }
   }
   return out;

@@ -10,7 +10,6 @@ namespace facet::io {
 
 namespace {
 
-constexpr int etcModifiers[8][2] = {{2, 8}, {5, 17}, {9, 29}, {13, 42}, {18, 60}, {24, 80}, {33, 106}, {47, 183}};
 constexpr int etcDistances[8] = {3, 6, 11, 16, 23, 32, 41, 64};
 constexpr int eacModifiers[16][8] = {
     {-3, -6, -9, -15, 2, 5, 8, 14}, {-3, -7, -10, -13, 2, 6, 9, 12}, {-2, -5, -8, -13, 1, 4, 7, 12},

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstring>
 
+#include "io/ktx2/bit_reader.hpp"
 #include "io/ktx2/blocks.hpp"
 
 namespace facet::io {
@@ -110,18 +111,6 @@ constexpr auto ofTwo = patternsOf(seedsOfTwo, 2);
 constexpr auto ofThree = patternsOf(seedsOfThree, 3);
 constexpr auto ofMode7 = patternsOf(seedsOfMode7, 2);
 
-// The block's bits in order.
-struct Reader {
-  uint64_t low, high;
-  unsigned at = 0;
-
-  uint32_t take(unsigned count) {
-    const uint64_t bits = at >= 64 ? high >> (at - 64) : at == 0 ? low : low >> at | high << (64 - at);
-    at += count;
-    return static_cast<uint32_t>(bits) & ((1u << count) - 1);
-  }
-};
-
 int modeOf(uint32_t bits) {
   for (int i = 0; i < static_cast<int>(std::size(modes)); ++i)
     if ((bits & ((1u << modes[i].codeBits) - 1)) == modes[i].code) return i;
@@ -157,7 +146,7 @@ uint8_t unquantised(uint32_t bits, uint32_t digit, const EndpointRange& range) {
 }
 
 // The trits or quints of all values lie before their bits: five trits to 8 bits, three quints to 7, fewer at the end.
-void readEndpoints(Reader& reader, const EndpointRange& range, uint8_t* values, int count) {
+void readEndpoints(BlockReader& reader, const EndpointRange& range, uint8_t* values, int count) {
   constexpr uint8_t tritBits[] = {0, 2, 4, 5, 7, 8}, quintBits[] = {0, 3, 5, 7};
   uint8_t digits[18] = {};
   const int group = range.trit ? 5 : 3;
@@ -189,7 +178,7 @@ void fill(uint8_t* rgba, const uint8_t (&texel)[4]) {
   for (int i = 0; i < 16; ++i) std::memcpy(rgba + 4 * i, texel, 4);
 }
 
-const Pattern* patternOf(Reader& reader, int mode) {
+const Pattern* patternOf(BlockReader& reader, int mode) {
   const auto of = [&](const auto& patterns, unsigned bits) {
     const uint32_t index = reader.take(bits);
     return index < patterns.size() ? &patterns[index] : nullptr;
@@ -202,9 +191,7 @@ const Pattern* patternOf(Reader& reader, int mode) {
 }  // namespace
 
 bool decodeUastc(const uint8_t* block, uint8_t* rgba) {
-  Reader reader;
-  std::memcpy(&reader.low, block, 8);
-  std::memcpy(&reader.high, block + 8, 8);
+  BlockReader reader(block);
   const int index = modeOf(block[0]);
   if (index < 0) return false;
   const Mode& mode = modes[index];
