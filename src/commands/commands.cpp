@@ -19,7 +19,8 @@ constexpr Command commandTable[] = {
      addRender},
     {"inspect", "what a file holds, what is wrong in it, what it needs and what it leaves out",
      "  facet inspect helmet.glb\n"
-     "  facet inspect scene.gltf --json",
+     "  facet inspect scene.gltf --json\n"
+     "  facet inspect export.glb --strict --all",
      addInspect},
     {"compare", "measure how two pictures differ",
      "  facet compare before.png after.png\n"

@@ -6,6 +6,7 @@
 
 #include "base/log.hpp"
 #include "commands/commands.hpp"
+#include "commands/inspect_findings.hpp"
 #include "commands/inspect_parts.hpp"
 #include "commands/notes_json.hpp"
 #include "commands/picture_arguments.hpp"
@@ -18,6 +19,7 @@
 #include "io/image.hpp"
 #include "io/measured.hpp"
 #include "io/sources.hpp"
+#include "io/validate/validate.hpp"
 #include "scene/geometry.hpp"
 
 namespace facet::commands {
@@ -29,7 +31,7 @@ using Json = nlohmann::ordered_json;
 struct InspectArguments {
   std::string model;
   PictureArguments picture;
-  bool asJson = false, strict = false;
+  bool asJson = false, strict = false, all = false;
 };
 
 struct Counts {
@@ -187,12 +189,27 @@ Result<Json> readMeasured(const frame::PictureSettings& settings, frame::DrawOpt
   return describeMeasured(*brdf, *source);
 }
 
+// The file is checked to the letter all the same.
+int tellRefused(const InspectArguments& arguments, const Error& error, const io::validate::Report& report) {
+  if (arguments.asJson) {
+    const Json out = {
+        {"file", arguments.model}, {"refused", describe(error)}, {"validation", describeValidation(report)}};
+    std::cout << out.dump(2, ' ', false, Json::error_handler_t::replace) << std::endl;
+  } else {
+    printValidation(report, arguments.all, std::cout);
+  }
+  return badInput(error);
+}
+
 int runInspect(const InspectArguments& arguments) {
   frame::PictureSettings settings;
   if (const Result<void> applied = options::apply(arguments.picture, settings); !applied)
     return badInput(applied.error());
-  Result<io::LoadedModel> loaded = io::loadModel(arguments.model, {.allowOutside = settings.sources.allowOutside});
-  if (!loaded) return badInput(loaded.error());
+  const io::Limits limits = {.allowOutside = settings.sources.allowOutside};
+  const Result<io::validate::Report> report = io::validateModel(arguments.model, limits);
+  if (!report) return badInput(report.error());
+  Result<io::LoadedModel> loaded = io::loadModel(arguments.model, limits);
+  if (!loaded) return tellRefused(arguments, loaded.error(), *report);
   const scene::Model& model = loaded->model;
   const Result<int> scene = frame::chooseScene(settings.placement, model);
   if (!scene) return badInput(scene.error());
@@ -208,11 +225,14 @@ int runInspect(const InspectArguments& arguments) {
     std::ranges::move(frame::listNotes(list, list.needs(false)), std::back_inserter(loaded->notes));
   Json out = describeModel(model, loaded->notes, list, *scene, *measured);
   out["images"] = describeImages(model, frame::missingImages(model, list, {}));
-  if (arguments.asJson)
+  if (arguments.asJson) {
+    out["validation"] = describeValidation(*report);
     std::cout << out.dump(2, ' ', false, Json::error_handler_t::replace) << std::endl;
-  else
+  } else {
     print(out);
-  bool warned = false;
+    printValidation(*report, arguments.all, std::cout);
+  }
+  bool warned = report->count(io::validate::Severity::error) > 0;
   for (const Note& note : loaded->notes) warned = warned || note.severity == Note::Severity::warning;
   return warned && arguments.strict ? exitBadInput : exitGood;
 }
@@ -226,7 +246,8 @@ std::function<int()> addInspect(CLI::App& app) {
                                          "brdf-lookup", "utia-decode", "allow-outside"};
   addPictureOptions(app, arguments->picture, wanted);
   app.add_flag("--json", arguments->asJson, "for scripts");
-  app.add_flag("--strict", arguments->strict, "any warning makes the exit status 2");
+  app.add_flag("--all", arguments->all, "every finding, not the first five of each code");
+  app.add_flag("--strict", arguments->strict, "any warning or error makes the exit status 2");
   return [arguments] { return runInspect(*arguments); };
 }
 

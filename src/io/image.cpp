@@ -112,6 +112,15 @@ struct Work {
   std::string problem;  // not empty: placeholder
 };
 
+void readWorkHeader(Work& work, const Limits& limits) {
+  const auto header = readHeader(work.bytes, limits);
+  if (header) {
+    work.header = *header;
+  } else {
+    work.problem = header.error().problem;
+  }
+}
+
 void readWork(const scene::Image& image, Work& work, const Limits& limits) {
   work.problem = image.problem;
   if (!work.problem.empty()) return;
@@ -125,12 +134,7 @@ void readWork(const scene::Image& image, Work& work, const Limits& limits) {
     work.file = std::move(*file);
     work.bytes = work.file.span();
   }
-  const auto header = readHeader(work.bytes, limits);
-  if (header) {
-    work.header = *header;
-  } else {
-    work.problem = header.error().problem;
-  }
+  readWorkHeader(work, limits);
 }
 
 // Exceptions must not leave a thread.
@@ -264,21 +268,37 @@ std::vector<Pixels> decodeImages(const scene::Model& model, const std::vector<bo
   return result;
 }
 
+namespace {
+
+void describe(const Work& work, ImageInfo& info) {
+  info.problem = work.problem;
+  if (!work.problem.empty()) return;
+  const ImageHeader& header = work.header;
+  info.format = formatOf(work.bytes)->name + (header.texels.empty() ? "" : " (" + header.texels + ")");
+  info.width = header.width;
+  info.height = header.height;
+  info.channels = header.channels;
+  info.bytesPerSample = header.bytesPerSample;
+  info.levels = header.levels;
+}
+
+}  // namespace
+
+ImageInfo describeImage(Bytes encoded, const Limits& limits) {
+  Work work;
+  work.bytes = encoded;
+  guarded(work, [&] { readWorkHeader(work, limits); });
+  ImageInfo info;
+  describe(work, info);
+  return info;
+}
+
 std::vector<ImageInfo> describeImages(const scene::Model& model, const Limits& limits) {
   std::vector<ImageInfo> result(model.images.size());
   parallelFor(result.size(), [&](size_t i) {
     Work work;
     guarded(work, [&] { readWork(model.images[i], work, limits); });
-    ImageInfo& info = result[i];
-    info.problem = work.problem;
-    if (!work.problem.empty()) return;
-    const ImageHeader& header = work.header;
-    info.format = formatOf(work.bytes)->name + (header.texels.empty() ? "" : " (" + header.texels + ")");
-    info.width = header.width;
-    info.height = header.height;
-    info.channels = header.channels;
-    info.bytesPerSample = header.bytesPerSample;
-    info.levels = header.levels;
+    describe(work, result[i]);
   });
   return result;
 }

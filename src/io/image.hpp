@@ -48,6 +48,7 @@ struct ImageInfo {
   std::string problem = {};  // not empty: it cannot be read
 };
 
+ImageInfo describeImage(std::span<const uint8_t> encoded, const Limits& limits = {});
 // Of the model's images; nothing is decoded.
 std::vector<ImageInfo> describeImages(const scene::Model& model, const Limits& limits = {});
 

@@ -15,6 +15,7 @@
 #include "io/gltf.hpp"
 #include "io/image.hpp"
 #include "scene/environment.hpp"
+#include "view/file_check.hpp"
 #include "view/file_watch.hpp"
 #include "view/latest.hpp"
 
@@ -74,6 +75,7 @@ struct Loader {
   Latest<MeasuredLoaded> measured;
   Latest<FitMade> fit;
   Latest<ImagesDecoded> images;
+  Latest<FileChecked> fileCheck;
   ImagesAsked imagesAsked;   // the newest request for them
   std::string allowOutside;  // of models (frame::Sources)
 

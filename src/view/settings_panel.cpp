@@ -420,6 +420,7 @@ void settingsPanel(ViewerState& state, PanelResult& result) {
   accuracySection(state);
   animationSection(state);
   notesSection(state.layout, state.shown);
+  fileCheckSection(state, result);
   statisticsSection(state);
   windowSection(state);
   ImGui::PopItemWidth();

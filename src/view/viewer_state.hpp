@@ -18,6 +18,7 @@
 #include "scene/camera.hpp"
 #include "scene/pick.hpp"
 #include "shading/features.hpp"
+#include "view/file_check.hpp"
 #include "view/keys.hpp"
 #include "view/listing.hpp"
 #include "view/panel_layout.hpp"
@@ -149,6 +150,7 @@ struct ViewerState {
   Turntable turntable;
   Selection selection;
   SceneTree tree;
+  FileCheck fileCheck;
   Preferences preferences;
   KeyMap keys = usualKeys();
   PanelLayout layout;

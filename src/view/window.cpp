@@ -104,7 +104,7 @@ double waitForEvents(Loop& loop, const Loader& loader, const Viewport& viewport,
     glfwPollEvents();
   else
     glfwWaitEventsTimeout(atWork(viewport, state) || viewport.comingUp || loader.measured.running() ? stepWait
-                          : loader.running()                                                        ? busyWait
+                          : loader.running() || loader.fileCheck.running()                          ? busyWait
                           : viewport.clock.waiting()                                                ? timerWait
                                                                                                     : idle);
   const auto now = std::chrono::steady_clock::now();
@@ -151,6 +151,7 @@ void takeLoaded(Viewport& viewport, ViewerState& state, Loader& loader) {
   if (auto measured = loader.measured.take()) takeMeasured(viewport, state, std::move(*measured));
   if (auto fit = loader.fit.take()) takeFit(viewport, state, std::move(*fit));
   if (auto images = loader.images.take()) takeImages(viewport, state, std::move(*images));
+  if (auto checked = loader.fileCheck.take()) takeFileCheck(state, std::move(*checked));
 }
 
 void nameWhatLoads(const Loader& loader, const Viewport& viewport, const std::string& model, ViewerState& state) {
@@ -244,11 +245,13 @@ bool turn(Loop& loop, ImGuiSession& imgui, Viewport& viewport, ViewerState& stat
   glfwGetWindowSize(loop.window, &width, &height);
   const Flight flight{flightDirection(loop, state.keys) * seconds, isDown(loop.window, GLFW_KEY_LEFT_SHIFT)};
   Actions actions = control(input, flight, currentView(viewport, state), height, state);
-  const bool wasLoading = loader.running() || viewport.comingUp || viewport.clock.waiting();
+  const bool wasLoading =
+      loader.running() || loader.fileCheck.running() || viewport.comingUp || viewport.clock.waiting();
   takeLoaded(viewport, state, loader);
   const bool reloaded = shadersChanged(loop.shaders, loop.last);
   if (reloaded) reloadShaders(viewport, state);
   followFiles(loop, viewport, loader);
+  followFileCheck(state, loader);
   tellBrowser(loop, state);
   const bool collected = collect(loop.browser);
   if (const std::string only = takeDropped(loop.browser, state); !only.empty()) actions.model = only;

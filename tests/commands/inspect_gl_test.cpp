@@ -61,3 +61,46 @@ TEST_CASE("facet inspect --brdf: as text, and what is wrong") {
   CHECK_THAT(none.text, Catch::Contains("perhaps lambert is meant"));
   CHECK(test::runFacet({"inspect", "builtin:metals", "--variant", "x", "--brdf", "builtin:lambert"}).status == 2);
 }
+
+TEST_CASE("facet inspect: what is wrong with a file, as text and as JSON") {
+  const test::TemporaryFolder folder;
+  test::GltfBuilder builder = textured();
+  builder.json["accessors"][0].update({{"min", {0, 0, 0}}, {"max", {1, 2, 0}}});
+  const std::string model = folder.write("m.glb", builder.glb()).string();
+  const nlohmann::json out = nlohmann::json::parse(test::runFacet({"inspect", model, "--json"}).text)["validation"];
+  CHECK(out["errors"] == 1);
+  CHECK(out["leftOut"] == 0);
+  CHECK(out["findings"][0] == nlohmann::json{{"severity", "error"},
+                                             {"code", "ACCESSOR_MAX_MISMATCH"},
+                                             {"pointer", "/accessors/0/max/1"},
+                                             {"message", "says 2, but it is 1"},
+                                             {"remedy", "write max as it is"},
+                                             {"node", 0}});
+  CHECK(out["texelDensity"][0]["median"] == 1);
+  CHECK(out["textureBytes"] == 2 * 16 / 3);
+  CHECK(test::runFacet({"inspect", model}).status == 0);
+  const test::Outcome strict = test::runFacet({"inspect", model, "--strict"});
+  CHECK(strict.status == 2);
+  CHECK_THAT(strict.text,
+             Catch::Contains("error ACCESSOR_MAX_MISMATCH: /accessors/0/max/1: says 2, but it is 1; write max"));
+}
+
+TEST_CASE("facet inspect: many of one kind, and --all of them") {
+  const test::TemporaryFolder folder;
+  test::GltfBuilder builder = test::triangle();
+  for (int i = 0; i < 8; ++i) builder.append("nodes", nlohmann::json::object());
+  const std::string model = folder.write("m.glb", builder.glb()).string();
+  CHECK_THAT(test::runFacet({"inspect", model}).text, Catch::Contains("and 3 more of NODE_EMPTY: --all lists them"));
+  CHECK_THAT(test::runFacet({"inspect", model, "--all"}).text, Catch::Contains("NODE_EMPTY: /nodes/8: holds nothing"));
+}
+
+TEST_CASE("facet inspect: a file that is refused is told about, too") {
+  const test::TemporaryFolder folder;
+  test::GltfBuilder builder = test::triangle();
+  builder.json["accessors"][0]["bufferView"] = 7;
+  const std::string model = folder.write("m.glb", builder.glb()).string();
+  const test::Outcome outcome = test::runFacet({"inspect", model});
+  CHECK(outcome.status == 2);
+  CHECK_THAT(outcome.text, Catch::Contains("UNRESOLVED_REFERENCE: /accessors/0/bufferView: names 7, but there are 1"));
+  CHECK_THAT(outcome.text, Catch::Contains("buffer view 7 does not exist"));
+}

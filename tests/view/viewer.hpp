@@ -33,6 +33,8 @@ struct Viewer {
       if (auto fit = loader.fit.take()) view::takeFit(viewport, state, std::move(*fit));
       if (auto images = loader.images.take()) view::takeImages(viewport, state, std::move(*images));
       view::bringUp(viewport, state, loader);
+      view::followFileCheck(state, loader);
+      if (auto checked = loader.fileCheck.take(state.fileCheck.wanted)) view::takeFileCheck(state, std::move(*checked));
       if (!loader.running() && !viewport.comingUp) break;
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }

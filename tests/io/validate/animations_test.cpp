@@ -1,0 +1,55 @@
+#include "support/broken_gltf.hpp"
+
+using namespace facet;
+
+TEST_CASE("Validation: animations, broken", "[io][validate]") {
+  test::check({
+      {R"({"/animations/0/channels": []})",
+       {"EMPTY_ENTITY /animations/0/channels", "UNUSED_OBJECT /animations/0/samplers/0",
+        "UNUSED_OBJECT /animations/0/samplers/1", "UNUSED_OBJECT /animations/0/samplers/2",
+        "UNUSED_OBJECT /animations/0/samplers/3"}},
+      {R"({"/animations/0/channels": "[removed]"})", {"UNDEFINED_PROPERTY /animations/0"}},
+      {R"({"/animations/0/channels/0/sampler": 9})",
+       {"UNRESOLVED_REFERENCE /animations/0/channels/0/sampler", "UNUSED_OBJECT /animations/0/samplers/0"}},
+      {R"({"/animations/0/channels/0/sampler": "[removed]"})",
+       {"UNDEFINED_PROPERTY /animations/0/channels/0", "UNUSED_OBJECT /animations/0/samplers/0"}},
+      {R"({"/animations/0/channels/0/target/node": 99})",
+       {"UNRESOLVED_REFERENCE /animations/0/channels/0/target/node"}},
+      {R"({"/animations/0/channels/0/target/path": "spin"})",
+       {"VALUE_NOT_IN_LIST /animations/0/channels/0/target/path"}},
+      {R"({"/animations/0/channels/0/target/path": "scale"})",
+       {"ANIMATION_SAMPLER_OUTPUT_ACCESSOR_INVALID_FORMAT /animations/0/channels/0/sampler"}},
+      {R"({"/animations/0/channels/0/target/path": "[removed]"})",
+       {"UNDEFINED_PROPERTY /animations/0/channels/0/target"}},
+      {R"({"/animations/0/channels/1/target/path": "rotation"})",
+       {"ANIMATION_DUPLICATE_TARGETS /animations/0/channels/0/target",
+        "ANIMATION_SAMPLER_OUTPUT_ACCESSOR_INVALID_FORMAT /animations/0/channels/1/sampler"}},
+      {R"({"/animations/0/channels/2/target/node": 3})",
+       {"ANIMATION_CHANNEL_TARGET_NODE_WEIGHTS_NO_MORPHS /animations/0/channels/2/target"}},
+      {R"({"/animations/0/channels/1/target/node": 7})",
+       {"ANIMATION_CHANNEL_TARGET_NODE_MATRIX /animations/0/channels/1/target"}},
+      {R"({"/animations/0/channels/1/target/node": 0})",
+       {"ANIMATION_CHANNEL_TARGET_NODE_SKIN /animations/0/channels/1/target/path"}},
+      {R"({"/animations/0/samplers/0/input": 1})",
+       {"ACCESSOR_USAGE_OVERRIDE /animations/0/samplers/0/input",
+        "ANIMATION_SAMPLER_INPUT_ACCESSOR_INVALID_FORMAT /animations/0/samplers/0/input",
+        "ANIMATION_SAMPLER_INPUT_ACCESSOR_WITHOUT_BOUNDS /animations/0/samplers/0/input",
+        "BUFFER_VIEW_TARGET_OVERRIDE /animations/0/samplers/0/input"}},
+      {R"({"/animations/0/samplers/0/output": 0})",
+       {"ACCESSOR_USAGE_OVERRIDE /animations/0/samplers/0/output",
+        "ANIMATION_SAMPLER_OUTPUT_ACCESSOR_INVALID_FORMAT /animations/0/channels/0/sampler",
+        "BUFFER_VIEW_TARGET_OVERRIDE /animations/0/samplers/0/output", "UNUSED_OBJECT /accessors/11"}},
+      {R"({"/animations/0/samplers/0/interpolation": "CUBIC"})",
+       {"VALUE_NOT_IN_LIST /animations/0/samplers/0/interpolation"}},
+      {R"({"/animations/0/samplers/3/interpolation": "LINEAR"})",
+       {"ANIMATION_SAMPLER_OUTPUT_ACCESSOR_INVALID_COUNT /animations/0/channels/3/sampler"}},
+      {R"({"/animations/0/samplers/-": {"input": 10, "output": 11}})", {"UNUSED_OBJECT /animations/0/samplers/4"}},
+      {R"({"/animations/0/samplers/0/input": "[removed]"})", {"UNDEFINED_PROPERTY /animations/0/samplers/0"}},
+      {R"({"/extensionsUsed/-": "KHR_animation_pointer", "/animations/0/channels/1/target": {"node": 1, "path": "pointer", "extensions": {"KHR_animation_pointer": {"pointer": "/nodes/1/translation"}}}})",
+       {"KHR_ANIMATION_POINTER_ANIMATION_CHANNEL_TARGET_NODE "
+        "/animations/0/channels/1/target/extensions/KHR_animation_pointer"}},
+      {R"({"/extensionsUsed/-": "KHR_animation_pointer", "/animations/0/channels/1/target": {"path": "translation", "extensions": {"KHR_animation_pointer": {"pointer": "/nodes/1/translation"}}}})",
+       {"KHR_ANIMATION_POINTER_ANIMATION_CHANNEL_TARGET_PATH "
+        "/animations/0/channels/1/target/extensions/KHR_animation_pointer"}},
+  });
+}
