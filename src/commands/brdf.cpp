@@ -23,20 +23,20 @@ namespace fs = std::filesystem;
 
 struct BrdfArguments {
   std::vector<std::string> files;
-  std::string brdfDir, format, plot, metric = "log", utiaDecode = "raw", synthesize, output;
+  std::string brdfDir, format, table, plot, metric = "log", utiaDecode = "raw", synthesize, output;
   bool fit = false;
 };
 
 constexpr std::string_view metricNames[] = {"log", "cuberoot"};
 
 struct Choices {
-  const TableFormat* format;
+  TableFormat format;
   optics::FitMetric metric;
   io::MeasuredOptions reading;
 };
 
 Result<Choices> choicesOf(const BrdfArguments& arguments) {
-  const Result<const TableFormat*> format = tableFormat(arguments.format);
+  const Result<TableFormat> format = tableFormat(arguments.format);
   if (!format) return tl::unexpected(format.error());
   const auto metric = std::find(std::begin(metricNames), std::end(metricNames), arguments.metric);
   if (metric == std::end(metricNames))
@@ -96,6 +96,15 @@ Result<std::vector<std::string>> expanded(const BrdfArguments& arguments) {
     files.push_back(*resolved);
   }
   return files;
+}
+
+int print(const BrdfArguments& arguments, const Choices& choices, std::vector<report::Table> tables) {
+  const Result<std::vector<report::Table>> chosen = chosenTables(std::move(tables), arguments.table);
+  if (!chosen) return badInput(chosen.error());
+  const Result<std::string> text = tablesText(choices.format, *chosen, originOfProcess());
+  if (!text) return badInput(text.error());
+  std::cout << *text << std::flush;
+  return exitGood;
 }
 
 // How bright each way of reading makes a UTIA file: only one at most is right.
@@ -162,11 +171,11 @@ int describeAll(const BrdfArguments& arguments, const Choices& choices, const st
   if (tables.empty()) return status;
   if (!arguments.plot.empty()) {
     const Result<void> written =
-        writeText(arguments.plot, report::svg(std::vector{slices.thetaH, slices.thetaD, slices.inPlane}));
+        writeText(arguments.plot, report::svg({slices.thetaH, slices.thetaD, slices.inPlane}, originOfProcess()));
     if (!written) return badInput(written.error());
   }
-  std::cout << choices.format->write(tables) << std::flush;
-  return status;
+  const int shown = print(arguments, choices, std::move(tables));
+  return shown == exitGood ? status : shown;
 }
 
 int runBrdf(const BrdfArguments& arguments) {
@@ -178,8 +187,7 @@ int runBrdf(const BrdfArguments& arguments) {
   if (!arguments.output.empty())
     return badInput({{}, "-o", "only --synthesize writes a file there", "--plot writes the slices"});
   if (arguments.files.empty()) {
-    std::cout << choices->format->write({databases(arguments)}) << std::flush;
-    return exitGood;
+    return print(arguments, *choices, {databases(arguments)});
   }
   const Result<std::vector<std::string>> files = expanded(arguments);
   if (!files) return badInput(files.error());
@@ -205,6 +213,7 @@ std::function<int()> addBrdf(CLI::App& app) {
   app.add_option("--synthesize", arguments->synthesize, "write the built-in BRDF of that name as a file")
       ->type_name("BRDF");
   app.add_option("-o,--output", arguments->output, "where --synthesize writes")->type_name("FILE");
+  app.add_option("--table", arguments->table, "only that one of its tables (all)")->type_name("TABLE");
   app.add_option("--format", arguments->format, "how tables are written (markdown)")
       ->type_name(alternatives(tableFormatNames()));
   return [arguments] { return runBrdf(*arguments); };

@@ -41,15 +41,20 @@ constexpr Command commandTable[] = {
     {"brdf", "what is in measured BRDFs (MERL, UTIA): energy, reciprocity, slices, fitted models",
      "  facet brdf\n"
      "  facet brdf gold-metallic-paint.binary --fit --plot gold.svg\n"
-     "  facet brdf resources/brdf/merl --format csv > merl.csv\n"
+     "  facet brdf resources/brdf/merl --table albedo --format csv > merl.csv\n"
      "  facet brdf builtin:ggx-0.35 --fit --metric cuberoot\n"
      "  facet brdf --synthesize utia-brushed -o brushed.bin",
      addBrdf},
     {"report", "how far each approximate formula is from its truth, as tables",
      "  facet report fresnel\n"
-     "  facet report diffuse --format csv -o diffuse.csv\n"
+     "  facet report diffuse -o diffuse.csv\n"
      "  facet report ndf --format json",
      addReport},
+    {"sweep", "error against run time: models x environments x methods x samples, against references",
+     "  facet sweep --models helmet.glb --environments studio.hdr,sky.hdr -o sweep\n"
+     "  facet sweep --method mirror:image-light=mirror,visibility=none --method paths:light=paths -o sweep\n"
+     "  facet sweep plan.json --samples 4,8,16,32,64 --reference light=paths,samples=4096 -o sweep",
+     addSweep},
     {"selftest", "numerical stability: every shader function on this GPU against double precision",
      "  facet selftest\n"
      "  facet selftest --json > selftest.json\n"

@@ -10,6 +10,7 @@
 
 #include "base/log.hpp"
 #include "base/nearest.hpp"
+#include "base/origin_json.hpp"
 #include "base/text.hpp"
 #include "commands/commands.hpp"
 #include "compare/metrics.hpp"
@@ -69,6 +70,7 @@ bool passes(const Task& task, const Comparison& c) {
 
 void printJson(const CompareSettings& settings, const Task& task, const Comparison& c) {
   nlohmann::ordered_json json;
+  json["origin"] = originJson(originOfProcess());
   json["reference"] = settings.reference;
   json["picture"] = settings.picture;
   json["pixels"] = c.pixels;

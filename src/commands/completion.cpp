@@ -48,6 +48,9 @@ struct ValueKind {
 };
 constexpr ValueKind valueKinds[] = {
     {"MODEL", "glb gltf", true, builtinModels},
+    {"MODEL,...", "glb gltf", true, builtinModels},
+    {"ENV,...", "hdr exr", true, builtinEnvironments},
+    {"FILE.json", "json", true},
     {"FOLDER", {}, true},
     {"DIR", {}, true},
     {"FILE", "*", true},

@@ -10,6 +10,7 @@
 
 #include "base/log.hpp"
 #include "base/nearest.hpp"
+#include "base/origin.hpp"
 #include "base/text.hpp"
 #include "options/picture_options.hpp"
 
@@ -135,7 +136,7 @@ int parseAndRun(std::span<const Command> table, int argc, char** argv) {
   log::setLevel(log::Level::info);
   if (auto checked = checkCommandName(table, argc, argv); !checked) return badInput(checked.error());
   CLI::App root("facet: physically based pictures of glTF models", "facet");
-  root.set_version_flag("--version", "facet " FACET_VERSION);
+  root.set_version_flag("--version", "facet " + programVersion() + ", commit " + programCommit());
   std::string level = "info";
   const std::vector<ChosenCommand> choices = addCommands(root, table, level);
   const auto chosen = [&]() -> const ChosenCommand& {

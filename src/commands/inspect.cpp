@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/log.hpp"
+#include "base/origin_json.hpp"
 #include "commands/commands.hpp"
 #include "commands/inspect_findings.hpp"
 #include "commands/inspect_parts.hpp"
@@ -227,6 +228,7 @@ int runInspect(const InspectArguments& arguments) {
   out["images"] = describeImages(model, frame::missingImages(model, list, {}));
   if (arguments.asJson) {
     out["validation"] = describeValidation(*report);
+    out["origin"] = originJson(originOfProcess());
     std::cout << out.dump(2, ' ', false, Json::error_handler_t::replace) << std::endl;
   } else {
     print(out);

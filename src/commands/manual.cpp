@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "base/nearest.hpp"
+#include "base/origin.hpp"
 #include "base/text.hpp"
 #include "base/whole_file.hpp"
 #include "commands/dispatch.hpp"
@@ -128,7 +129,7 @@ std::string manualName(const CommandText& command) { return command.name.empty()
 std::string manualPage(const CommandText& command, std::span<const CommandText> all) {
   std::string title = manualName(command);
   std::ranges::transform(title, title.begin(), [](char c) { return c >= 'a' && c <= 'z' ? char(c - 32) : c; });
-  std::string page = ".TH " + asText(title) + " 1 \"\" \"facet " FACET_VERSION "\" \"facet\"\n";
+  std::string page = ".TH " + asText(title) + " 1 \"\" \"facet " + programVersion() + "\" \"facet\"\n";
   const std::string summary = command.name.empty() ? "physically based pictures of glTF models" : command.summary;
   page += ".SH NAME\n" + asText(manualName(command)) + " \\- " + asText(summary) + "\n";
   page += ".SH SYNOPSIS\n" + synopsis(command);

@@ -222,6 +222,7 @@ int runSuite(const RegressArguments& arguments) {
   compare::removeReports(results);
 
   RegressionReport report;
+  report.origin = originOfProcess();
   report.suite = suite->name;
   report.shard = parseShard(arguments.shard)->index, report.shards = parseShard(arguments.shard)->count;
   report.stale = staleBaselines(*suite);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/log.hpp"
+#include "base/origin_json.hpp"
 #include "base/whole_file.hpp"
 #include "commands/commands.hpp"
 #include "commands/jobs.hpp"
@@ -46,11 +47,26 @@ double steadyFrameMs(const std::vector<double>& frameMs) {
   return (steady[(steady.size() - 1) / 2] + steady[steady.size() / 2]) / 2;
 }
 
+// The same for the same picture: without a date, and wherever it is written to.
+Origin pictureOrigin(const Job& job, const frame::Session& session) {
+  return {.version = programVersion(),
+          .commit = programCommit(),
+          .renderer = session.context().renderer,
+          .driver = session.context().version,
+          .command = options::commandLine(job.settings, job.model, "picture" + job.output.extension().string()),
+          .environment = session.environmentName(),
+          .model = job.model,
+          .seed = job.settings.quality.seed};
+}
+
 nlohmann::ordered_json statsJson(const Job& job, const frame::Session& session, const frame::Picture& picture,
                                  const Stages& stages, const Notes& notes) {
   using Json = nlohmann::ordered_json;
   const frame::PictureStatistics& s = picture.statistics;
   Json out;
+  Origin origin = pictureOrigin(job, session);
+  origin.date = originOfProcess().date;
+  out["origin"] = originJson(origin);
   out["model"] = job.model;
   out["environment"] = session.environmentName();
   out["command"] = options::commandLine(job.settings, job.model, job.output.string());
@@ -128,8 +144,9 @@ nlohmann::ordered_json statsJson(const Job& job, const frame::Session& session, 
   return out;
 }
 
-Result<void> writeOutput(const Job& job, const frame::Picture& picture) {
-  return isExr(job.output) ? io::writeExr(job.output, picture.radiance) : io::writePng(job.output, picture.display);
+Result<void> writeOutput(const Job& job, const frame::Session& session, const frame::Picture& picture) {
+  return isExr(job.output) ? io::writeExr(job.output, picture.radiance, pictureOrigin(job, session))
+                           : io::writePng(job.output, picture.display);
 }
 
 // What was repaired or is missing; true where there was a warning.
@@ -180,7 +197,7 @@ Result<JobOutcome> runJob(const Job& job, int repeat, bool last, frame::Session&
         {Note::Severity::warning, "", std::to_string(picture->statistics.nonFinitePixels) + " pixels are not finite"});
   const std::string reached = tellReached(job, *picture, notes);
   const bool warned = tell(job.model, notes);
-  if (Result<void> written = writeOutput(job, *picture); !written) return tl::unexpected(written.error());
+  if (Result<void> written = writeOutput(job, session, *picture); !written) return tl::unexpected(written.error());
   stages.mark("write");
   if (!job.stats.empty()) {
     const std::string text =

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,8 @@ namespace facet::commands {
 namespace {
 
 struct ReportArguments {
-  std::string topic, format, output, environment, model, shaderDir;
+  std::string topic, table, format, output, environment, model, shaderDir;
+  std::optional<int> size, samples, repeat;  // of pictures
 };
 
 // The topic of that name; none given: all of them.
@@ -36,52 +38,46 @@ Result<std::vector<const report::Topic*>> chosenTopics(const std::string& wanted
   return fail({}, inQuotes(wanted), "there is no such topic", suggestion(wanted, names));
 }
 
-// Of what goes to the terminal or into one file: by --format, else by the file's ending. Null: -o is a folder, because
-// it is one, or ends in a slash, or has no ending.
-Result<const TableFormat*> chosenFormat(const ReportArguments& arguments) {
+// Of what goes to the terminal or into one file: by --format, else by the file's ending. Nothing: -o is a folder,
+// because it is one, or ends in a slash, or has no ending.
+Result<std::optional<TableFormat>> chosenFormat(const ReportArguments& arguments) {
   if (arguments.output.empty()) return tableFormat(arguments.format);
   const std::filesystem::path path(arguments.output);
   std::error_code error;
   if (std::filesystem::is_directory(path, error) || !path.has_filename()) {
-    if (arguments.format.empty()) return nullptr;
+    if (arguments.format.empty()) return std::nullopt;
     return fail(arguments.output, "--format", "a folder gets all formats", "leave --format out, or name a file");
   }
   if (!arguments.format.empty()) return tableFormat(arguments.format);
   const std::string extension = path.extension().string();
-  if (extension.empty()) return nullptr;
-  for (const TableFormat& format : tableFormats())
-    if (extension == format.extension) return &format;
+  if (extension.empty()) return std::nullopt;
+  for (const TableFormatRow& row : tableFormats())
+    if (extension == row.extension) return row.format;
   return fail(arguments.output, "-o", "a report is no " + extension + " file",
               extension == ".svg" ? "name a folder: it gets the plots as SVG beside the tables"
                                   : "end it in .md, .csv or .json, or name a folder");
 }
 
-// report.md with the plots below the tables, report.csv, report.json, a file for each plot.
-Result<void> writeFolder(const std::filesystem::path& folder, const report::Report& made) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) return fail(folder.string(), {}, "cannot be made: " + error.message(), "choose another folder");
-  for (const TableFormat& format : tableFormats()) {
-    std::string text = format.write(made.tables);
-    if (format.write == report::markdown)
-      for (const report::NamedPlot& plot : made.plots)
-        text += "\n### " + plot.title + "\n\n![" + plot.title + "](" + plot.name + ".svg)\n";
-    if (Result<void> r = writeText(folder / ("report" + std::string(format.extension)), text); !r) return r;
-  }
-  for (const report::NamedPlot& plot : made.plots)
-    if (Result<void> r = writeText(folder / (plot.name + ".svg"), plot.svg); !r) return r;
-  return {};
+Origin originOf(const report::ReportInput& input, const std::vector<const report::Topic*>& topics) {
+  Origin origin = originOfProcess();
+  if (!input.session) return origin;
+  origin.renderer = input.session->context().renderer, origin.driver = input.session->context().version;
+  origin.environment = input.environment;
+  origin.model = input.model.empty() && topics.size() == 1 ? std::string(topics.front()->usualModel) : input.model;
+  origin.seed = 0;
+  return origin;
 }
 
 int runReport(const ReportArguments& arguments) {
   const auto topics = chosenTopics(arguments.topic);
   if (!topics) return badInput(topics.error());
-  const Result<const TableFormat*> format = chosenFormat(arguments);
+  const Result<std::optional<TableFormat>> format = chosenFormat(arguments);
   if (!format) return badInput(format.error());
   report::ReportInput input;
   if (!arguments.environment.empty()) input.environment = arguments.environment;
   if (!arguments.model.empty()) input.model = arguments.model;
   input.shaderDir = arguments.shaderDir;
+  input.size = arguments.size, input.samples = arguments.samples, input.repeat = arguments.repeat;
   input.progress = [](const std::string& what) { log::info(what); };
   std::unique_ptr<frame::Session> session;
   if (std::ranges::any_of(*topics, &report::Topic::needsOpenGL)) {
@@ -93,17 +89,23 @@ int runReport(const ReportArguments& arguments) {
     session = std::move(*made);
     input.session = session.get();
   }
-  std::vector<report::ReportPart> parts;
-  for (const report::Topic* topic : *topics) parts.push_back(topic->make);
-  const Result<report::Report> made = report::joined(parts, input);
+  Result<report::Report> made = report::reportOf(*topics, input);
   if (!made) return badInput(made.error());
-  const report::Report& whole = *made;
-  if (*format && arguments.output.empty()) {
-    std::cout << (*format)->write(whole.tables) << std::flush;
+  Result<std::vector<report::Table>> tables = chosenTables(std::move(made->tables), arguments.table);
+  if (!tables) return badInput(tables.error());
+  made->tables = std::move(*tables);
+  const Origin origin = originOf(input, *topics);
+  if (!*format) {
+    const Result<void> written = writeReport(arguments.output, *made, origin);
+    return written ? exitGood : badInput(written.error());
+  }
+  const Result<std::string> text = tablesText(**format, made->tables, origin);
+  if (!text) return badInput(text.error());
+  if (arguments.output.empty()) {
+    std::cout << *text << std::flush;
     return exitGood;
   }
-  const Result<void> written =
-      *format ? writeText(arguments.output, (*format)->write(whole.tables)) : writeFolder(arguments.output, whole);
+  const Result<void> written = writeText(arguments.output, *text);
   return written ? exitGood : badInput(written.error());
 }
 
@@ -121,12 +123,19 @@ std::function<int()> addReport(CLI::App& app) {
                  "the model of the pictures that are compared (builtin:spheres; frame: builtin:marbles; visibility: "
                  "builtin:poster)")
       ->type_name("MODEL");
+  const auto whole = [&](const char* name, std::optional<int>& value, const char* help, int least, int most) {
+    app.add_option(name, value, help)->type_name("N")->check(CLI::Range(least, most).description(""));
+  };
+  whole("--size", arguments->size, "of pictures, pixels along an edge (the topic's own, 48 to 512)", 1, 16384);
+  whole("--samples", arguments->samples, "a pixel of the pictures that others are compared with (256 to 512)", 2, 4096);
+  whole("--repeat", arguments->repeat, "further frames, for timing (3 or 4)", 1, 1000);
+  app.add_option("--table", arguments->table, "only that one of its tables (all)")->type_name("TABLE");
   app.add_option("--format", arguments->format, "how tables are written (by the file's ending, else markdown)")
       ->type_name(alternatives(tableFormatNames()));
-  app.add_option(
-         "-o,--output", arguments->output,
-         "a file (.md, .csv, .json) in the place of the terminal; a name without ending is a folder for all of them "
-         "and the plots")
+  app.add_option("-o,--output", arguments->output,
+                 "a file (.md, .json, or .csv of one table) in the place of the terminal; a name without ending is a "
+                 "folder for "
+                 "all of them, each table as CSV, and the plots")
       ->type_name("PATH");
   app.add_option("--shader-dir", arguments->shaderDir, "read the shaders from here")->type_name("DIR");
   return [arguments] { return runReport(*arguments); };

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/log.hpp"
+#include "base/origin_json.hpp"
 #include "commands/commands.hpp"
 #include "gl/context.hpp"
 #include "selftest/corners.hpp"
@@ -52,7 +53,10 @@ void printJson(const gl::ContextInfo& context, const std::vector<CheckResult>& r
     function[entry.check.empty() ? "reason" : "through"] =
         entry.check.empty() ? Json(entry.reason) : Json(entry.through);
   }
+  Origin origin = originOfProcess();
+  origin.renderer = context.renderer, origin.driver = context.version;
   const Json out = {
+      {"origin", originJson(origin)},
       {"opengl", {{"platform", context.platform}, {"renderer", context.renderer}, {"version", context.version}}},
       {"passed", passed},
       {"checks", checks},

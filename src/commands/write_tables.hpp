@@ -9,20 +9,30 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "report/table.hpp"
+#include "report/topics.hpp"
 
 namespace facet::commands {
 
-struct TableFormat {
-  std::string_view name, extension;
-  std::string (*write)(const std::vector<report::Table>&);
+enum class TableFormat { markdown, csv, json };
+struct TableFormatRow {
+  TableFormat format;
+  std::string_view word, extension;
 };
-std::span<const TableFormat> tableFormats();  // Markdown first
-
+std::span<const TableFormatRow> tableFormats();  // Markdown first
 std::vector<std::string_view> tableFormatNames();
 
 // By the value of --format; empty: Markdown.
-Result<const TableFormat*> tableFormat(std::string_view name);
+Result<TableFormat> tableFormat(std::string_view word);
+
+// The one of that name; empty: all. Errors: there is none of it.
+Result<std::vector<report::Table>> chosenTables(std::vector<report::Table> tables, const std::string& wanted);
+
+// Errors: of several tables none can be CSV, which holds one.
+Result<std::string> tablesText(TableFormat format, const std::vector<report::Table>& tables, const Origin& origin);
+
+// Into a folder, which is made: report.md with the plots above the tables, report.json, a CSV for each table, an SVG
+// for each plot.
+Result<void> writeReport(const std::filesystem::path& folder, const report::Report& made, const Origin& origin);
 
 // A whole file.
 Result<void> writeText(const std::filesystem::path& path, std::string_view text);

@@ -5,6 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "base/origin_json.hpp"
 #include "base/whole_file.hpp"
 
 namespace facet::compare {
@@ -100,6 +101,7 @@ std::string otherRenderers(const RegressionReport& report) {
 
 std::string reportJson(const RegressionReport& report) {
   Json out;
+  out["origin"] = originJson(report.origin);
   out["suite"] = report.suite;
   out["good"] = report.good();
   out["renderer"] = report.renderer;

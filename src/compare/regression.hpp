@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/origin.hpp"
 
 namespace facet::compare {
 
@@ -43,6 +44,7 @@ struct JobResult {
 struct RegressionReport {
   std::string suite;     // its folder's name
   std::string renderer;  // OpenGL's
+  Origin origin;         // of this report
   int shard = 1, shards = 1;
   std::vector<JobResult> jobs;       // in the suite's order
   std::vector<std::string> stale;    // baselines of no job

@@ -132,6 +132,8 @@ std::string reportHtml(const RegressionReport& report) {
   std::string page = head + ("<title>" + escaped(report.suite) + ": " + totals(report) + "</title></head><body>\n");
   page += "<h1>" + escaped(report.suite) + " <span class=\"" + mood + "\">" + totals(report) + "</span></h1>";
   page += "<p class=\"quiet\">" + escaped(report.renderer);
+  for (const auto& [name, value] : originFields(report.origin))
+    if (!value.empty() && name != "renderer") page += ", " + name + " " + escaped(value);
   if (report.shards > 1) page += ", shard " + std::to_string(report.shard) + " of " + std::to_string(report.shards);
   page += "</p>\n";
   if (const std::string others = otherRenderers(report); !others.empty())

@@ -64,7 +64,7 @@ ErrorEstimate errorEstimate(std::span<const PartDifference> parts) {
   const Fall fall = errorByFall(parts);
   const double likely = 255 * std::pow(independent * fall.square, 0.25);
   const double variance = all.fourths / (all.squares * all.squares);
-  const double unmet = 1 + 1.0 / (all.first + all.next);  // what few draws have not met
+  const double unmet = 1 + 0.5 / (all.first + all.next);  // what few draws have not met
   return {likely, likely * unmet * std::sqrt(mostOverSum(variance)), fall.rate};
 }
 

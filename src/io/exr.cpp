@@ -10,6 +10,7 @@
 #include <ImfPartType.h>
 #include <ImfRgbaFile.h>
 #include <ImfStandardAttributes.h>
+#include <ImfStringAttribute.h>
 #include <ImfThreading.h>
 
 #include <algorithm>
@@ -260,10 +261,12 @@ Result<RadianceImage> decodeExr(Bytes bytes, const std::string& name, const Limi
   }
 }
 
-Result<void> writeExr(const std::filesystem::path& path, const RadianceImage& image) {
+Result<void> writeExr(const std::filesystem::path& path, const RadianceImage& image, const Origin& origin) {
   try {
     Imf::Header header(image.width, image.height);
     header.compression() = Imf::ZIP_COMPRESSION;
+    for (const auto& [name, value] : originFields(origin))
+      if (!value.empty()) header.insert(name, Imf::StringAttribute(value));
     Imf::FrameBuffer buffer;
     const char* names[] = {"R", "G", "B", "A"};
     for (int c = 0; c < 4; ++c) {

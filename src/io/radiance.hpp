@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/origin.hpp"
 #include "io/gltf.hpp"
 #include "optics/color_space.hpp"
 #include "scene/environment.hpp"
@@ -38,7 +39,8 @@ void applyColorMatrix(RadianceImage& image, const glm::dmat3& matrix);
 Result<scene::Environment> loadEnvironment(const std::filesystem::path& path, Notes& notes, const Limits& limits = {},
                                            const std::string& layer = {});
 
-// 32-bit float RGBA, whole or not at all (base/whole_file.hpp). Errors: the file cannot be written.
-Result<void> writeExr(const std::filesystem::path& path, const RadianceImage& image);
+// 32-bit float RGBA, whole or not at all (base/whole_file.hpp), with what is known of its origin as attributes of the
+// header. Errors: the file cannot be written.
+Result<void> writeExr(const std::filesystem::path& path, const RadianceImage& image, const Origin& origin = {});
 
 }  // namespace facet::io

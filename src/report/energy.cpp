@@ -94,7 +94,56 @@ Table furnaceTable(const std::vector<std::pair<Furnace, Furnace>>& found) {
 
 constexpr size_t walks = 1 << 16;
 
-Table metalEnergyTable() {
+struct WalkedPlace {
+  double r, NoV;
+  optics::WalkedAlbedo truth;
+  optics::Dfg dfg;
+};
+struct WalkedMetal {
+  std::string name;
+  glm::dvec3 f0;
+  std::vector<WalkedPlace> places;
+  glm::dvec3 error(EnergyModel model, const WalkedPlace& p) const {
+    return optics::specularAlbedo(model, p.dfg, p.r * p.r, f0) - p.truth.single - p.truth.multiple;
+  }
+};
+
+constexpr double walkedRoughnesses[] = {0.3, 0.5, 0.7, 0.85, 1.0};
+
+WalkedMetal walkedMetal(const std::string& name) {
+  WalkedMetal metal{name, optics::findMetal(name)->f0(), {}};
+  for (const double r : walkedRoughnesses)
+    for (const double NoV : {0.1, 0.3, 0.6, 1.0}) metal.places.push_back({r, NoV, {}, {}});
+  parallelFor(metal.places.size(), [&](size_t i) {
+    WalkedPlace& p = metal.places[i];
+    p.truth = optics::walkAlbedo(p.NoV, p.r * p.r, metal.f0, 1, walks);
+    p.dfg = optics::integrateDfg(p.NoV, p.r * p.r, 1e-7);
+  });
+  return metal;
+}
+
+Plot metalEnergyPlot(const WalkedMetal& metal) {
+  Plot plot{.title = "Albedo of rough " + metal.name + " by each energy model, against a random walk",
+            .x = {.label = "roughness"},
+            .y = {.label = "root mean square error over NoV and channels", .logarithmic = true}};
+  for (const Choice<EnergyModel>& energy : optics::energyModels) {
+    if (energy.value == EnergyModel::automatic) continue;
+    Series series{.name = std::string(energy.label), .dots = true};
+    for (const double r : walkedRoughnesses) {
+      double squares = 0, count = 0;
+      for (const WalkedPlace& p : metal.places) {
+        if (p.r != r) continue;
+        const glm::dvec3 error = metal.error(energy.value, p);
+        squares += glm::dot(error, error), count += 3;
+      }
+      series.x.push_back(r), series.y.push_back(std::sqrt(squares / count));
+    }
+    plot.series.push_back(std::move(series));
+  }
+  return plot;
+}
+
+Table metalEnergyTable(const std::vector<WalkedMetal>& metals) {
   Table table{"energy-metal",
               "Energy models of coloured metals against a random walk among the facets",
               "Truth: Heitz et al. 2016, Schlick's F at each facet. Error of the albedo (model - truth) over roughness "
@@ -102,36 +151,22 @@ Table metalEnergyTable() {
               "all channels.",
               {"metal", "model", "largest error", "channel", "roughness", "NoV", "RMSE", "truth's deviation"},
               {}};
-  struct Place {
-    double r, NoV;
-    optics::WalkedAlbedo truth;
-    optics::Dfg dfg;
-  };
-  for (const char* name : {"gold", "copper", "iron"}) {
-    const glm::dvec3 f0 = optics::findMetal(name)->f0();
-    std::vector<Place> places;
-    for (const double r : {0.3, 0.5, 0.7, 0.85, 1.0})
-      for (const double NoV : {0.1, 0.3, 0.6, 1.0}) places.push_back({r, NoV, {}, {}});
-    parallelFor(places.size(), [&](size_t i) {
-      Place& p = places[i];
-      p.truth = optics::walkAlbedo(p.NoV, p.r * p.r, f0, 1, walks);
-      p.dfg = optics::integrateDfg(p.NoV, p.r * p.r, 1e-7);
-    });
+  for (const WalkedMetal& metal : metals) {
+    const std::vector<WalkedPlace>& places = metal.places;
     for (const Choice<EnergyModel>& energy : optics::energyModels) {
       if (energy.value == EnergyModel::automatic) continue;
       double worst = 0, squares = 0, deviation = 0;
-      const Place* at = &places[0];
+      const WalkedPlace* at = &places[0];
       int channel = 0;
-      for (const Place& p : places) {
-        const glm::dvec3 error =
-            optics::specularAlbedo(energy.value, p.dfg, p.r * p.r, f0) - p.truth.single - p.truth.multiple;
+      for (const WalkedPlace& p : places) {
+        const glm::dvec3 error = metal.error(energy.value, p);
         for (int c = 0; c < 3; ++c) {
           squares += error[c] * error[c] / static_cast<double>(3 * places.size());
           deviation = std::max(deviation, p.truth.deviation[c]);
           if (std::abs(error[c]) > std::abs(worst)) worst = error[c], at = &p, channel = c;
         }
       }
-      table.rows.push_back({std::string(name), std::string(energy.label), worst, std::string(1, "RGB"[channel]), at->r,
+      table.rows.push_back({metal.name, std::string(energy.label), worst, std::string(1, "RGB"[channel]), at->r,
                             at->NoV, std::sqrt(squares), deviation});
     }
   }
@@ -145,7 +180,7 @@ constexpr int furnaceSize = 128, furnaceFrames = 4;
 Result<Table> pictureTable(const ReportInput& input) {
   Table table{"energy-pictures",
               "What the energy models change in a picture",
-              modelOr(input, usualModel) + " under " + input.environment +
+              input.model + " under " + input.environment +
                   " alone and under four point lights alone, 128 x 128, against the automatic choice: mean radiance of "
                   "the strongest channel (relative), RMS difference of the sRGB picture in 1/255. Frame: median of 4.",
               {"light", "model", "samples", "mean", "dRMS", "frame ms"},
@@ -161,7 +196,7 @@ Result<Table> pictureTable(const ReportInput& input) {
     for (const Choice<EnergyModel>& energy : optics::energyModels) {
       input.progress(std::string("pictures: ") + way.name + ", " + std::string(energy.label));
       frame::PictureSettings settings;
-      settings.frame.width = settings.frame.height = furnaceSize;
+      settings.frame.width = settings.frame.height = input.size.value_or(furnaceSize);
       settings.sources.environment = way.lights ? "none" : input.environment;
       settings.look.lights = way.lights ? frame::Lights::demo : frame::Lights::none;
       settings.frame.background = frame::Background::transparent;
@@ -170,9 +205,9 @@ Result<Table> pictureTable(const ReportInput& input) {
       settings.look.models.energy = energy.value;
       Notes notes;
       Stages stages;
-      const int repeat = way.samples > 4 ? 0 : furnaceFrames;
-      Result<frame::Picture> picture = input.session->render(modelOr(input, usualModel), settings,
-                                                             {.radiance = true, .repeat = repeat}, notes, stages);
+      const int repeat = way.samples > 4 ? 0 : input.repeat.value_or(furnaceFrames);
+      Result<frame::Picture> picture =
+          input.session->render(input.model, settings, {.radiance = true, .repeat = repeat}, notes, stages);
       if (!picture) return tl::unexpected(picture.error());
       if (energy.value == EnergyModel::automatic) usual = *picture;
       const Result<compare::Comparison> c = compare::comparePictures(usual->radiance, picture->radiance, options);
@@ -224,7 +259,10 @@ Result<Report> energyReport(const ReportInput& input) {
     furnaces.emplace_back(*metal, *dielectric);
   }
   input.progress("coloured metals: the random walk");
-  Report report{{furnaceTable(furnaces), metalEnergyTable()}, {}};
+  std::vector<WalkedMetal> metals;
+  for (const char* name : {"gold", "copper", "iron"}) metals.push_back(walkedMetal(name));
+  Report report{{furnaceTable(furnaces), metalEnergyTable(metals)},
+                {{"energy-metal", {metalEnergyPlot(metals[0]), metalEnergyPlot(metals[1])}}}};
   Result<Table> pictures = pictureTable(input);
   if (!pictures) return tl::unexpected(pictures.error());
   report.tables.push_back(std::move(*pictures));

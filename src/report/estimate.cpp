@@ -141,7 +141,6 @@ Table convergenceTable(const EstimateMeasure& m) {
 }
 
 NamedPlot estimatePlot(const EstimateMeasure& m, const std::string& what) {
-  const std::string title = "Error against samples, " + what;
   Series truth{.name = "true", .dots = true}, likely{.name = "estimated", .dots = true, .dashed = true},
       stated{.name = "stated: up to, 95 %", .dots = true};
   for (const ConvergencePoint& p : m.points) {
@@ -149,21 +148,25 @@ NamedPlot estimatePlot(const EstimateMeasure& m, const std::string& what) {
     truth.y.push_back(100 * p.truth), likely.y.push_back(100 * p.stated.likely / 255),
         stated.y.push_back(100 * p.stated.most / 255);
   }
-  return {"estimate", title,
-          svg(Plot{.title = title,
-                   .x = {.label = "samples a pixel", .logarithmic = true},
-                   .y = {.label = "root mean square error, % of white", .logarithmic = true},
-                   .series = {std::move(truth), std::move(likely), std::move(stated)}})};
+  char slope[32];
+  std::snprintf(slope, sizeof slope, "true, slope %.2f", logSlope(truth));
+  truth.name = slope;
+  Plot plot{.title = "Error against samples, " + what,
+            .x = {.label = "samples a pixel", .logarithmic = true},
+            .y = {.label = "root mean square error, % of white", .logarithmic = true}};
+  plot.series = {std::move(truth), std::move(likely), std::move(stated)};
+  return {"estimate", {std::move(plot)}};
 }
 
 }  // namespace
 
 Result<Report> estimateReport(const ReportInput& input) {
-  const std::string model = modelOr(input, usualModel);
+  const std::string model = input.model;
   PictureSettings settings;
-  settings.frame.width = settings.frame.height = estimateSize;
+  settings.frame.width = settings.frame.height = input.size.value_or(estimateSize);
   settings.sources.environment = input.environment;
-  const EstimateOptions options;
+  EstimateOptions options;
+  options.reference = input.samples.value_or(options.reference);
   const auto draw = [&](const PictureSettings& wanted) {
     const frame::Quality& quality = wanted.quality;
     input.progress("estimate: " + std::to_string(quality.samples) + " samples" +

@@ -63,14 +63,15 @@ Result<std::vector<FilterRow>> measureFilters(const PictureSettings& settings, i
   for (size_t i = 0; i < filters.size(); ++i) {
     std::ranges::sort(times[i]);
     rows[i].milliseconds = times[i][times[i].size() / 2];
+    rows[i].spread = (times[i].back() - times[i].front()) / rows[i].milliseconds;
   }
   return rows;
 }
 
 Result<Report> frameReport(const ReportInput& input) {
-  const std::string model = modelOr(input, "builtin:marbles");
+  const std::string model = input.model;
   PictureSettings settings;
-  settings.frame.width = settings.frame.height = framePixels;
+  settings.frame.width = settings.frame.height = input.size.value_or(framePixels);
   settings.sources.environment = input.environment;
   settings.quality.visibility = frame::Visibility::none;
   const auto draw = [&](const PictureSettings& wanted, int repeat) {
@@ -80,26 +81,36 @@ Result<Report> frameReport(const ReportInput& input) {
     Stages stages;
     return input.session->render(model, wanted, {.radiance = true, .repeat = repeat}, notes, stages);
   };
-  const auto rows = measureFilters(settings, frameSamples, frameRounds, framesARound, draw);
+  const int samples = input.samples.value_or(frameSamples), repeat = input.repeat.value_or(framesARound);
+  const auto rows = measureFilters(settings, samples, frameRounds, repeat, draw);
   if (!rows) return tl::unexpected(rows.error());
   const TextureFilter usual = frame::chooseTextureFilter(TextureFilter::automatic, gl::drawsBySoftware());
   Table table{"frame-textures",
               "Slanted textures",
-              model + " under " + input.environment + ", " + std::to_string(framePixels) + " x " +
-                  std::to_string(framePixels) + ", 4 samples, " + input.session->context().renderer +
+              model + " under " + input.environment + ", " + std::to_string(settings.frame.width) + " x " +
+                  std::to_string(settings.frame.height) + ", 4 samples, " + input.session->context().renderer +
                   ". Error: of the sRGB picture in 1/255 (dRMSE) and mean FLIP, of the base colour alone and of the "
                   "whole picture, against " +
-                  std::to_string(frameSamples) +
+                  std::to_string(samples) +
                   " samples a pixel; the whole has in common what the light's look-ups are off by. Time: of a frame, "
                   "median of alternating runs, and its ratio to isotropic filtering. * what --texture-filter auto is "
                   "here.",
-              {"filter", "colour dRMSE", "colour FLIP", "dRMSE", "FLIP", "ms", "time", "auto"},
+              {"filter", "colour dRMSE", "colour FLIP", "dRMSE", "FLIP", "ms", "spread %", "time", "auto"},
               {}};
   for (const FilterRow& row : *rows)
     table.rows.push_back({std::string(rowOf(frame::textureFilters, row.filter).word), row.colorRms, row.colorFlip,
-                          row.rms, row.flip, row.milliseconds, row.milliseconds / rows->front().milliseconds,
-                          std::string(row.filter == usual ? "*" : "")});
-  return Report{{std::move(table)}, {}};
+                          row.rms, row.flip, row.milliseconds, 100 * row.spread,
+                          row.milliseconds / rows->front().milliseconds, std::string(row.filter == usual ? "*" : "")});
+  Plot plot{.title = "Slanted textures of " + model + ": error against time",
+            .x = {.label = "frame, ms"},
+            .y = {.label = "error of the base colour, 1/255"}};
+  for (const FilterRow& row : *rows)
+    plot.series.push_back({.name = std::string(rowOf(frame::textureFilters, row.filter).word),
+                           .x = {row.milliseconds},
+                           .y = {row.colorRms},
+                           .line = false,
+                           .dots = true});
+  return Report{{std::move(table)}, {{"frame-textures", {std::move(plot)}}}};
 }
 
 }  // namespace facet::report

@@ -19,6 +19,7 @@ struct FilterRow {
   // the whole.
   double colorRms = 0, colorFlip = 0, rms = 0, flip = 0;
   double milliseconds = 0;  // of a frame: median of the repeated ones of all rounds
+  double spread = 0;        // largest less least of them over it
 };
 
 // Draws the picture, then `repeat` further frames.

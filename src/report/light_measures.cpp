@@ -169,15 +169,11 @@ Result<LdMeasure> measureLd(const Measured& m, const ibl::Method& method, const 
 
 // ---- DFG ------------------------------------------------------------------------------------------------------------
 
-DfgTruth dfgTruth(optics::Masking masking) {
-  DfgTruth truth;
-  constexpr uint32_t count = 300;
-  for (uint32_t i = 0; i < count; ++i) {
-    const glm::dvec2 u = optics::hammersley(i, count);
-    truth.inputs.emplace_back(u.x * u.x, u.y, 0, 0);
-  }
-  truth.values.resize(count);
-  parallelFor(count, [&](size_t i) {
+namespace {
+
+void integrate(DfgTruth& truth, optics::Masking masking) {
+  truth.values.resize(truth.inputs.size());
+  parallelFor(truth.inputs.size(), [&](size_t i) {
     const double r = static_cast<double>(truth.inputs[i].y);
     const double NoV = static_cast<double>(truth.inputs[i].x);
     const optics::Dfg dfg =
@@ -186,6 +182,28 @@ DfgTruth dfgTruth(optics::Masking masking) {
             : optics::lobeDfg(optics::NormalDistribution::ggx, masking, std::max(NoV, 1e-9), std::max(r * r, 0.01));
     truth.values[i] = {dfg.A, dfg.B};
   });
+}
+
+}  // namespace
+
+DfgTruth dfgTruth(optics::Masking masking) {
+  DfgTruth truth;
+  constexpr uint32_t count = 300;
+  for (uint32_t i = 0; i < count; ++i) {
+    const glm::dvec2 u = optics::hammersley(i, count);
+    truth.inputs.emplace_back(u.x * u.x, u.y, 0, 0);
+  }
+  integrate(truth, masking);
+  return truth;
+}
+
+DfgTruth dfgGrid(size_t size) {
+  DfgTruth truth;
+  for (size_t i = 0; i < size * size; ++i) {
+    const glm::dvec2 cell = (glm::dvec2(i % size, i / size) + 0.5) / static_cast<double>(size);
+    truth.inputs.emplace_back(cell.x * cell.x, cell.y, 0, 0);
+  }
+  integrate(truth, optics::Masking::smith);
   return truth;
 }
 
@@ -214,7 +232,10 @@ Result<DfgMeasure> measureDfg(const Measured& m, const ibl::Method& method, cons
       columnIsNoV ? "out0.xy = textureLod(dfgTable, in0.xy, 0.0).xy;" : "out0.xy = lookUpDfg(in0.x, in0.y).xy;";
   const auto got = selftest::probeLight(*tables, shading::shaderReader(m.input.shaderDir), {}, body, truth.inputs);
   if (!got) return tl::unexpected(got.error());
-  return DfgMeasure{dfgError(truth, [&](size_t i) { return glm::dvec2((*got)[i]); }), booked(*tables, "DFG")};
+  DfgMeasure measure{{}, {}, booked(*tables, "DFG")};
+  for (const glm::vec4& value : *got) measure.values.emplace_back(value);
+  measure.error = dfgError(truth, [&](size_t i) { return measure.values[i]; });
+  return measure;
 }
 
 }  // namespace facet::report

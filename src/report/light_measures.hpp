@@ -76,6 +76,8 @@ struct DfgTruth {
   std::vector<glm::vec4> inputs;  // NoV = u^2, perceptual roughness
   std::vector<glm::dvec2> values;
 };
+// Of size x size cells' middles, row by row from roughness 0; columns are u.
+DfgTruth dfgGrid(size_t size);
 DfgTruth dfgTruth(optics::Masking masking = optics::Masking::smith);  // of GGX; approximate: alpha from 0.01 on
 struct DfgError {
   double most = 0, everywhere = 0, rms = 0;  // of A and B; most: for NoV from 0.02 on
@@ -84,6 +86,7 @@ struct DfgError {
 DfgError dfgError(const DfgTruth& truth, const std::function<glm::dvec2(size_t)>& value);
 struct DfgMeasure {
   DfgError error;
+  std::vector<glm::dvec2> values;  // of the truth's inputs
   ibl::TableStatistics cost;
 };
 // columnIsNoV: as the usual table has it, in the place of u with NoV = u^2.

@@ -23,7 +23,7 @@ struct Way {
 
 frame::PictureSettings common(const ReportInput& input) {
   frame::PictureSettings settings;
-  settings.frame.width = settings.frame.height = pictureSize;
+  settings.frame.width = settings.frame.height = input.size.value_or(pictureSize);
   settings.sources.environment = input.environment;
   settings.quality.visibility = frame::Visibility::none;
   settings.frame.background = frame::Background::transparent;  // only surfaces are judged
@@ -57,19 +57,19 @@ double median(std::vector<double> values) {
 Result<frame::Picture> draw(const ReportInput& input, const frame::PictureSettings& settings, int repeat) {
   Notes notes;
   Stages stages;
-  return input.session->render(modelOr(input, usualModel), settings, {.radiance = true, .repeat = repeat}, notes,
-                               stages);
+  return input.session->render(input.model, settings, {.radiance = true, .repeat = repeat}, notes, stages);
 }
 
 }  // namespace
 
 Result<Report> lightPictures(const ReportInput& input) {
   frame::PictureSettings converged = common(input);
-  converged.quality.samples = referenceSamples / 2;
+  const int samples = input.samples.value_or(referenceSamples), repeat = input.repeat.value_or(timedFrames);
+  converged.quality.samples = samples / 2;
   input.progress("pictures: the converged one");
   const Result<frame::Picture> half = draw(input, converged, 0);
   if (!half) return tl::unexpected(half.error());
-  converged.quality.samples = referenceSamples;
+  converged.quality.samples = samples;
   const Result<frame::Picture> reference = draw(input, converged, 0);
   if (!reference) return tl::unexpected(reference.error());
   const compare::CompareOptions options{.maskFromAlpha = true};
@@ -79,31 +79,43 @@ Result<Report> lightPictures(const ReportInput& input) {
   std::snprintf(note, sizeof note,
                 "%s under %s, %d x %d. Error: of the sRGB picture in 1/255 (dRMSE), against %d samples a pixel, which "
                 "moved by %.3f from half as many. Frame: median of %d. * on the Pareto front.",
-                modelOr(input, usualModel).c_str(), input.environment.c_str(), pictureSize, pictureSize,
-                referenceSamples, moved->displayRmse, timedFrames);
+                input.model.c_str(), input.environment.c_str(), converged.frame.width, converged.frame.height, samples,
+                moved->displayRmse, repeat);
   Table table{"light-pictures",
               "Pictures by each run-time model",
               note,
-              {"light", "samples", "dRMSE", "relative RMSE", "bias", "frame ms", "front"},
+              {"light", "samples", "dRMSE", "relative RMSE", "bias", "frame ms", "spread %", "front"},
               {}};
   std::vector<selftest::CostAndError> figures;
   for (const Way& way : ways(input)) {
     input.progress("pictures: " + way.name + ", " + std::to_string(way.settings.quality.samples) + " samples");
-    const Result<frame::Picture> picture = draw(input, way.settings, timedFrames);
+    const Result<frame::Picture> picture = draw(input, way.settings, repeat);
     if (!picture) return tl::unexpected(picture.error());
     const Result<compare::Comparison> c = compare::comparePictures(reference->radiance, picture->radiance, options);
     if (!c) return tl::unexpected(c.error());
-    const std::vector<double>& times = picture->statistics.frameMs;
-    const double ms = median({times.begin() + 1, times.end()});
+    const std::vector<double> times(picture->statistics.frameMs.begin() + 1, picture->statistics.frameMs.end());
+    const double ms = median(times);
+    const auto [least, most] = std::ranges::minmax(times);
     const double bias = *std::ranges::max_element(c->bias, {}, [](double b) { return std::abs(b); });
     table.rows.push_back({way.name, static_cast<double>(way.settings.quality.samples), c->displayRmse, c->relRmse, bias,
-                          ms, std::string()});
+                          ms, 100 * (most - least) / ms, std::string()});
     figures.push_back({ms, c->displayRmse});
   }
   const std::vector<bool> front = selftest::paretoFront(figures);
   for (size_t i = 0; i < front.size(); ++i)
     if (front[i]) table.rows[i].back() = std::string("*");
-  return Report{{table}, {}};
+  Series series{.name = "ways (ringed: on the Pareto front)", .line = false, .dots = true};
+  for (size_t i = 0; i < figures.size(); ++i) {
+    series.x.push_back(figures[i].cost), series.y.push_back(figures[i].error);
+    const int samples = ways(input)[i].settings.quality.samples;
+    series.labels.push_back(ways(input)[i].name + (samples > 4 ? ", " + std::to_string(samples) : ""));
+    if (front[i]) series.marked.push_back(i);
+  }
+  Plot plot{.title = "Pictures of " + input.model + ": error against time",
+            .x = {.label = "frame, ms", .logarithmic = true},
+            .y = {.label = "error of the sRGB picture, 1/255", .logarithmic = true}};
+  plot.series = {std::move(series)};
+  return Report{{table}, {{"light-pictures", {std::move(plot)}}}};
 }
 
 Result<Report> lightReport(const ReportInput& input) {

@@ -35,7 +35,7 @@ NamedPlot errorAgainstTime(const std::string& name, const std::string& title, co
     if (front[i]) series.marked.push_back(i);
   }
   plot.series = {series};
-  return {name, title, svg(plot)};
+  return {name, {plot}};
 }
 
 // ---- Equirect -> cube -----------------------------------------------------------------------------------------------
@@ -211,6 +211,37 @@ glm::dvec2 karisFit(double NoV, double r) {
   return glm::dvec2(-1.04, 1.04) * a + glm::dvec2(v.z, v.w);
 }
 
+// The truth, and what the table and the analytic fit are off by, over u = sqrt(NoV) and roughness.
+Result<NamedPlot> dfgMaps(const Measured& m) {
+  constexpr size_t size = 40;
+  const DfgTruth truth = dfgGrid(size);
+  const auto ours = measureDfg(m, {}, truth);
+  if (!ours) return tl::unexpected(ours.error());
+  const auto map = [&](const std::string& title, const std::string& label, auto value) {
+    Plot plot{.title = title,
+              .x = {.label = "sqrt(NoV)", .from = 0, .to = 1},
+              .y = {.label = "roughness", .from = 0, .to = 1},
+              .map = {.columns = size, .rows = size, .label = label},
+              .width = 480,
+              .height = 400};
+    for (size_t i = 0; i < size * size; ++i) plot.map.values.push_back(value(i));
+    return plot;
+  };
+  const auto away = [&](size_t i, const glm::dvec2& value) {
+    const glm::dvec2 error = glm::abs(value - truth.values[i]);
+    return std::log10(std::max({error.x, error.y, 1e-7}));
+  };
+  const auto fit = [&](size_t i) {
+    return karisFit(static_cast<double>(truth.inputs[i].x), static_cast<double>(truth.inputs[i].y));
+  };
+  return NamedPlot{
+      "light-dfg",
+      {map("DFG, integrated: A, what f0 is multiplied by", "A", [&](size_t i) { return truth.values[i].x; }),
+       map("DFG, integrated: B, what is added", "B", [&](size_t i) { return truth.values[i].y; }),
+       map("Table of 64 x 64: larger error of A and B", "log10", [&](size_t i) { return away(i, ours->values[i]); }),
+       map("Analytic fit (Karis 2014): larger error of A and B", "log10", [&](size_t i) { return away(i, fit(i)); })}};
+}
+
 Result<void> addDfg(const Measured& m, Report& report) {
   Table table{
       "light-dfg",
@@ -250,6 +281,9 @@ Result<void> addDfg(const Measured& m, Report& report) {
          0);
   addRow("analytic fit, in the table's place", dfgError(truth, fit), 0, 0, 0);
   add(report, std::move(table), figures);
+  Result<NamedPlot> maps = dfgMaps(m);
+  if (!maps) return tl::unexpected(maps.error());
+  report.plots.push_back(std::move(*maps));
   return {};
 }
 

@@ -262,7 +262,7 @@ Result<Report> measuredSamples(const ReportInput& input) {
     }
     plot.series.push_back(std::move(series));
   }
-  return Report{{table}, {{"measured-samples", plot.title, svg(plot)}}};
+  return Report{{table}, {{"measured-samples", {plot}}}};
 }
 
 }  // namespace facet::report

@@ -105,7 +105,19 @@ Result<Report> methodsReport(const ReportInput& input) {
   for (const CandidateMeasure& m : *all)
     table.rows.push_back({std::string(parts[static_cast<int>(m.candidate->part)]), std::string(m.candidate->name),
                           m.error, m.candidate->error, static_cast<double>(m.reads), m.milliseconds});
-  return Report{{std::move(table)}, {}};
+  Plot plot{.title = "What --max-error chooses from: error against reads",
+            .x = {.label = "texels read and evaluations for the whole table", .logarithmic = true},
+            .y = {.label = "error", .logarithmic = true}};
+  for (int part = 0; part < 3; ++part) {
+    Series series{.name = parts[part], .dots = true};
+    for (const CandidateMeasure& m : *all) {
+      if (static_cast<int>(m.candidate->part) != part) continue;
+      series.x.push_back(static_cast<double>(m.reads)), series.y.push_back(m.error);
+      series.labels.emplace_back(m.candidate->name);
+    }
+    plot.series.push_back(std::move(series));
+  }
+  return Report{{std::move(table)}, {{"methods", {std::move(plot)}}}};
 }
 
 }  // namespace facet::report

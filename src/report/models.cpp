@@ -183,7 +183,7 @@ Table lobeTable() {
               "What a lobe without absorption returns of a white furnace",
               "F = 1, without compensation: what is missing to 1 left after several bounces; more than 1 is a gain. "
               "Views 0, 60 and 80 degrees from the normal.",
-              {"microfacets", "masking", "roughness", "0 degrees", "60 degrees", "80 degrees"},
+              {"microfacets", "masking", "roughness", "view at 0", "view at 60", "view at 80"},
               {}};
   using optics::Masking;
   using optics::NormalDistribution;

@@ -13,7 +13,7 @@ namespace {
 // Told apart also where colours are not (Okabe and Ito 2008), darkened where they would be pale on white.
 constexpr std::array<const char*, 8> colors = {"#0072b2", "#d55e00", "#009e73", "#b0468c",
                                                "#7a6a00", "#56a0d0", "#444444", "#e69f00"};
-constexpr int legendRow = 18;
+constexpr int legendRow = 18, markForms = 6, scaleWidth = 86;  // [px]
 
 std::string colorOf(const Plot& plot, size_t i) {
   return plot.series[i].color.empty() ? colors[i % colors.size()] : plot.series[i].color;
@@ -165,6 +165,67 @@ std::string axes(const Plot& plot, const PlotFrame& frame) {
   return out;
 }
 
+// From viridis (van der Walt and Smith 2015), a stop for each eighth.
+std::string viridis(double share) {
+  constexpr std::array<std::array<double, 3>, 9> stops = {{{68, 1, 84},
+                                                           {71, 44, 122},
+                                                           {59, 81, 139},
+                                                           {44, 113, 142},
+                                                           {33, 144, 141},
+                                                           {39, 173, 129},
+                                                           {92, 200, 99},
+                                                           {170, 220, 50},
+                                                           {253, 231, 37}}};
+  const double at = std::clamp(share, 0.0, 1.0) * (stops.size() - 1);
+  const auto first = std::min(static_cast<size_t>(at), stops.size() - 2);
+  char text[16];
+  int channels[3];
+  for (size_t c = 0; c < 3; ++c) {
+    const double between = at - static_cast<double>(first);
+    channels[c] = static_cast<int>(std::lround(stops[first][c] + between * (stops[first + 1][c] - stops[first][c])));
+  }
+  std::snprintf(text, sizeof text, "#%02x%02x%02x", channels[0], channels[1], channels[2]);
+  return text;
+}
+
+std::string rectangle(double x, double y, double width, double height, const std::string& color) {
+  return "<rect x=\"" + px(x) + "\" y=\"" + px(y) + "\" width=\"" + px(width) + "\" height=\"" + px(height) +
+         "\" fill=\"" + color + "\"/>\n";
+}
+
+std::pair<double, double> scaleOf(const HeatMap& map) {
+  if (map.from != map.to) return {map.from, map.to};
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (const double value : map.values)
+    if (std::isfinite(value)) least = std::min(least, value), most = std::max(most, value);
+  if (!(least <= most)) return {0, 1};
+  return least < most ? std::pair{least, most} : std::pair{least, least + 1};
+}
+
+std::string cells(const Plot& plot, const PlotFrame& frame) {
+  const HeatMap& map = plot.map;
+  if (map.values.empty()) return {};
+  const auto [from, to] = scaleOf(map);
+  const double width = (frame.right - frame.left) / static_cast<double>(map.columns);
+  const double height = (frame.bottom - frame.top) / static_cast<double>(map.rows);
+  std::string out = "<g shape-rendering=\"crispEdges\">\n";
+  for (size_t i = 0; i < map.values.size(); ++i) {
+    if (!std::isfinite(map.values[i])) continue;
+    const double x = frame.left + width * static_cast<double>(i % map.columns);
+    const double y = frame.bottom - height * static_cast<double>(i / map.columns + 1);
+    out += rectangle(x, y, width, height, viridis((map.values[i] - from) / (to - from)));
+  }
+  constexpr int steps = 32;
+  const double x = frame.right + 16, step = (frame.bottom - frame.top) / steps;
+  for (int i = 0; i < steps; ++i)
+    out += rectangle(x, frame.bottom - (i + 1) * step, 12, step, viridis((i + 0.5) / steps));
+  out += "</g>\n";
+  for (const double tick : ticks(from, to, false, 4))
+    out += text(x + 16, frame.bottom - (tick - from) / (to - from) * (frame.bottom - frame.top) + 4, tickText(tick),
+                "text-anchor=\"start\" font-size=\"11\"");
+  return out + text(x + 12, frame.top - 6, map.label, "text-anchor=\"middle\" font-size=\"11\"");
+}
+
 std::string curve(const Plot& plot, const PlotFrame& frame, const Series& series, const std::string& color) {
   std::string points, out;
   const auto flush = [&] {
@@ -183,6 +244,39 @@ std::string curve(const Plot& plot, const PlotFrame& frame, const Series& series
   }
   flush();
   return out;
+}
+
+// A series' mark around a point, about as large for the eye in each form.
+std::string mark(size_t series, double x, double y, const std::string& color, const std::string& title) {
+  const auto polygon = [&](std::initializer_list<std::pair<double, double>> corners) {
+    std::string points;
+    for (const auto& [dx, dy] : corners) points += (points.empty() ? "" : " ") + px(x + dx) + "," + px(y + dy);
+    return "<polygon points=\"" + points + "\"";
+  };
+  std::string shape, attributes = " fill=\"" + color + "\"";
+  switch (series % markForms) {
+    case 0:
+      shape = "<circle cx=\"" + px(x) + "\" cy=\"" + px(y) + "\" r=\"3.2\"";
+      break;
+    case 1:
+      shape = polygon({{-3, -3}, {3, -3}, {3, 3}, {-3, 3}});
+      break;
+    case 2:
+      shape = polygon({{0, -4}, {3.8, 2.8}, {-3.8, 2.8}});
+      break;
+    case 3:
+      shape = polygon({{0, -4.4}, {4.4, 0}, {0, 4.4}, {-4.4, 0}});
+      break;
+    case 4:
+      shape = polygon({{0, 4}, {3.8, -2.8}, {-3.8, -2.8}});
+      break;
+    default:
+      shape = "<circle cx=\"" + px(x) + "\" cy=\"" + px(y) + "\" r=\"3\"";
+      attributes = " fill=\"#ffffff\" stroke=\"" + color + "\" stroke-width=\"1.8\"";
+      break;
+  }
+  return shape + attributes + ">" + (title.empty() ? "" : "<title>" + escaped(title) + "</title>") +
+         (shape.starts_with("<circle") ? "</circle>\n" : "</polygon>\n");
 }
 
 struct Box {
@@ -209,7 +303,7 @@ class Labels {
       const double from = before ? x - 8 - width : x + 8;
       return Box{from, from + width, y - rise - 10, y - rise + 2};
     };
-    for (const double rise : {6.0, -4.0, 18.0, -16.0, 30.0, -28.0, 42.0, -40.0})
+    for (const double rise : {6.0, -4.0, 18.0, -16.0, 30.0, -28.0, 42.0, -40.0, 54.0, -52.0})
       for (const bool before : {right, !right}) {
         const Box box = boxAt(before, rise);
         const bool inside =
@@ -218,7 +312,7 @@ class Labels {
         taken_.push_back(box);
         return write(x, y, words, before, rise);
       }
-    return write(x, y, words, right, 6);
+    return {};  // the pointer shows it
   }
 
  private:
@@ -231,8 +325,9 @@ class Labels {
   std::vector<Box> taken_;
 };
 
-std::string dots(const Plot& plot, const PlotFrame& frame, const Series& series, const std::string& color,
-                 Labels& labels) {
+std::string dots(const Plot& plot, const PlotFrame& frame, size_t index, Labels& labels) {
+  const Series& series = plot.series[index];
+  const std::string color = colorOf(plot, index);
   std::string out;
   for (size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
     const bool ring = std::find(series.marked.begin(), series.marked.end(), i) != series.marked.end();
@@ -242,9 +337,8 @@ std::string dots(const Plot& plot, const PlotFrame& frame, const Series& series,
     const double x = frame.x(series.x[i], plot.x.logarithmic), y = frame.y(series.y[i], plot.y.logarithmic);
     const std::string at = "cx=\"" + px(x) + "\" cy=\"" + px(y) + "\"";
     if (ring) out += "<circle " + at + " r=\"6.5\" fill=\"none\" stroke=\"#222222\" stroke-width=\"1.3\"/>\n";
-    out += "<circle " + at + " r=\"3.2\" fill=\"" + color + "\">";
     const std::string where = tickText(series.x[i]) + ", " + tickText(series.y[i]);
-    out += "<title>" + escaped((label.empty() ? series.name : label) + ": " + where) + "</title></circle>\n";
+    out += mark(index, x, y, color, (label.empty() ? series.name : label) + ": " + where);
     if (!label.empty()) out += labels.place(x, y, label);
   }
   return out;
@@ -264,8 +358,7 @@ std::string legendText(const Plot& plot, const PlotFrame& frame) {
       out += "<line x1=\"" + px(x) + "\" y1=\"" + px(y - 4) + "\" x2=\"" + px(x + 24) + "\" y2=\"" + px(y - 4) +
              "\" stroke=\"" + color + "\" stroke-width=\"2.2\"" + (series.dashed ? " stroke-dasharray=\"6 4\"" : "") +
              "/>\n";
-    if (series.dots || !series.line)
-      out += "<circle cx=\"" + px(x + 12) + "\" cy=\"" + px(y - 4) + "\" r=\"3.2\" fill=\"" + color + "\"/>\n";
+    if (series.dots || !series.line) out += mark(i, x + 12, y - 4, color, "");
     out += text(x + 30, y, series.name, "text-anchor=\"start\"");
     ++place;
   }
@@ -275,6 +368,7 @@ std::string legendText(const Plot& plot, const PlotFrame& frame) {
 std::string drawn(const Plot& plot, const std::string& clip) {
   const PlotFrame frame = frameOf(plot);
   std::string out = text(frame.left, 23, plot.title, "font-size=\"15\" font-weight=\"bold\"");
+  out += cells(plot, frame);
   out += axes(plot, frame);
   out += "<clipPath id=\"" + clip + "\"><rect x=\"" + px(frame.left) + "\" y=\"" + px(frame.top) + "\" width=\"" +
          px(frame.right - frame.left) + "\" height=\"" + px(frame.bottom - frame.top) + "\"/></clipPath>\n";
@@ -283,15 +377,25 @@ std::string drawn(const Plot& plot, const std::string& clip) {
   for (size_t i = 0; i < plot.series.size(); ++i) {
     const std::string color = colorOf(plot, i);
     if (plot.series[i].line) curves += curve(plot, frame, plot.series[i], color);
-    points += dots(plot, frame, plot.series[i], color, labels);
+    points += dots(plot, frame, i, labels);
   }
   out += "<g clip-path=\"url(#" + clip + ")\">\n" + curves + "</g>\n" + points;
-  if (curves.empty() && points.empty())
+  if (curves.empty() && points.empty() && plot.map.values.empty())
     out += text((frame.left + frame.right) / 2, (frame.top + frame.bottom) / 2, "no data", "text-anchor=\"middle\"");
   return out + legendText(plot, frame);
 }
 
 }  // namespace
+
+double logSlope(const Series& series) {
+  double n = 0, x1 = 0, y1 = 0, x2 = 0, xy = 0;
+  for (size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
+    if (!(series.x[i] > 0 && series.y[i] > 0)) continue;
+    const double x = std::log(series.x[i]), y = std::log(series.y[i]);
+    n += 1, x1 += x, y1 += y, x2 += x * x, xy += x * y;
+  }
+  return (n * xy - x1 * y1) / (n * x2 - x1 * x1);
+}
 
 std::vector<double> ticks(double from, double to, bool logarithmic, int wanted) {
   std::vector<double> result;
@@ -334,24 +438,54 @@ double PlotFrame::y(double value, bool logarithmic) const {
 PlotFrame frameOf(const Plot& plot) {
   const Range x = dataRange(plot, true), y = dataRange(plot, false);
   const double below = 50 + legendRow * static_cast<double>(legendOf(plot).rows);
-  return {68, std::max(plot.width, 320) - 22.0, 38, std::max(plot.height, 200) - below, x.from, x.to, y.from, y.to};
+  const double beside = plot.map.values.empty() ? 22 : scaleWidth;
+  return {68, std::max(plot.width, 320) - beside, 38, std::max(plot.height, 200) - below, x.from, x.to, y.from, y.to};
 }
 
-std::string svg(const Plot& plot) { return svg(std::vector{plot}); }
+namespace {
 
-std::string svg(const std::vector<Plot>& plots) {
+// Where figures come from, for the eye: in short lines below the plots.
+std::vector<std::string> footer(const Origin& origin, int width) {
+  if (origin.version.empty()) return {};
+  std::vector<std::string> parts = {"facet " + origin.version + " " + origin.commit};
+  for (const std::string* part : {&origin.renderer, &origin.environment, &origin.model, &origin.date})
+    if (!part->empty()) parts.push_back(*part);
+  const size_t longest = static_cast<size_t>(width - 90) / 6;
+  std::vector<std::string> lines = {""};
+  for (const std::string& part : parts) {
+    if (!lines.back().empty() && lines.back().size() + part.size() + 3 > longest) lines.emplace_back();
+    lines.back() += (lines.back().empty() ? "" : " · ") + part;
+  }
+  return lines;
+}
+
+std::string metadata(const Origin& origin) {
+  if (origin.version.empty()) return {};
+  std::string out = "<metadata>\n";
+  for (const auto& [name, value] : originFields(origin))
+    if (!value.empty()) out.append(name).append(": ").append(escaped(value)).append("\n");
+  return out + "</metadata>\n";
+}
+
+}  // namespace
+
+std::string svg(const std::vector<Plot>& plots, const Origin& origin) {
   const auto heightOf = [](const Plot& plot) { return std::max(plot.height, 200); };
+  constexpr int footerRow = 15;
   int width = 320, height = 0;
   for (const Plot& plot : plots) {
     width = std::max(width, plot.width);
     height += heightOf(plot);
   }
-  std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + std::to_string(width) + " " +
-                    std::to_string(height) + "\" width=\"" + std::to_string(width) + "\" height=\"" +
-                    std::to_string(height) +
+  const std::vector<std::string> lines = footer(origin, width);
+  const int whole = height + (lines.empty() ? 0 : footerRow * static_cast<int>(lines.size()) + 8);
+  const std::string size = std::to_string(width) + " " + std::to_string(whole);
+  std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + size + "\" width=\"" +
+                    std::to_string(width) + "\" height=\"" + std::to_string(whole) +
                     "\" style=\"max-width:100%;height:auto\" font-family=\"sans-serif\" font-size=\"13\" "
                     "fill=\"#222222\" role=\"img\">\n";
   if (!plots.empty()) out += "<title>" + escaped(plots.front().title) + "</title>\n";
+  out += metadata(origin);
   out += "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
   int top = 0;
   for (size_t i = 0; i < plots.size(); ++i) {
@@ -359,6 +493,8 @@ std::string svg(const std::vector<Plot>& plots) {
            drawn(plots[i], "axes" + std::to_string(i)) + "</g>\n";
     top += heightOf(plots[i]);
   }
+  for (size_t i = 0; i < lines.size(); ++i)
+    out += text(68, top + footerRow * static_cast<double>(i) + 10, lines[i], "font-size=\"10.5\" fill=\"#666666\"");
   return out + "</svg>\n";
 }
 

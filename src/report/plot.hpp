@@ -8,8 +8,11 @@
 #include <string_view>
 #include <vector>
 
+#include "base/origin.hpp"
+
 namespace facet::report {
 
+// A series' points are circles, squares, triangles ... in turn and have one of eight colours: 24 series are told apart.
 // Points in the order in which the line joins them. One that is not finite, or not positive on a logarithmic axis, is
 // left out and parts the line.
 struct Series {
@@ -31,10 +34,22 @@ struct AxisOptions {
   double from = 0, to = 0;
 };
 
+// Of the line through the logarithms of its points: -0.5 where y falls by N^-1/2. Not finite: fewer than two points.
+double logSlope(const Series& series);
+
 // A zone of x that is told apart by its ground, with a word at its top.
 struct Zone {
   double from = 0, to = 0;
   std::string label = {};
+};
+
+// Values over the whole of both axes as colours, from dark to bright (viridis) with a scale beside them; what is not
+// finite is left out.
+struct HeatMap {
+  size_t columns = 0, rows = 0;     // 0: none
+  std::vector<double> values = {};  // row by row from below
+  double from = 0, to = 0;          // the scale; equal: the values' own range
+  std::string label = {};           // of the scale
 };
 
 struct Plot {
@@ -42,13 +57,14 @@ struct Plot {
   AxisOptions x = {}, y = {};
   std::vector<Series> series = {};
   std::vector<Zone> zones = {};
+  HeatMap map = {};
   int width = 720, height = 440;  // [px] before scaling; at least 320 x 200
 };
 
-// XML, UTF-8. No data in range: axes from 0 to 1 (1 to 10), and a word that says so.
-std::string svg(const Plot& plot);
-// Several below each other in one picture.
-std::string svg(const std::vector<Plot>& plots);
+// Several below each other in one picture: XML, UTF-8. No data in range: axes from 0 to 1 (1 to 10), and a word that
+// says so. Below stands where the figures come from, and all of it in <metadata>; nothing where the origin names no
+// version.
+std::string svg(const std::vector<Plot>& plots, const Origin& origin);
 
 // Positions of ticks within [from, to]: linear ones at 1, 2 or 5 times a power of ten, about `wanted` of them;
 // logarithmic ones at powers of ten, with 2 and 5 between where the range spans less than two of them. from < to;

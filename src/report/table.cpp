@@ -5,6 +5,9 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "base/origin_json.hpp"
+#include "base/text.hpp"
+
 namespace facet::report {
 
 namespace {
@@ -52,47 +55,65 @@ void addMarkdown(const Table& table, std::string& out) {
 
 }  // namespace
 
-std::string markdown(const std::vector<Table>& tables) {
+std::string markdown(const std::vector<Table>& tables, const Origin& origin) {
   std::string out;
   for (const Table& table : tables) {
-    if (!out.empty()) out += "\n";
     addMarkdown(table, out);
-  }
-  return out;
-}
-
-std::string csv(const std::vector<Table>& tables) {
-  std::string out;
-  const auto addLine = [&](const auto& fields, auto text) {
-    for (size_t i = 0; i < fields.size(); ++i) out.append(i == 0 ? "" : ",").append(csvField(text(fields[i])));
     out += "\n";
-  };
-  for (const Table& table : tables) {
-    out.append(out.empty() ? "# " : "\n# ").append(table.name).append(": ").append(table.title).append("\n");
-    addLine(table.columns, [](const std::string& name) { return name; });
-    for (const std::vector<Cell>& row : table.rows)
-      addLine(row, [](const Cell& cell) { return cellText(cell, "%.6g"); });
   }
+  std::string line;
+  for (const auto& [name, value] : originFields(origin))
+    if (!value.empty()) line += (line.empty() ? "" : ", ") + name + " `" + value + "`";
+  return out + "Made by " + line + ".\n";
+}
+
+std::string csv(const Table& table, const Origin& origin) {
+  std::string out, names, values;
+  for (const auto& [name, value] : originFields(origin)) names += "," + name, values += "," + csvField(value);
+  const auto addLine = [&](const auto& fields, const std::string& last, auto text) {
+    for (size_t i = 0; i < fields.size(); ++i) out.append(i == 0 ? "" : ",").append(csvField(text(fields[i])));
+    out += last + "\n";
+  };
+  addLine(table.columns, names, [](const std::string& name) { return name; });
+  for (const std::vector<Cell>& row : table.rows)
+    addLine(row, values, [](const Cell& cell) {
+      const double* value = std::get_if<double>(&cell);
+      return value ? number(*value) : std::get<std::string>(cell);
+    });
   return out;
 }
 
-std::string json(const std::vector<Table>& tables) {
+std::string unitOf(const std::string& column) {
+  constexpr std::pair<std::string_view, const char*> units[] = {
+      {"%", "%"},         {"ms", "ms"},      {"degrees", "deg"}, {"[degrees]", "deg"},
+      {"dRMSE", "1/255"}, {"dRMS", "1/255"}, {"bytes", "B"}};
+  const std::string_view last = std::string_view(column).substr(column.rfind(' ') + 1);  // npos + 1: the whole
+  const auto unit = std::ranges::find(units, last, [](const auto& row) { return row.first; });
+  return unit == std::end(units) ? "" : unit->second;
+}
+
+std::string json(const std::vector<Table>& tables, const Origin& origin) {
   using Json = nlohmann::ordered_json;
-  Json out = {{"tables", Json::array()}};
+  Json out = {{"origin", originJson(origin)}, {"tables", Json::array()}};
   for (const Table& table : tables) {
-    Json rows = Json::array();
+    Json rows = Json::array(), units = Json::object();
+    for (const std::string& column : table.columns) units[column] = unitOf(column);
     for (const std::vector<Cell>& row : table.rows) {
-      Json& object = rows.emplace_back();
-      for (size_t i = 0; i < row.size(); ++i)
-        std::visit([&](const auto& value) { object[table.columns[i]] = value; }, row[i]);
+      Json& object = rows.emplace_back(Json::object());
+      for (size_t i = 0; i < row.size(); ++i) {
+        const double* value = std::get_if<double>(&row[i]);
+        const std::string* text = std::get_if<std::string>(&row[i]);
+        object[table.columns[i]] = value ? Json(*value) : text->empty() ? Json() : Json(*text);
+      }
     }
     out["tables"].push_back({{"name", table.name},
                              {"title", table.title},
                              {"note", table.note},
                              {"columns", table.columns},
+                             {"units", units},
                              {"rows", rows}});
   }
-  return out.dump(2) + "\n";
+  return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace facet::report

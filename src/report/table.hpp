@@ -6,6 +6,8 @@
 #include <variant>
 #include <vector>
 
+#include "base/origin.hpp"
+
 namespace facet::report {
 
 using Cell = std::variant<std::string, double>;
@@ -18,11 +20,19 @@ struct Table {
   std::vector<std::vector<Cell>> rows;  // each as long as the columns
 };
 
-// Four significant digits.
-std::string markdown(const std::vector<Table>& tables);
-// Six significant digits; tables are parted by an empty line, each begins with a line "# name: title".
-std::string csv(const std::vector<Table>& tables);
-// {"tables": [{"name", "title", "note", "columns", "rows": [{column: value}]}]}
-std::string json(const std::vector<Table>& tables);
+// Each of them says where it comes from (base/origin.hpp).
+
+// Four significant digits; the origin is the last paragraph.
+std::string markdown(const std::vector<Table>& tables, const Origin& origin);
+// One table, as RFC 4180 has it, numbers as short as they read back the same; what is not finite is nan, inf, -inf. The
+// origin's fields are the last columns, the same in every row.
+std::string csv(const Table& table, const Origin& origin);
+// As resources/schema/report.schema.json has it: {"origin": {...}, "tables": [{"name", "title", "note", "columns",
+// "units": {column: unit}, "rows": [{column: value}]}]}; a number that is not finite is null.
+std::string json(const std::vector<Table>& tables, const Origin& origin);
+
+// What a column's numbers are in, by the last words of its name: "true %", "time ms", "error 1/255"; empty: a number,
+// a ratio or text.
+std::string unitOf(const std::string& column);
 
 }  // namespace facet::report

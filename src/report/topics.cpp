@@ -9,6 +9,7 @@
 #include "report/light.hpp"
 #include "report/measured_cost.hpp"
 #include "report/methods.hpp"
+#include "report/model_plots.hpp"
 #include "report/models.hpp"
 #include "report/visibility.hpp"
 
@@ -16,35 +17,56 @@ namespace facet::report {
 
 namespace {
 
-template <std::vector<Table> (*tables)()>
+template <std::vector<Table> (*tables)(), std::vector<NamedPlot> (*plots)()>
 Result<Report> computed(const ReportInput&) {
-  return Report{tables(), {}};
+  return Report{tables(), plots()};
 }
 
+constexpr const char* spheres = "builtin:spheres";
+
 constexpr Topic topics[] = {
-    {"fresnel", "Schlick's approximation and F82-tint against Fresnel's equations", false, computed<fresnelTables>},
-    {"diffuse", "energy of the diffuse models", false, computed<diffuseTables>},
-    {"energy", "what rough lobes return: models of further bounces, for environment and lights", true, energyReport},
+    {"fresnel", "Schlick's approximation and F82-tint against Fresnel's equations", false,
+     computed<fresnelTables, fresnelPlots>},
+    {"diffuse", "energy of the diffuse models", false, computed<diffuseTables, diffusePlots>},
+    {"energy", "what rough lobes return: models of further bounces, for environment and lights", true, energyReport,
+     spheres},
     {"estimate", "--max-error: what it states against true errors, its samples against the fewest that do", true,
-     estimateReport},
-    {"frame", "a frame: error and time of each way of reading slanted textures", true, frameReport},
-    {"light", "image-based light: error against run time under --env", true, lightReport},
+     estimateReport, spheres},
+    {"frame", "a frame: error and time of each way of reading slanted textures", true, frameReport, "builtin:marbles"},
+    {"light", "image-based light: error against run time under --env", true, lightReport, spheres},
     {"measured", "measured BRDFs: error against run time of samples and formats, look-ups against formulas", true,
      measuredReport},
     {"methods", "what --max-error chooses from: error and cost of each table's methods", true, methodsReport},
-    {"ndf", "shadowing terms and energy of GGX, Beckmann and Blinn", false, computed<ndfTables>},
-    {"visibility", "shadows and interreflection: each way of light against converged paths", true, visibilityReport},
+    {"ndf", "shadowing terms and energy of GGX, Beckmann and Blinn", false, computed<ndfTables, ndfPlots>},
+    {"visibility", "shadows and interreflection: each way of light against converged paths", true, visibilityReport,
+     "builtin:poster"},
 };
 
 }  // namespace
+
+void append(Report& report, Report more) {
+  std::ranges::move(more.tables, std::back_inserter(report.tables));
+  std::ranges::move(more.plots, std::back_inserter(report.plots));
+}
 
 Result<Report> joined(std::span<const ReportPart> parts, const ReportInput& input) {
   Report report;
   for (const ReportPart part : parts) {
     Result<Report> made = part(input);
     if (!made) return made;
-    std::ranges::move(made->tables, std::back_inserter(report.tables));
-    std::ranges::move(made->plots, std::back_inserter(report.plots));
+    append(report, std::move(*made));
+  }
+  return report;
+}
+
+Result<Report> reportOf(std::span<const Topic* const> topics, const ReportInput& input) {
+  Report report;
+  for (const Topic* topic : topics) {
+    ReportInput own = input;
+    if (own.model.empty()) own.model = topic->usualModel;
+    Result<Report> made = topic->make(own);
+    if (!made) return made;
+    append(report, std::move(*made));
   }
   return report;
 }

@@ -3,12 +3,14 @@
 // What `facet report` is about: tables and plots by topic, all of them measured or computed when asked for.
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/error.hpp"
+#include "report/plot.hpp"
 #include "report/table.hpp"
 
 namespace facet::frame {
@@ -17,11 +19,10 @@ class Session;
 
 namespace facet::report {
 
-// An SVG picture.
+// One picture.
 struct NamedPlot {
-  std::string name;   // of its file, without .svg
-  std::string title;  // a line above it
-  std::string svg;
+  std::string name;         // of its file, without .svg
+  std::vector<Plot> plots;  // below each other; the first one's title is the picture's
 };
 
 struct Report {
@@ -30,21 +31,18 @@ struct Report {
 };
 
 struct ReportInput {
-  std::string environment = "builtin:studio";                                    // a file, or "builtin:NAME"
-  std::string model;                                                             // of pictures; empty: the topic's own
+  std::string environment = "builtin:studio";  // a file, or "builtin:NAME"
+  std::string model;                           // of pictures; empty: the topic's own
+  std::optional<int> size, samples;  // of pictures along an edge [px], of the reference's pixels; none: the topic's own
+  std::optional<int> repeat;         // frames that are timed; none: the topic's own
   frame::Session* session = nullptr;                                             // of topics that need OpenGL
   std::string shaderDir;                                                         // empty: the embedded shaders
   std::function<void(const std::string&)> progress = [](const std::string&) {};  // what is measured now
 };
 
-// Of the topics that show materials and light, unless another is asked for.
-inline constexpr const char* usualModel = "builtin:spheres";
-inline std::string modelOr(const ReportInput& input, const char* usual) {
-  return input.model.empty() ? usual : input.model;
-}
-
-// What several parts measure, in their order, in one.
 using ReportPart = Result<Report> (*)(const ReportInput& input);
+void append(Report& report, Report more);
+// What several parts measure, in their order, in one.
 Result<Report> joined(std::span<const ReportPart> parts, const ReportInput& input);
 
 struct Topic {
@@ -52,7 +50,11 @@ struct Topic {
   std::string_view summary;
   bool needsOpenGL = false;
   ReportPart make;
+  std::string_view usualModel = {};  // of its pictures; empty: it draws none
 };
+// Of the topics in their order, each of its usual model where input names none.
+Result<Report> reportOf(std::span<const Topic* const> topics, const ReportInput& input);
+
 std::span<const Topic> reportTopics();
 
 }  // namespace facet::report

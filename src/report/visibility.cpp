@@ -19,7 +19,6 @@ using frame::Picture, frame::PictureSettings, frame::Transport;
 constexpr int tracedSize = 64;   // pixels along an edge: software OpenGL traces them too
 constexpr int allBounces = 64;   // as many as there can be
 constexpr int quickSamples = 4;  // of the picture that facet draws unasked
-constexpr int quickFrames = 3;   // of the quick ones
 
 struct LightWay {
   std::string name;
@@ -53,17 +52,17 @@ PictureSettings traced(PictureSettings settings, int samples, int bounces) {
 }
 
 std::vector<LightWay> lightWays(const PictureSettings& common, const VisibilityOptions& options) {
-  std::vector<LightWay> list = {{"none", unblocked(common, quickSamples, 0), quickFrames},
-                                {"none", unblocked(common, options.samples, 0), quickFrames}};
+  std::vector<LightWay> list = {{"none", unblocked(common, quickSamples, 0), options.repeat},
+                                {"none", unblocked(common, options.samples, 0), options.repeat}};
   if (options.occlusionTextures)
-    list.push_back({"occlusion textures", unblocked(common, options.samples, 1), quickFrames});
-  if (!options.raySamples.empty()) list.push_back({"screen", onScreen(common, quickSamples), quickFrames});
-  for (const int samples : options.raySamples) list.push_back({"rays", corrected(common, samples), quickFrames});
+    list.push_back({"occlusion textures", unblocked(common, options.samples, 1), options.repeat});
+  if (!options.raySamples.empty()) list.push_back({"screen", onScreen(common, quickSamples), options.repeat});
+  for (const int samples : options.raySamples) list.push_back({"rays", corrected(common, samples), options.repeat});
   for (const int bounces : options.bounces)
     list.push_back({"paths, " + std::to_string(bounces) + (bounces == 1 ? " bounce" : " bounces"),
                     traced(common, options.samples, bounces)});
   for (const int samples : options.fewSamples)
-    list.push_back({"paths", traced(common, samples, allBounces), quickFrames, samples});
+    list.push_back({"paths", traced(common, samples, allBounces), options.repeat, samples});
   return list;
 }
 
@@ -154,7 +153,8 @@ std::string today() {
 }
 
 std::string visibilityNote(const VisibilityMeasure& m, const ReportInput& input, const std::string& model,
-                           int samples) {
+                           const VisibilityOptions& options) {
+  const int size = input.size.value_or(tracedSize), samples = options.samples;
   char figures[1024];
   std::snprintf(figures, sizeof figures,
                 "%d x %d, %s, %s. Error: of the sRGB picture in 1/255 (dRMSE), of mean FLIP and of mean radiance,"
@@ -165,8 +165,8 @@ std::string visibilityNote(const VisibilityMeasure& m, const ReportInput& input,
                 "said; few samples are compared with its others. Rays: of all samples, the camera's among them. "
                 "Time: of a frame, and its ratio to converged pictures without visibility; %d triangles in trees "
                 "took %.0f ms aside; spread: over %d frames.",
-                tracedSize, tracedSize, input.session->context().renderer.c_str(), today().c_str(), samples, allBounces,
-                m.floor.rms, 100 * m.floor.bias, m.traced.triangles, m.traced.buildMs, quickFrames);
+                size, size, input.session->context().renderer.c_str(), today().c_str(), samples, allBounces,
+                m.floor.rms, 100 * m.floor.bias, m.traced.triangles, m.traced.buildMs, options.repeat);
   return model + " under " + input.environment + ", " + figures + " * on the Pareto front.";
 }
 
@@ -217,15 +217,15 @@ NamedPlot visibilityPlot(const VisibilityMeasure& m, const std::string& model) {
                .dashed = true,
                .color = "#888888"};
   plot.series = {std::move(series), std::move(floor)};
-  return {"visibility", title, svg(plot)};
+  return {"visibility", {plot}};
 }
 
 }  // namespace
 
 Result<Report> visibilityReport(const ReportInput& input) {
-  const std::string model = modelOr(input, "builtin:poster");
+  const std::string model = input.model;
   PictureSettings settings;
-  settings.frame.width = settings.frame.height = tracedSize;
+  settings.frame.width = settings.frame.height = input.size.value_or(tracedSize);
   settings.sources.environment = input.environment;
   const auto draw = [&](const PictureSettings& wanted, int repeat) {
     const frame::Quality& quality = wanted.quality;
@@ -242,11 +242,13 @@ Result<Report> visibilityReport(const ReportInput& input) {
   smallest.frame.width = smallest.frame.height = 1;
   if (const Result<Picture> loaded = draw(smallest, 0); !loaded) return tl::unexpected(loaded.error());
   const auto textured = [](const scene::Material& m) { return m.occlusion && m.occlusionStrength > 0; };
-  const VisibilityOptions options{.occlusionTextures =
-                                      std::ranges::any_of(input.session->model()->model.materials, textured)};
+  VisibilityOptions options{.occlusionTextures =
+                                std::ranges::any_of(input.session->model()->model.materials, textured)};
+  options.samples = input.samples.value_or(options.samples), options.repeat = input.repeat.value_or(options.repeat);
+  std::erase_if(options.fewSamples, [&](int samples) { return 2 * samples > options.samples; });
   const Result<VisibilityMeasure> measure = measureVisibility(settings, options, draw);
   if (!measure) return tl::unexpected(measure.error());
-  return Report{{visibilityTable(*measure, visibilityNote(*measure, input, model, options.samples))},
+  return Report{{visibilityTable(*measure, visibilityNote(*measure, input, model, options))},
                 {visibilityPlot(*measure, model)}};
 }
 

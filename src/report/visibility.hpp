@@ -43,6 +43,7 @@ struct VisibilityOptions {
   std::vector<int> bounces = {1, 2, 3, 4, 8};
   std::vector<int> raySamples = {4, 16};      // of drawn pictures that rays correct; none: nor one of screen space
   std::vector<int> fewSamples = {4, 16, 64};  // of paths with all bounces; each at most half of `samples`
+  int repeat = 3;                             // further frames of the quick ones, for timing
   bool occlusionTextures = false;             // the model has some
 };
 

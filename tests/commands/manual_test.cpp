@@ -142,7 +142,11 @@ TEST_CASE("every value of an option that names files, folders or words is comple
                                          "1..3",
                                          "STOPS",
                                          "#rrggbb|R,G,B",
-                                         "NAME|INDEX"};
+                                         "NAME|INDEX",
+                                         "TABLE",
+                                         "N,...",
+                                         "WxH,...",
+                                         "OPTION=VALUE,..."};
   for (const CommandText& each : program()) {
     for (const OptionText& option : each.options) {
       if (option.value.empty() || std::ranges::find(open, option.value) != open.end()) continue;

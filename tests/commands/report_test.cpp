@@ -14,8 +14,17 @@ TEST_CASE("facet report: a topic as Markdown, CSV, JSON, to a file, what is wron
   CHECK(markdown.status == 0);
   CHECK(markdown.text.find("### Schlick's approximation of dielectrics") == 0);
   CHECK(markdown.text.find("| gold ") != std::string::npos);
-  const test::Outcome csv = test::runFacet({"report", "fresnel", "--format", "csv"});
-  CHECK(csv.text.find("# fresnel-dielectric: ") == 0);
+  CHECK(markdown.text.find("Made by facet `") != std::string::npos);
+  CHECK(markdown.text.find("command `facet report fresnel`") != std::string::npos);
+  // A CSV is one table.
+  const test::Outcome several = test::runFacet({"report", "fresnel", "--format", "csv"});
+  CHECK(several.status == 2);
+  CHECK(several.text.find("choose one by --table: fresnel-dielectric, fresnel-metal") != std::string::npos);
+  const test::Outcome csv = test::runFacet({"report", "fresnel", "--format", "csv", "--table", "fresnel-dielectric"});
+  CHECK(csv.text.find("ior,F0,largest error,") == 0);
+  const test::Outcome unknown = test::runFacet({"report", "fresnel", "--table", "fresnel-dielektric"});
+  CHECK(unknown.status == 2);
+  CHECK(unknown.text.find("fresnel-dielectric") != std::string::npos);
   test::TemporaryFolder folder;
   const std::string file = folder.file("fresnel.json");
   const test::Outcome json = test::runFacet({"report", "fresnel", "--format", "json", "-o", file});
@@ -24,10 +33,12 @@ TEST_CASE("facet report: a topic as Markdown, CSV, JSON, to a file, what is wron
   std::ifstream stream(file);
   CHECK(nlohmann::json::parse(stream)["tables"].size() == 2);
   // A file by its ending, a folder without one; nothing is made of what is neither.
-  CHECK(test::runFacet({"report", "fresnel", "-o", folder.file("a.csv")}).status == 0);
-  CHECK(test::runShell("head -c 21 " + folder.file("a.csv")).text == "# fresnel-dielectric:");
+  CHECK(test::runFacet({"report", "diffuse", "-o", folder.file("a.csv")}).status == 0);
+  CHECK(test::runShell("head -c 16 " + folder.file("a.csv")).text == "model,roughness,");
+  CHECK(test::runFacet({"report", "fresnel", "-o", folder.file("b.csv")}).status == 2);
   CHECK(test::runFacet({"report", "fresnel", "-o", folder.file("all")}).status == 0);
-  CHECK(std::filesystem::exists(folder.file("all/report.json")));
+  for (const char* name : {"report.json", "fresnel-metal.csv", "fresnel-dielectric.csv", "fresnel-metal.svg"})
+    CHECK(std::filesystem::exists(folder.file(std::string("all/") + name)));
   CHECK(test::runFacet({"report", "fresnel", "-o", folder.file("v1.2/")}).status == 0);
   CHECK(std::filesystem::exists(folder.file("v1.2/report.md")));
   CHECK(test::runFacet({"report", "fresnel", "-o", folder.file("v1.2")}).status == 0);  // is a folder by now
@@ -37,7 +48,7 @@ TEST_CASE("facet report: a topic as Markdown, CSV, JSON, to a file, what is wron
     CHECK(refused.text.find("a report is no ." + std::string(name).substr(2) + " file") != std::string::npos);
     CHECK_FALSE(std::filesystem::exists(folder.file(name)));
   }
-  CHECK(test::runFacet({"report", "fresnel", "--format", "csv", "-o", folder.file("f.txt")}).status == 0);
+  CHECK(test::runFacet({"report", "diffuse", "--format", "csv", "-o", folder.file("f.txt")}).status == 0);
   CHECK(std::filesystem::is_regular_file(folder.file("f.txt")));
   CHECK(test::runFacet({"report", "fresnel", "--format", "csv", "-o", folder.file("all")}).status == 2);
   CHECK(test::runFacet({"brdf", "builtin:lambert", "--plot", folder.file("p.png")}).status == 2);

@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdio>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "optics/diffuse.hpp"
@@ -86,17 +88,42 @@ TEST_CASE("Report: shadowing terms, and what lobes return") {
   const Table& lobes = tables[1];
   CHECK(lobes.rows.size() == 8 * 4);
   const optics::Dfg sharp = optics::integrateDfg(1, 0.04);
-  CHECK(at(lobes, rowOf(lobes, "GGX", 0.2), "0 degrees") == Approx(sharp.A + sharp.B).margin(1e-6));
-  CHECK(at(lobes, rowOf(lobes, "GGX", 1), "0 degrees") < at(lobes, rowOf(lobes, "Beckmann", 1), "0 degrees"));
+  CHECK(at(lobes, rowOf(lobes, "GGX", 0.2), "view at 0") == Approx(sharp.A + sharp.B).margin(1e-6));
+  CHECK(at(lobes, rowOf(lobes, "GGX", 1), "view at 0") < at(lobes, rowOf(lobes, "Beckmann", 1), "view at 0"));
 }
 
 TEST_CASE("Tables: Markdown, CSV, JSON") {
   const std::vector<Table> tables = {
       {"first", "First one", "A note.", {"name", "a, b"}, {{std::string("x \"y\""), 0.125}}}};
-  CHECK(report::markdown(tables) ==
-        "### First one\n\nA note.\n\n| name  | a, b  |\n| ----- | ----- |\n| x \"y\" | 0.125 |\n");
-  CHECK(report::csv(tables) == "# first: First one\nname,\"a, b\"\n\"x \"\"y\"\"\",0.125\n");
-  const nlohmann::json json = nlohmann::json::parse(report::json(tables));
+  const Origin origin{
+      .version = "1.2", .commit = "abc", .renderer = "a, b", .driver = {}, .command = "facet x", .seed = 7};
+  CHECK(report::markdown(tables, origin) ==
+        "### First one\n\nA note.\n\n| name  | a, b  |\n| ----- | ----- |\n| x \"y\" | 0.125 |\n\n"
+        "Made by facet `1.2`, commit `abc`, renderer `a, b`, command `facet x`, seed `7`.\n");
+  CHECK(report::csv(tables[0], origin) ==
+        "name,\"a, b\",facet,commit,renderer,driver,date,command,environment,model,seed\n"
+        "\"x \"\"y\"\"\",0.125,1.2,abc,\"a, b\",,,facet x,,,7\n");
+  const nlohmann::json json = nlohmann::json::parse(report::json(tables, origin));
   CHECK(json["tables"][0]["rows"][0]["a, b"] == 0.125);
   CHECK(json["tables"][0]["rows"][0]["name"] == "x \"y\"");
+  CHECK(json["origin"]["seed"] == 7);
+  CHECK(json["origin"]["model"].is_null());
+}
+
+TEST_CASE("Tables: numbers read back to the last bit, what is not there is null, units are those of the columns") {
+  const double third = 1.0 / 3, small = 1e-300 / 7, inf = std::numeric_limits<double>::infinity();
+  const Table table{"t", "T", "", {"true %", "frame ms", "x"}, {{third, small, std::string()}, {inf, 1.0, 2.0}}};
+  const std::string text = report::csv(table, {});
+  double a = 0, b = 0;
+  REQUIRE(std::sscanf(text.c_str() + text.find('\n') + 1, "%lf,%lf,", &a, &b) == 2);
+  CHECK(a == third);
+  CHECK(b == small);
+  CHECK(text.find("\ninf,1,2,") != std::string::npos);
+  const nlohmann::json json = nlohmann::json::parse(report::json({table}, {}))["tables"][0];
+  CHECK(json["rows"][0]["true %"].get<double>() == third);
+  CHECK(json["rows"][0]["x"].is_null());
+  CHECK(json["rows"][1]["true %"].is_null());
+  CHECK(json["units"] == nlohmann::json({{"true %", "%"}, {"frame ms", "ms"}, {"x", ""}}));
+  CHECK(report::unitOf("angle [degrees]") == "deg");
+  CHECK(report::unitOf("ms") == "ms");
 }

@@ -1,10 +1,15 @@
 #include "report/plot.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdio>
 #include <limits>
+#include <map>
 #include <regex>
 
 using namespace facet::report;
+using facet::Origin;
 
 namespace {
 
@@ -66,7 +71,7 @@ TEST_CASE("plot: points stand where they must, linear and logarithmic") {
   CHECK(frame.x(10, true) == Approx((frame.left + frame.right) / 2));
   CHECK(frame.y(1, false) == Approx((frame.top + frame.bottom) / 2));
   CHECK(frame.y(2, false) == frame.top);
-  const std::string picture = svg(plot);
+  const std::string picture = svg({plot}, {});
   CHECK(wellFormed(picture));
   CHECK(count(picture, "<polyline") == 2);
   char middle[64];
@@ -83,14 +88,15 @@ TEST_CASE("plot: what cannot be drawn parts the line, nothing at all is said") {
   const Plot gap{.title = "t",
                  .y = {.logarithmic = true},
                  .series = {{.name = "s", .x = {0, 1, 2, 3, 4}, .y = {1, 2, 0, nan, 5}}}};
-  const std::string parted = svg(gap);
+  const std::string parted = svg({gap}, {});
   CHECK(count(parted, "<polyline") == 2);
   CHECK(wellFormed(parted));
   CHECK(parted.find("nan") == std::string::npos);
-  const std::string nothing = svg({.title = "t", .x = {}, .y = {.logarithmic = true}, .series = {}, .zones = {}});
+  const std::string nothing =
+      svg({Plot{.title = "t", .x = {}, .y = {.logarithmic = true}, .series = {}, .zones = {}}}, {});
   CHECK(wellFormed(nothing));
   CHECK(count(nothing, "no data") == 1);
-  const std::string single = svg({.title = "t", .series = {{.name = "s", .x = {3}, .y = {3}, .dots = true}}});
+  const std::string single = svg({Plot{.title = "t", .series = {{.name = "s", .x = {3}, .y = {3}, .dots = true}}}}, {});
   CHECK(wellFormed(single));
   CHECK(single.find("nan") == std::string::npos);
   CHECK(single.find("inf") == std::string::npos);
@@ -104,7 +110,7 @@ TEST_CASE("plot: words beside points keep clear of each other and of points") {
     series.labels.push_back("a word of some length");
   }
   plot.series = {series};
-  const std::string picture = svg(plot);
+  const std::string picture = svg({plot}, {});
   static const std::regex word(
       R"re(<text x="([0-9.]+)" y="([0-9.]+)" text-anchor="(start|end)" font-size="11">a word)re");
   struct Word {
@@ -136,7 +142,7 @@ TEST_CASE("plot: a range that is given is kept, and what lies outside is cut off
                   .zones = {}};
   CHECK(frameOf(plot).xTo == 90);
   CHECK(frameOf(plot).yTo == 1);
-  CHECK(svg(plot).find("clip-path=\"url(#axes0)\"") != std::string::npos);
+  CHECK(svg({plot}, {}).find("clip-path=\"url(#axes0)\"") != std::string::npos);
 }
 
 TEST_CASE("plot: several in one picture, each with its own frame") {
@@ -144,11 +150,63 @@ TEST_CASE("plot: several in one picture, each with its own frame") {
   Plot two = one;
   two.title = "two";
   two.height = 300;
-  const std::string picture = svg(std::vector{one, two});
+  const std::string picture = svg({one, two}, {});
   CHECK(wellFormed(picture));
   CHECK(picture.find("viewBox=\"0 0 720 740\"") != std::string::npos);
   CHECK(picture.find("translate(0,440)") != std::string::npos);
   CHECK(count(picture, "<polyline") == 2);
   CHECK(count(picture, "url(#axes1)") == 1);
   CHECK(count(picture, "stroke=\"#aa0000\"") == 4);
+}
+
+TEST_CASE("plot: twelve series are told apart by form and colour, in the legend too") {
+  Plot plot{.title = "t"};
+  for (int i = 0; i < 12; ++i)
+    plot.series.push_back(
+        {.name = "series " + std::to_string(i), .x = {0.0 + i}, .y = {1}, .line = false, .dots = true});
+  const std::string picture = svg({plot}, {});
+  CHECK(wellFormed(picture));
+  static const std::regex mark(
+      R"re(<(circle|polygon) (?:cx="[0-9.]+" cy="[0-9.]+" (r="[0-9.]+")|points="([^"]+)") fill="(#[0-9a-f]+)"(?: stroke="(#[0-9a-f]+)")?)re");
+  std::map<std::string, int> looks;  // form and colour
+  for (auto i = std::sregex_iterator(picture.begin(), picture.end(), mark); i != std::sregex_iterator(); ++i) {
+    std::string corners = (*i)[3];
+    const auto commas = std::count(corners.begin(), corners.end(), ',');
+    // Corners are told apart by where the first one lies from the second.
+    double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+    std::sscanf(corners.c_str(), "%lf,%lf %lf,%lf", &x0, &y0, &x1, &y1);
+    char look[96];
+    std::snprintf(look, sizeof look, "%s %s %d %.1f %.1f %s %s", (*i)[1].str().c_str(), (*i)[2].str().c_str(),
+                  static_cast<int>(commas), x1 - x0, y1 - y0, (*i)[4].str().c_str(), (*i)[5].str().c_str());
+    ++looks[look];
+  }
+  CHECK(looks.size() == 12);
+  for (const auto& [look, times] : looks) CHECK(times == 2);  // the point, and the legend's
+}
+
+TEST_CASE("plot: a map of cells with its scale, and where the figures come from") {
+  const Plot plot{.title = "t",
+                  .map = {.columns = 2, .rows = 2, .values = {0, 1, std::nan(""), 0.5}, .label = "A"},
+                  .width = 400,
+                  .height = 300};
+  const Origin origin{.version = "1.2",
+                      .commit = "abc",
+                      .renderer = "a <b>",
+                      .driver = {},
+                      .date = "2026-01-02T03:04:05Z",
+                      .command = "facet report x"};
+  const std::string picture = svg({plot}, origin);
+  CHECK(wellFormed(picture));
+  CHECK(count(picture, "fill=\"#440154\"") == 1);  // the least; the scale has its middles
+  CHECK(count(picture, "fill=\"#fde725\"") == 1);  // the most
+  CHECK(count(picture, "no data") == 0);
+  CHECK(picture.find("facet 1.2 abc") != std::string::npos);
+  CHECK(picture.find("command: facet report x") != std::string::npos);
+  CHECK(picture.find("renderer: a &lt;b&gt;") != std::string::npos);
+}
+
+TEST_CASE("plot: the slope of a power is its exponent") {
+  Series series;
+  for (const double n : {1.0, 4.0, 16.0, 64.0}) series.x.push_back(n), series.y.push_back(3 / std::sqrt(n));
+  CHECK(report::logSlope(series) == Approx(-0.5).epsilon(1e-12));
 }

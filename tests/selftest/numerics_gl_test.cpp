@@ -6,6 +6,7 @@
 
 #include "selftest/numerics.hpp"
 #include "support/command.hpp"
+#include "support/schema.hpp"
 
 using namespace facet;
 
@@ -215,6 +216,7 @@ TEST_CASE("facet selftest: table, JSON, exit status") {
   CHECK(table.status == 0);
   CHECK_THAT(table.text, Catch::Contains("D_GGX") && Catch::Contains("160 checks, 0 failed"));
   const auto json = nlohmann::json::parse(test::runFacet({"--log-level", "error", "selftest", "--json"}).text);
+  CHECK(test::schemaProblems(json, "selftest") == "");
   CHECK(json["passed"] == true);
   CHECK(json["checks"].size() == 160);
   CHECK(json["checks"][0]["function"] == "D_GGX");
