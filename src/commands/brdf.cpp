@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -10,9 +11,11 @@
 #include "base/nearest.hpp"
 #include "base/text.hpp"
 #include "commands/commands.hpp"
+#include "commands/json_file.hpp"
 #include "commands/write_tables.hpp"
 #include "io/measured.hpp"
 #include "io/merl.hpp"
+#include "report/lobe_views.hpp"
 #include "report/measured.hpp"
 
 namespace facet::commands {
@@ -22,9 +25,9 @@ namespace {
 namespace fs = std::filesystem;
 
 struct BrdfArguments {
-  std::vector<std::string> files;
-  std::string brdfDir, format, table, plot, metric = "log", utiaDecode = "raw", synthesize, output;
-  bool fit = false;
+  std::vector<std::string> files, eval;
+  std::string brdfDir, format, table, plot, metric = "log", utiaDecode = "raw", synthesize, output, evalFrom, lobes;
+  bool fit = false, slices = false;
 };
 
 constexpr std::string_view metricNames[] = {"log", "cuberoot"};
@@ -33,7 +36,24 @@ struct Choices {
   TableFormat format;
   optics::FitMetric metric;
   io::MeasuredOptions reading;
+  std::vector<report::EvalPoint> eval;
 };
+
+Result<std::vector<report::EvalPoint>> evalPoints(const BrdfArguments& arguments) {
+  std::vector<report::EvalPoint> points;
+  for (const std::string& text : arguments.eval) {
+    const Result<report::EvalPoint> point = report::parseEvalPoint(text);
+    if (!point) return fail({}, "--eval", point.error().problem, point.error().remedy);
+    points.push_back(*point);
+  }
+  if (arguments.evalFrom.empty()) return points;
+  const Result<std::string> text = readJsonText(arguments.evalFrom);
+  if (!text) return tl::unexpected(text.error());
+  Result<std::vector<report::EvalPoint>> more = report::parseEvalPoints(*text, arguments.evalFrom);
+  if (!more) return more;
+  points.insert(points.end(), more->begin(), more->end());
+  return points;
+}
 
 Result<Choices> choicesOf(const BrdfArguments& arguments) {
   const Result<TableFormat> format = tableFormat(arguments.format);
@@ -44,9 +64,12 @@ Result<Choices> choicesOf(const BrdfArguments& arguments) {
                 suggestion(arguments.metric, metricNames));
   const Result<io::UtiaDecode> decode = io::parseUtiaDecode(arguments.utiaDecode);
   if (!decode) return fail({}, "--utia-decode", decode.error().problem, decode.error().remedy);
+  Result<std::vector<report::EvalPoint>> eval = evalPoints(arguments);
+  if (!eval) return tl::unexpected(eval.error());
   return Choices{*format,
                  metric == std::begin(metricNames) ? optics::FitMetric::log : optics::FitMetric::cubeRoot,
-                 {.utiaDecode = *decode}};
+                 {.utiaDecode = *decode},
+                 std::move(*eval)};
 }
 
 int synthesize(const BrdfArguments& arguments) {
@@ -124,7 +147,9 @@ void addDecodings(report::Table& table, const std::string& file) {
 int describeAll(const BrdfArguments& arguments, const Choices& choices, const std::vector<std::string>& files) {
   report::Table contents = report::measuredContents({}), albedo = report::albedoTable(),
                 reciprocity = report::reciprocityTable(), proxies = report::proxyTable(), grid = report::gridTable(),
-                fits = report::fitTable(choices.metric), fitAlbedo = report::fitAlbedoTable();
+                fits = report::fitTable(choices.metric), fitAlbedo = report::fitAlbedoTable(),
+                eval = report::evalTable();
+  std::vector<report::Plot> lobes;
   report::Table decodings{.name = "utia-decoding",
                           .title = "Albedo at 30 degrees by the way of reading UTIA's values (--utia-decode)",
                           .note = "",
@@ -163,12 +188,19 @@ int describeAll(const BrdfArguments& arguments, const Choices& choices, const st
       if (const std::string remark = optics::albedoRemark(*chosen); !remark.empty())
         log::warning(file + ": of the best fit " + remark + ": GGX with Schlick's Fresnel term is not its shape");
     }
-    if (!arguments.plot.empty()) report::addSlices(slices, *brdf, files.size() == 1, chosen);
+    report::addEvalRows(eval, *brdf, choices.eval);
+    if (!arguments.lobes.empty()) std::ranges::move(report::lobePlots(*brdf), std::back_inserter(lobes));
+    if (!arguments.plot.empty() || arguments.slices) report::addSlices(slices, *brdf, files.size() == 1, chosen);
   }
   std::vector<report::Table> tables;
-  for (report::Table* table : {&contents, &albedo, &decodings, &reciprocity, &proxies, &grid, &fits, &fitAlbedo})
+  for (report::Table* table : {&contents, &albedo, &decodings, &reciprocity, &proxies, &grid, &fits, &fitAlbedo, &eval})
     if (!table->rows.empty()) tables.push_back(std::move(*table));
   if (tables.empty()) return status;
+  if (arguments.slices) tables.push_back(report::sliceTable(slices));
+  if (!arguments.lobes.empty()) {
+    const Result<void> written = writeText(arguments.lobes, report::svg(lobes, originOfProcess()));
+    if (!written) return badInput(written.error());
+  }
   if (!arguments.plot.empty()) {
     const Result<void> written =
         writeText(arguments.plot, report::svg({slices.thetaH, slices.thetaD, slices.inPlane}, originOfProcess()));
@@ -182,8 +214,9 @@ int runBrdf(const BrdfArguments& arguments) {
   const Result<Choices> choices = choicesOf(arguments);
   if (!choices) return badInput(choices.error());
   if (!arguments.synthesize.empty()) return synthesize(arguments);
-  if (!arguments.plot.empty() && fs::path(arguments.plot).extension() != ".svg")
-    return badInput({arguments.plot, "--plot", "plots are SVG", "end the name in .svg"});
+  for (const auto& [option, file] : {std::pair("--plot", &arguments.plot), std::pair("--lobes", &arguments.lobes)})
+    if (!file->empty() && fs::path(*file).extension() != ".svg")
+      return badInput({*file, option, "plots are SVG", "end the name in .svg"});
   if (!arguments.output.empty())
     return badInput({{}, "-o", "only --synthesize writes a file there", "--plot writes the slices"});
   if (arguments.files.empty()) {
@@ -207,6 +240,17 @@ std::function<int()> addBrdf(CLI::App& app) {
   app.add_option("--metric", arguments->metric, "of the fit (log)")->type_name(alternatives(metricNames));
   app.add_option("--plot", arguments->plot, "write slices by theta_h, theta_d and in the plane of view")
       ->type_name("D.svg");
+  app.add_option("--lobes", arguments->lobes, "write the lobes in the plane of view, and one as a solid")
+      ->type_name("D.svg");
+  app.add_flag("--slices", arguments->slices, "the slices as a table, too (--table slices)");
+  app.add_option(
+         "--eval", arguments->eval,
+         "values at polar angles of V and L and L's azimuth from V's, perhaps V's own, in degrees; several times "
+         "for several (--table eval)")
+      ->type_name("THETAV,THETAL,PHI")
+      ->take_all();
+  app.add_option("--eval-from", arguments->evalFrom, "the same of the lines of a CSV with columns thetaV, thetaL, phi")
+      ->type_name("FILE");
   app.add_option("--utia-decode", arguments->utiaDecode, "what UTIA's values are (raw)")
       ->type_name(alternatives(io::utiaDecodeNames()));
   app.add_option("--brdf-dir", arguments->brdfDir, "look for databases here first")->type_name("DIR");

@@ -43,6 +43,7 @@ constexpr Command commandTable[] = {
      "  facet brdf gold-metallic-paint.binary --fit --plot gold.svg\n"
      "  facet brdf resources/brdf/merl --table albedo --format csv > merl.csv\n"
      "  facet brdf builtin:ggx-0.35 --fit --metric cuberoot\n"
+     "  facet brdf gold-metallic-paint.binary --eval 30,45,180 --eval 30,30,180 --table eval --lobes gold.svg\n"
      "  facet brdf --synthesize utia-brushed -o brushed.bin",
      addBrdf},
     {"report", "how far each approximate formula is from its truth, as tables",

@@ -25,7 +25,7 @@ namespace {
 struct RenderArguments {
   PictureArguments picture;
   std::string model, output, stats, jobs, shard;
-  bool strict = false, noCache = false, glDebug = false;
+  bool strict = false, noCache = false, glDebug = false, errorLayer = false;
   int repeat = 0;
   int frames = 0;  // 0: one picture
   double fps = 30;
@@ -145,7 +145,8 @@ nlohmann::ordered_json statsJson(const Job& job, const frame::Session& session, 
 }
 
 Result<void> writeOutput(const Job& job, const frame::Session& session, const frame::Picture& picture) {
-  return isExr(job.output) ? io::writeExr(job.output, picture.radiance, pictureOrigin(job, session))
+  const io::RadianceImage* error = picture.standardError.pixels.empty() ? nullptr : &picture.standardError;
+  return isExr(job.output) ? io::writeExr(job.output, picture.radiance, pictureOrigin(job, session), error)
                            : io::writePng(job.output, picture.display);
 }
 
@@ -186,15 +187,23 @@ std::string tellReached(const Job& job, const frame::Picture& picture, Notes& no
   return ": " + samples + ", error up to " + reached;
 }
 
-Result<JobOutcome> runJob(const Job& job, int repeat, bool last, frame::Session& session, Stages stages) {
+Result<JobOutcome> runJob(const Job& job, int repeat, bool errorLayer, bool last, frame::Session& session,
+                          Stages stages) {
   Notes notes;
   const bool exr = isExr(job.output);
-  const frame::PictureRequest request{.radiance = exr, .display = !exr, .repeat = repeat, .last = last};
+  const frame::PictureRequest request{
+      .radiance = exr, .display = !exr, .standardError = exr && errorLayer, .repeat = repeat, .last = last};
   Result<frame::Picture> picture = session.render(job.model, job.settings, request, notes, stages);
   if (!picture) return tl::unexpected(picture.error());
   if (picture->statistics.nonFinitePixels > 0)
     notes.push_back(
         {Note::Severity::warning, "", std::to_string(picture->statistics.nonFinitePixels) + " pixels are not finite"});
+  if (errorLayer && picture->standardError.pixels.empty())
+    notes.push_back(
+        {Note::Severity::warning, "",
+         exr ? "--error-layer: the picture does not converge, and has no error to be told; give more than 16 "
+               "--samples, or more than 4 with --visibility none or --light paths"
+             : "--error-layer: only an EXR holds it; end -o in .exr"});
   const std::string reached = tellReached(job, *picture, notes);
   const bool warned = tell(job.model, notes);
   if (Result<void> written = writeOutput(job, session, *picture); !written) return tl::unexpected(written.error());
@@ -265,8 +274,8 @@ int runRender(const RenderArguments& arguments) {
   const bool many = jobs->size() > 1;
   for (size_t i = 0; i < jobs->size(); ++i) {
     const Job& job = (*jobs)[i];
-    const Result<JobOutcome> result =
-        runJob(job, arguments.repeat, i + 1 == jobs->size(), **session, i == 0 ? stages : Stages());
+    const Result<JobOutcome> result = runJob(job, arguments.repeat, arguments.errorLayer, i + 1 == jobs->size(),
+                                             **session, i == 0 ? stages : Stages());
     const std::string place = many ? std::to_string(i + 1) + "/" + std::to_string(jobs->size()) + " " : "";
     if (!result) {
       log::error(place + (many ? job.output.string() + ": " : "") + options::describe(result.error()));
@@ -300,6 +309,8 @@ std::function<int()> addRender(CLI::App& app) {
       ->type_name("N")
       ->check(CLI::Range(1, maxFrames));
   app.add_option("--fps", arguments->fps, "frames per second (30)")->type_name("F")->check(CLI::Range(1e-3, 1e6));
+  app.add_flag("--error-layer", arguments->errorLayer,
+               "in an EXR of more than 4 samples that converges: each pixel's standard error as the layer \"error\"");
   app.add_flag("--strict", arguments->strict, "any warning makes the exit status 2");
   app.add_flag("--no-cache", arguments->noCache,
                "neither read nor write the caches of compiled shaders and of light tables");

@@ -90,6 +90,12 @@ void readBand(Picture& picture, const PictureRequest& request, const Targets& ta
     picture.radiance.pixels.resize(width * height);
     placeBand(picture.radiance.pixels, band.pixels, width, settings.frame.height, firstRow);
   }
+  if (targets.contrasts) {
+    const io::RadianceImage band = readStandardError(targets, settings.quality.samples, unit);
+    picture.standardError.width = settings.frame.width, picture.standardError.height = settings.frame.height;
+    picture.standardError.pixels.resize(width * height);
+    placeBand(picture.standardError.pixels, band.pixels, width, settings.frame.height, firstRow);
+  }
   if (request.display) {
     io::Pixels band = readDisplay(targets, settings.frame.background == Background::transparent);
     picture.display.width = settings.frame.width, picture.display.height = settings.frame.height;
@@ -188,11 +194,13 @@ Result<DrawnFrame> drawBands(FrameInput in, Screen* screen, const Targets& targe
 
 // For as many samples as the settings ask for, or for any number while the error decides.
 Targets pictureTargets(const PictureSettings& settings, const gl::ContextInfo& context, int rows, bool corrected,
-                       bool estimate, bool precise) {
+                       bool estimate, bool contrasts, bool precise) {
   Targets targets = createTargets(settings, context, rows, precise, corrected);
   if (estimate)
     targets.before =
         gl::Texture({.format = GL_RGBA32F, .width = settings.frame.width, .height = rows}, "first samples");
+  if (contrasts)
+    targets.contrasts = gl::Texture({.format = GL_RGBA32F, .width = settings.frame.width, .height = rows}, "contrasts");
   return targets;
 }
 
@@ -282,8 +290,10 @@ Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& 
   const bool precise = request.precise();
   const float unit = radianceUnit(settings.display, list.features.channel);
   const int rows = std::min(bandRows(settings, list, context, precise), settings.frame.height);
-  const bool estimate = asked.quality.maxError || (request.estimate && gathers(settings) && !list.features.difference);
-  Targets targets = pictureTargets(settings, context, rows, list.features.difference, estimate, precise);
+  const bool converges = gathers(settings) && !list.features.difference;
+  const bool contrasts = request.standardError && converges;
+  const bool estimate = asked.quality.maxError || (request.estimate && converges) || contrasts;
+  Targets targets = pictureTargets(settings, context, rows, list.features.difference, estimate, contrasts, precise);
   prepareBehind(targets, list);
   prepareComparison(targets, list);
   statistics.bands = (settings.frame.height + rows - 1) / rows;

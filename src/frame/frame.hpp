@@ -37,9 +37,10 @@ struct Targets {
   gl::Texture color;        // RGBA16F, RGBA32F where precise; scene-linear, associated alpha
   gl::Texture sum;          // RGBA32F, only while several draws are gathered
   gl::Texture before;       // RGBA32F, the sum as it was; only where the error is wanted
-  gl::Texture fitted;       // as sum, else as color, of the fitted model; only where it is compared
-  gl::Texture display;      // RGBA8, sRGB-encoded, straight alpha
-  Behind behind;            // only for scenes with transmitting surfaces
+  gl::Texture contrasts;  // RGBA32F, of parts of the draws; only where each pixel's own error is wanted, with `before`
+  gl::Texture fitted;     // as sum, else as color, of the fitted model; only where it is compared
+  gl::Texture display;    // RGBA8, sRGB-encoded, straight alpha
+  Behind behind;          // only for scenes with transmitting surfaces
   gl::Framebuffer drawn, resolved, gathered, fittedGathered, shown;
   gl::VertexArray noAttributes;  // core profile draws nothing without a vertex array, full-screen passes too
 };
@@ -103,6 +104,9 @@ Result<FrameStatistics> drawFrame(const FrameInput& in, const Targets& targets, 
 // Scene-linear, associated alpha; unit: radianceUnit of what was drawn. Waits for the GPU.
 io::RadianceImage readRadiance(const Targets& targets, float unit = 1);
 // The same of the fitted model, where it is compared.
+// The standard error of each pixel's radiance, of so many draws. It takes draws for independent: where they are evener
+// it is too much.
+io::RadianceImage readStandardError(const Targets& targets, int draws, float unit);
 io::RadianceImage readFitted(const Targets& targets, float unit = 1);
 // 8-bit sRGB; RGB where the background covers everything, RGBA else.
 io::Pixels readDisplay(const Targets& targets, bool withAlpha);

@@ -22,6 +22,9 @@ Result<const gl::Program*> gatherProgram(ProgramStore& programs) {
 Result<const gl::Program*> errorProgram(ProgramStore& programs) {
   return programs.compute("passes/picture_error.comp.glsl");
 }
+Result<const gl::Program*> contrastProgram(ProgramStore& programs) {
+  return programs.compute("passes/contrast_add.comp.glsl");
+}
 
 // What lies in the rows that the targets hold.
 VisibleDraws visibleRows(const FrameInput& in, const Targets& targets) {
@@ -210,6 +213,23 @@ Result<ErrorSums> sumErrors(const FrameInput& in, const Targets& targets, const 
   return out;
 }
 
+Result<void> addContrast(const Targets& targets, const Gathering& gathering, ProgramStore& programs) {
+  const auto program = contrastProgram(programs);
+  if (!program) return tl::unexpected(program.error());
+  const double draws = gathering.draws(), before = gathering.before, after = gathering.done - gathering.before;
+  (*program)->set(layout::errorPartsLocation,
+                  glm::vec4(draws / before, draws / after, before * after / (before + after), 0));
+  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+  glBindImageTexture(0, targets.sum.id(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA32F);
+  glBindImageTexture(1, targets.before.id(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA32F);
+  glBindImageTexture(2, targets.contrasts.id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
+  glUseProgram((*program)->id());
+  glDispatchCompute(static_cast<GLuint>(layout::groupsFor(targets.width, layout::groupSize)),
+                    static_cast<GLuint>(layout::groupsFor(targets.height, layout::groupSize)), 1);
+  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+  return {};
+}
+
 PictureErrors readErrors(const ErrorSums& sums) {
   glm::dvec4 whole(0);
   for (const glm::vec4& tile : sums.sums.read<glm::vec4>(sums.tiles)) whole += tile;
@@ -238,6 +258,8 @@ Result<PartDifference> partDifference(const FrameInput& in, const Targets& targe
 Result<FrameStatistics> drawFrame(const FrameInput& in, const Targets& targets, ProgramStore& programs) {
   Gathering gathering = beginGathering(in, targets);
   std::vector<PartDifference> parts;
+  const glm::vec4 zero(0);
+  if (targets.contrasts) glClearTexImage(targets.contrasts.id(), 0, GL_RGBA, GL_FLOAT, &zero.x);
   // Where the error is wanted, the last estimates are made as a resting window makes them.
   for (int until = targets.before ? 1 : gathering.draws(); !gathering.complete();
        until = nextEstimate(gathering.done, gathering.draws())) {
@@ -249,6 +271,8 @@ Result<FrameStatistics> drawFrame(const FrameInput& in, const Targets& targets, 
     const Result<PartDifference> part = partDifference(in, targets, gathering, programs);
     if (!part) return tl::unexpected(part.error());
     parts.push_back(*part);
+    if (!targets.contrasts) continue;
+    if (Result<void> added = addContrast(targets, gathering, programs); !added) return tl::unexpected(added.error());
   }
   FrameStatistics& statistics = gathering.statistics;
   if (targets.sum) statistics.passes.push_back("gather x " + std::to_string(gathering.draws()));

@@ -70,6 +70,9 @@ Result<ErrorSums> sumErrors(const FrameInput& in, const Targets& targets, const 
                             const Targets& shown, shading::ProgramStore& programs);
 PictureErrors readErrors(const ErrorSums& sums);  // waits for the GPU
 
+// What the draws before the mark and those after it differ by, onto targets.contrasts.
+Result<void> addContrast(const Targets& targets, const Gathering& gathering, shading::ProgramStore& programs);
+
 // Errors: a shader does not compile.
 Result<void> prepareGatherPrograms(shading::ProgramStore& programs);
 

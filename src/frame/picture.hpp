@@ -57,6 +57,8 @@ struct PictureStatistics {
 struct Picture {
   io::RadianceImage radiance;  // where asked for
   io::Pixels display;          // where asked for
+  // Of each pixel's radiance, where asked for and where the picture is gathered; its alpha's in alpha.
+  io::RadianceImage standardError;
   PictureStatistics statistics;
 };
 
@@ -65,7 +67,8 @@ struct PictureRequest {
   // radiance beside it.
   bool radiance = false, display = false;
   bool estimate = false;  // of the noise of what converges (FrameStatistics::parts), also without an error to keep to
-  int repeat = 0;         // further frames, for timing
+  bool standardError = false;  // of each pixel
+  int repeat = 0;              // further frames, for timing
   // Nothing is rendered after this: Session frees in main memory what is on the GPU by then.
   bool last = false;
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "frame/frame.hpp"
+#include "frame/gather.hpp"
 #include "frame/settings.hpp"
 
 namespace facet::frame {
@@ -90,8 +91,8 @@ void flipRows(std::vector<T>& data, size_t rowLength) {
 size_t targetBytes(const Targets& targets) {
   size_t sum = 0;
   for (const gl::Texture* texture :
-       {&targets.multisample, &targets.depth, &targets.color, &targets.sum, &targets.before, &targets.fitted,
-        &targets.display, &targets.behind.color, &targets.behind.depth})
+       {&targets.multisample, &targets.depth, &targets.color, &targets.sum, &targets.before, &targets.contrasts,
+        &targets.fitted, &targets.display, &targets.behind.color, &targets.behind.depth})
     if (*texture) sum += texture->bytes();
   return sum;
 }
@@ -115,6 +116,15 @@ io::RadianceImage readPixels(const Targets& targets, const gl::Texture& source, 
 
 io::RadianceImage readRadiance(const Targets& targets, float unit) {
   return readPixels(targets, targets.sum ? targets.sum : targets.color, unit);
+}
+
+io::RadianceImage readStandardError(const Targets& targets, int draws, float unit) {
+  io::RadianceImage out = readPixels(targets, targets.contrasts, 1);
+  int contrasts = 0;
+  for (int done = 1; done < draws; done = nextEstimate(done, draws)) ++contrasts;
+  const float factor = 1 / (static_cast<float>(std::max(contrasts, 1)) * static_cast<float>(draws));
+  for (glm::vec4& p : out.pixels) p = glm::vec4(unit, unit, unit, 1) * glm::sqrt(p * factor);
+  return out;
 }
 
 io::RadianceImage readFitted(const Targets& targets, float unit) { return readPixels(targets, targets.fitted, unit); }

@@ -261,20 +261,22 @@ Result<RadianceImage> decodeExr(Bytes bytes, const std::string& name, const Limi
   }
 }
 
-Result<void> writeExr(const std::filesystem::path& path, const RadianceImage& image, const Origin& origin) {
+Result<void> writeExr(const std::filesystem::path& path, const RadianceImage& image, const Origin& origin,
+                      const RadianceImage* error) {
   try {
     Imf::Header header(image.width, image.height);
     header.compression() = Imf::ZIP_COMPRESSION;
     for (const auto& [name, value] : originFields(origin))
       if (!value.empty()) header.insert(name, Imf::StringAttribute(value));
     Imf::FrameBuffer buffer;
+    const auto insert = [&](const std::string& name, const RadianceImage& from, int c) {
+      header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+      buffer.insert(name, Imf::Slice::Make(Imf::FLOAT, &from.pixels.data()->x + c, header.dataWindow(),
+                                           sizeof(glm::vec4), sizeof(glm::vec4) * static_cast<size_t>(from.width)));
+    };
     const char* names[] = {"R", "G", "B", "A"};
-    for (int c = 0; c < 4; ++c) {
-      header.channels().insert(names[c], Imf::Channel(Imf::FLOAT));
-      buffer.insert(names[c],
-                    Imf::Slice::Make(Imf::FLOAT, &image.pixels.data()->x + c, header.dataWindow(), sizeof(glm::vec4),
-                                     sizeof(glm::vec4) * static_cast<size_t>(image.width)));
-    }
+    for (int c = 0; c < 4; ++c) insert(names[c], image, c);
+    for (int c = 0; error && c < 3; ++c) insert(std::string("error.") + names[c], *error, c);
     MemoryOutput memory(path.string());
     {
       Imf::OutputFile file(memory, header, exrThreads());

@@ -40,7 +40,8 @@ Result<scene::Environment> loadEnvironment(const std::filesystem::path& path, No
                                            const std::string& layer = {});
 
 // 32-bit float RGBA, whole or not at all (base/whole_file.hpp), with what is known of its origin as attributes of the
-// header. Errors: the file cannot be written.
-Result<void> writeExr(const std::filesystem::path& path, const RadianceImage& image, const Origin& origin = {});
+// header. error: of each pixel, as a layer "error" of R, G, B; null: none. Errors: the file cannot be written.
+Result<void> writeExr(const std::filesystem::path& path, const RadianceImage& image, const Origin& origin = {},
+                      const RadianceImage* error = nullptr);
 
 }  // namespace facet::io

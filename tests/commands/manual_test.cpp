@@ -144,6 +144,7 @@ TEST_CASE("every value of an option that names files, folders or words is comple
                                          "#rrggbb|R,G,B",
                                          "NAME|INDEX",
                                          "TABLE",
+                                         "THETAV,THETAL,PHI",
                                          "N,...",
                                          "WxH,...",
                                          "OPTION=VALUE,..."};

@@ -227,6 +227,7 @@ TEST_CASE("The passes' uniforms and work groups are those of the header") {
       {"picture_error.comp", "parameters", layout::displayParametersLocation},
       {"picture_error.comp", "backdrop", layout::displayBackdropLocation},
       {"picture_error.comp", "parts", layout::errorPartsLocation},
+      {"contrast_add.comp", "parts", layout::errorPartsLocation},
       {"behind_level.comp", "fineLevel", layout::behindFineLevelLocation},
       {"equirect_to_cube.comp", "taps", layout::cubeTapsLocation},
       {"equirect_to_cube.comp", "steepTaps", layout::cubeSteepTapsLocation},
