@@ -4,6 +4,7 @@
 // The twin is src/optics/bsdf.cpp.
 #include "models.glsl"
 #include "energy.glsl"
+#include "layers/rough_base.glsl" if HAS_DIFFUSE_ROUGHNESS
 #include "layers/grain.glsl" if HAS_ANISOTROPY
 #include "layers/film.glsl" if HAS_IRIDESCENCE
 #include "layers/sheen.glsl" if HAS_SHEEN
@@ -27,6 +28,7 @@ struct Surface {
 #endif
   float occlusion;            // share of distant light that reaches the point
   float diffuseShare;         // of the light below the dielectric's interface: what does not pass through the surface
+  RoughBase roughBase;
   Grain grain;
   Film film;
   Sheen sheen;
@@ -69,6 +71,8 @@ Surface makeSpecularGlossinessSurface(vec3 N, vec3 V, vec3 diffuse, vec4 specula
 
 // That of the table's entries, whatever widens the lobe.
 float tableAlpha(Surface s) { return s.perceptualRoughness * s.perceptualRoughness; }
+
+float diffuseRoughness(Surface s) { return diffuseRoughness(s.roughBase, s.perceptualRoughness); }
 
 float largestOf(vec3 v) { return max(v.r, max(v.g, v.b)); }
 
@@ -138,7 +142,7 @@ vec3 evaluateBase(Surface s, vec3 L) {
 #elif ENERGY_MODEL == ENERGY_KULLA_CONTY
   specular += baseMultipleAlbedo(s, lobeEnergy) * (baseMultipleShape(s, s.albedoL) / PI);
 #endif
-  vec3 diffuse = diffuseTerm(s.baseColor, s.NoV, NoL, dot(s.V, L), s.perceptualRoughness) * (1.0 - s.metallic) *
+  vec3 diffuse = diffuseTerm(s.baseColor, s.NoV, NoL, dot(s.V, L), diffuseRoughness(s)) * (1.0 - s.metallic) *
                  s.diffuseShare * dielectricLeft(s, lightEnergy);
   return (specular + diffuse) * NoL;
 }
@@ -161,7 +165,7 @@ vec3 dielectricBaseShare(Surface s) { return (1.0 - s.metallic) * dielectricLeft
 // What of irradiance / pi the base sends towards the viewer: light that left the microsurface after several bounces,
 // which is taken as diffuse, and the dielectric's diffuse part.
 vec3 irradianceAlbedo(Surface s) {
-  vec3 diffuse = diffuseReturned(s.baseColor, s.NoV, s.perceptualRoughness);
+  vec3 diffuse = diffuseReturned(s.baseColor, s.NoV, diffuseRoughness(s));
   return baseMultipleAlbedo(s, distantEnergy) + diffuse * s.diffuseShare * dielectricBaseShare(s);
 }
 // What enters the dielectric, before its colour: the rest is reflected by its interface, by the metal or by the layers.

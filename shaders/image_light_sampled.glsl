@@ -65,18 +65,18 @@ vec3 multipleDetail(Surface s) {
 // for that: (pi f - returned) radiance.
 vec3 diffuseDetail(Surface s) {
   LobeFrame at = normalFrame(s);
-  vec3 returned = diffuseReturned(s.baseColor, at.V.z, s.perceptualRoughness);
+  vec3 returned = diffuseReturned(s.baseColor, at.V.z, diffuseRoughness(s));
   vec3 sum = vec3(0.0);
   int first = int(frame.options.y) * IMAGE_LIGHT_SAMPLES;
   for (int i = first; i < first + IMAGE_LIGHT_SAMPLES; ++i) {
     LobeSample drawn = sampleCosine(lightPoint(i, diffusePoints));
-    vec3 f = diffuseTerm(s.baseColor, at.V.z, drawn.L.z, dot(at.V, drawn.L), s.perceptualRoughness);
+    vec3 f = diffuseTerm(s.baseColor, at.V.z, drawn.L.z, dot(at.V, drawn.L), diffuseRoughness(s));
     sum += (PI * f - returned) * sampledRadiance(at.worldFromLocal * drawn.L, drawn.density);
     if (!lampsThere()) continue;
     LampSample lamp = sampleLamps(i, diffusePoints);
     vec3 L = lamp.L * at.worldFromLocal;
     if (L.z <= 0.0) continue;
-    f = diffuseTerm(s.baseColor, at.V.z, L.z, dot(at.V, L), s.perceptualRoughness);
+    f = diffuseTerm(s.baseColor, at.V.z, L.z, dot(at.V, L), diffuseRoughness(s));
     sum += (PI * f - returned) * lamp.radiance * (cosineDensity(L) / (lamp.density + cosineDensity(L)));
   }
   return sum / float(IMAGE_LIGHT_SAMPLES);

@@ -49,8 +49,14 @@ void readCoat(inout Surface s, Varyings v) {
   setCoat(s.coat, N, NoV, weight, perceptualRoughness, lookUpDfg(NoV, perceptualRoughness));
 }
 
+// KHR_materials_diffuse_roughness.
+void readRoughBase(inout Surface s, Varyings v) {
+  setRoughBase(s.roughBase, clamp(material.diffuseRoughnessFactor * diffuseRoughnessTexel(v).r, 0.0, 1.0));
+}
+
 // Into a surface that has everything else.
 void readLayers(inout Surface s, Varyings v) {
+  readRoughBase(s, v);
   readDielectric(s, v);
   readGrain(s, v);
   readFilm(s, v);

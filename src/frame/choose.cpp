@@ -230,7 +230,10 @@ std::string chooseEnvironment(const PictureSettings& settings, const std::string
   if (const scene::BuiltinScene* builtin = builtinOf(source)) return std::string(builtin->environment);
   const DrawOptions options = drawOptions(settings, true);
   const bool shaded = options.features.channel == 0 && options.features.environment;
-  return shaded && scene::anythingLit(model, scene) ? "builtin:studio" : "none";
+  if (!shaded || !scene::anythingLit(model, scene)) return "none";
+  const int own = model.scenes[static_cast<size_t>(scene)].imageLight;  // of the file
+  return own < 0 || source.starts_with(io::builtinPrefix) ? "builtin:studio"
+                                                          : io::withLayer(source, std::to_string(own));
 }
 
 }  // namespace facet::frame

@@ -166,8 +166,8 @@ bool uploadPieces(GpuPrimitive& gpu, const KeepGoing& keepGoing) {
 // Its geometry, where attributes of it are missing. True where all of it is there.
 bool uploadPrimitive(GpuScene& gpu, const Draw& draw, const KeepGoing& keepGoing) {
   const auto found = gpu.primitives.find(draw.primitive);
-  const uint64_t held = found == gpu.primitives.end() ? 0 : found->second.attributes;
-  const uint64_t wanted = shading::attributeBits(draw.key);
+  const shading::FeatureBits held = found == gpu.primitives.end() ? 0 : found->second.attributes;
+  const shading::FeatureBits wanted = shading::attributeBits(draw.key);
   if (found != gpu.primitives.end() && (wanted & ~held) == 0) return true;
   std::optional<PrimitiveUpload>& upload = gpu.primitiveUpload;
   if (upload && (upload->primitive != draw.primitive || (wanted & ~upload->gpu.attributes) != 0)) upload.reset();

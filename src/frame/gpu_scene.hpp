@@ -39,7 +39,7 @@ struct GpuPrimitive {
   gl::VertexArray vertexArray;
   std::vector<gl::Buffer> buffers;
   gl::Buffer influences, morphTargets;  // shaders/deformation.glsl; where a skin or weights deform it
-  uint64_t attributes = 0;              // shading::attributeBits of what is present
+  shading::FeatureBits attributes = 0;  // shading::attributeBits of what is present
   GLenum mode = GL_TRIANGLES;
   GLenum indexType = GL_NONE;  // GL_NONE: not indexed
   GLsizei count = 0;

@@ -38,6 +38,8 @@ size_t componentSize(int componentType) {
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
     case TINYGLTF_COMPONENT_TYPE_FLOAT:
       return 4;
+    case TINYGLTF_COMPONENT_TYPE_DOUBLE:
+      return 8;
     default:
       return 0;
   }
@@ -156,7 +158,7 @@ Result<void> checkAccessor(const Document& doc, const tinygltf::Accessor& access
 // c -> c / largest, bounded below by -1 (glTF 2.0, section 3.6.2.2).
 template <class T>
 float toFloat(T value, bool normalized) {
-  if constexpr (std::is_same_v<T, float>) return value;
+  if constexpr (std::is_floating_point_v<T>) return static_cast<float>(value);
   if (!normalized) return static_cast<float>(value);
   const double scaled = static_cast<double>(value) / static_cast<double>(std::numeric_limits<T>::max());
   return static_cast<float>(std::max(scaled, -1.0));
@@ -257,6 +259,8 @@ void convertElements(const Elements& from, bool normalized, int width, float* ou
       return run(uint16_t{});
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
       return run(uint32_t{});
+    case TINYGLTF_COMPONENT_TYPE_DOUBLE:
+      return run(double{});
     default:
       break;
   }

@@ -22,6 +22,11 @@ struct Elements {
 // Bytes of one element without padding between elements; 0 for an unknown type. Columns of matrices are padded to 4.
 size_t elementSize(int componentType, int type);
 
+// Doubles are KHR_accessor_float64's; they are read as floats.
+constexpr bool isFloatingPoint(int componentType) {
+  return componentType == TINYGLTF_COMPONENT_TYPE_FLOAT || componentType == TINYGLTF_COMPONENT_TYPE_DOUBLE;
+}
+
 inline const tinygltf::Accessor& accessorAt(const Document& doc, int index) {
   return doc.gltf.accessors[static_cast<size_t>(index)];
 }

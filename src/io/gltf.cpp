@@ -6,6 +6,7 @@
 #include "io/accessors.hpp"
 #include "io/glb.hpp"
 #include "io/gltf_document.hpp"
+#include "io/gltf_image_light.hpp"
 #include "io/json_section.hpp"
 #include "io/uri.hpp"
 
@@ -194,7 +195,8 @@ Result<void> parse(Document& doc) {
   return {};
 }
 
-Result<LoadedModel> load(Document& doc, std::span<const uint8_t> bytes) {
+// The text and the binary chunk, scanned.
+Result<void> readText(Document& doc, std::span<const uint8_t> bytes) {
   doc.bytesRead = bytes.size();
   doc.json = {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
   if (isGlb(bytes)) {
@@ -218,6 +220,11 @@ Result<LoadedModel> load(Document& doc, std::span<const uint8_t> bytes) {
   if (!outline) return doc.error(outline.error().place, outline.error().problem, outline.error().remedy);
   doc.outline = std::move(*outline);
   for (const std::string& key : doc.outline.givenTwice) doc.warning("/" + key, "is given twice: the later one counts");
+  return {};
+}
+
+Result<LoadedModel> load(Document& doc, std::span<const uint8_t> bytes) {
+  if (auto ok = readText(doc, bytes); !ok) return tl::unexpected(ok.error());
   // In this order: what a file may ask for first, then bytes, then what refers to them.
   for (const auto step : {readAsset, checkExtensions, readBuffers, parse, decodeMeshopt}) {
     if (auto ok = step(doc); !ok) return tl::unexpected(ok.error());
@@ -233,15 +240,15 @@ Result<LoadedModel> load(Document& doc, std::span<const uint8_t> bytes) {
 }
 
 // No exception of the libraries below gets out, and neither does running out of memory.
-Result<LoadedModel> loadSafely(std::span<const uint8_t> bytes, const std::string& name, const fs::path& baseFolder,
-                               const Limits& limits) {
+template <class T, class Function>
+Result<T> safely(const std::string& name, const fs::path& baseFolder, const Limits& limits, Function&& read) {
   try {
     Document doc;
     doc.name = name;
     doc.limits = limits;
     std::error_code code;
     if (!baseFolder.empty()) doc.folder = fs::canonical(baseFolder, code);
-    return load(doc, bytes);
+    return read(doc);
   } catch (const std::bad_alloc&) {
     return fail(name, "", "there is not enough memory to read it", "use a smaller model");
   } catch (const std::exception& e) {
@@ -249,17 +256,40 @@ Result<LoadedModel> loadSafely(std::span<const uint8_t> bytes, const std::string
   }
 }
 
+Result<LoadedModel> loadSafely(std::span<const uint8_t> bytes, const std::string& name, const fs::path& baseFolder,
+                               const Limits& limits) {
+  return safely<LoadedModel>(name, baseFolder, limits, [&](Document& doc) { return load(doc, bytes); });
+}
+
+fs::path folderOf(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
+
 }  // namespace
 
 Result<LoadedModel> loadGltf(const fs::path& path, const Limits& limits) {
   auto bytes = readRegularFile(path, std::min(limits.fileBytes, limits.totalBytes));
   if (!bytes) return tl::unexpected(bytes.error());
-  return loadSafely(bytes->span(), path.string(), path.has_parent_path() ? path.parent_path() : fs::path("."), limits);
+  return loadSafely(bytes->span(), path.string(), folderOf(path), limits);
 }
 
 Result<LoadedModel> loadGltfBytes(std::span<const uint8_t> bytes, const std::string& name, const fs::path& baseFolder,
                                   const Limits& limits) {
   return loadSafely(bytes, name, baseFolder, limits);
+}
+
+Result<scene::Environment> withImages(const fs::path& path, const Limits& limits,
+                                      const std::function<Result<scene::Environment>(Document&)>& use) {
+  auto bytes = readRegularFile(path, std::min(limits.fileBytes, limits.totalBytes));
+  if (!bytes) return tl::unexpected(bytes.error());
+  return safely<scene::Environment>(path.string(), folderOf(path), limits,
+                                    [&](Document& doc) -> Result<scene::Environment> {
+                                      if (auto ok = readText(doc, bytes->span()); !ok)
+                                        return tl::unexpected(ok.error());
+                                      for (const auto step : {readAsset, readBuffers, parse, decodeMeshopt})
+                                        if (auto ok = step(doc); !ok) return tl::unexpected(ok.error());
+                                      if (auto ok = checkBufferViews(doc); !ok) return tl::unexpected(ok.error());
+                                      if (auto ok = readImages(doc); !ok) return tl::unexpected(ok.error());
+                                      return use(doc);
+                                    });
 }
 
 }  // namespace facet::io

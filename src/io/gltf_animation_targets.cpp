@@ -50,6 +50,7 @@ constexpr Rule perspectiveRules[] = {
     {"perspective/yfov", AnimatedProperty::cameraFovY, 1},
     {"perspective/znear", AnimatedProperty::cameraZNear, 1},
     {"perspective/zfar", AnimatedProperty::cameraZFar, 1},
+    {"perspective/aspectRatio", AnimatedProperty::cameraAspectRatio, 1},
 };
 constexpr Rule orthographicRules[] = {
     {"orthographic/xmag", AnimatedProperty::cameraXMag, 1},

@@ -191,7 +191,7 @@ Result<MaybeSampler> readSampler(AnimationReader& reader, int index, const Wante
     refuse(doc, place, "has no keys");
     return MaybeSampler();
   }
-  const bool quantised = accessorAt(doc, *output).componentType != TINYGLTF_COMPONENT_TYPE_FLOAT;
+  const bool quantised = !isFloatingPoint(accessorAt(doc, *output).componentType);
   if (unitLength) makeUnit(doc, sampler, quantised, place + "/output");
   return MaybeSampler(std::move(sampler));
 }

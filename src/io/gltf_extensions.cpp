@@ -27,6 +27,10 @@ constexpr std::string_view supportedExtensions[] = {
     "KHR_xmp_json_ld",                      // gltf_xmp.cpp
     "EXT_texture_webp",                     // gltf_textures.cpp, image.cpp
     "KHR_texture_basisu",                   // gltf_textures.cpp, ktx2/
+    "EXT_texture_avif",                     // gltf_textures.cpp, image_avif.cpp
+    "KHR_accessor_float64",                 // accessors.cpp: read wherever floats are
+    "MSFT_lod",                             // gltf_nodes.cpp
+    "EXT_lights_image_based",               // gltf_nodes.cpp, gltf_environment.cpp
 };
 
 // What is lost without these are looks, sounds and motion: the rest can still be shown.
@@ -36,8 +40,10 @@ constexpr std::string_view onlyLooks[] = {
     "KHR_physics",    "KHR_interactivity", "KHR_node_",
 };
 
+// The points themselves are there, unless another extension compresses them.
 bool concernsOnlyLooks(std::string_view name) {
-  return std::ranges::any_of(onlyLooks, [&](std::string_view prefix) { return name.starts_with(prefix); });
+  return name == "KHR_gaussian_splatting" ||
+         std::ranges::any_of(onlyLooks, [&](std::string_view prefix) { return name.starts_with(prefix); });
 }
 
 bool supported(std::string_view name) {

@@ -37,7 +37,7 @@ bool isVector4(const tinygltf::Accessor& accessor, bool floats) {
   const int type = accessor.componentType;
   return accessor.type == TINYGLTF_TYPE_VEC4 &&
          (type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE || type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
-          (floats && type == TINYGLTF_COMPONENT_TYPE_FLOAT));
+          (floats && isFloatingPoint(type)));
 }
 
 // How far the four weights of a set may be off the sum of 1 without a word: rounding. Writers in single precision stay

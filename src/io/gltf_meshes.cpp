@@ -337,9 +337,25 @@ void readPrimitiveSafely(const Document& doc, Job& job) {
 
 static_assert(static_cast<int>(scene::Topology::triangleFan) == TINYGLTF_MODE_TRIANGLE_FAN);
 
+// KHR_gaussian_splatting
+void noteSplats(Document& doc) {
+  size_t count = 0;
+  std::string first;
+  for (size_t m = 0; m < doc.gltf.meshes.size(); ++m)
+    for (size_t p = 0; p < doc.gltf.meshes[m].primitives.size(); ++p) {
+      if (!doc.gltf.meshes[m].primitives[p].extensions.contains("KHR_gaussian_splatting")) continue;
+      if (count++ == 0) first = pointer(pointer("/meshes", m) + "/primitives", p);
+    }
+  if (count > 0)
+    doc.warning(first, "its points, and those of " + std::to_string(count - 1) +
+                           " more primitives, are Gaussian splats: they are shown as plain points, without size, turn, "
+                           "opacity and the colours that depend on the view");
+}
+
 }  // namespace
 
 Result<void> readMeshes(Document& doc) {
+  noteSplats(doc);
   std::vector<Job> jobs;
   std::vector<size_t> meshOf;
   const std::vector<JointLimit> joints = jointLimits(doc);

@@ -170,6 +170,17 @@ Result<void> checkCycles(const Document& doc) {
   return {};
 }
 
+// EXT_lights_image_based; what it names is read with the environment (gltf_environment.cpp).
+void readSceneImageLight(Document& doc, const tinygltf::Scene& from, const std::string& place, scene::Scene& scene) {
+  const auto extension = from.extensions.find("EXT_lights_image_based");
+  if (extension == from.extensions.end()) return;
+  const auto& light = memberValue(extension->second, "light");
+  if (light.IsInt() && light.GetNumberAsInt() >= 0)
+    scene.imageLight = light.GetNumberAsInt();
+  else
+    doc.warning(place + "/extensions/EXT_lights_image_based/light", "is no index: another environment is shown");
+}
+
 Result<void> readScene(Document& doc, size_t index) {
   const auto& from = doc.gltf.scenes[index];
   scene::Scene scene;
@@ -190,8 +201,38 @@ Result<void> readScene(Document& doc, size_t index) {
     listed[node] = 1;
     scene.nodes.push_back(from.nodes[i]);
   }
+  readSceneImageLight(doc, from, pointer("/scenes", index), scene);
   doc.model.scenes.push_back(std::move(scene));
   return {};
+}
+
+// MSFT_lod: the object that has it is the finest level. Coarser nodes are left out wherever a scene has them, too.
+template <class Objects>
+void readLevels(Document& doc, const Objects& objects, const char* list, const char* what, size_t& count) {
+  for (size_t i = 0; i < objects.size(); ++i) {
+    const auto extension = objects[i].extensions.find("MSFT_lod");
+    if (extension == objects[i].extensions.end()) continue;
+    ++count;
+    const std::string place = pointer(list, i) + "/extensions/MSFT_lod/ids";
+    const auto& ids = memberValue(extension->second, "ids");
+    if (!ids.IsArray()) doc.warning(place, "is no list of the coarser levels");
+    for (size_t k = 0; ids.IsArray() && k < ids.ArrayLen(); ++k) {
+      const auto& id = ids.Get(static_cast<int>(k));
+      const auto ok = checkIndex(doc, id.IsInt() ? id.GetNumberAsInt() : -1, objects.size(), pointer(place, k), what);
+      if (!ok) doc.lost(ok.error(), "the finest level is shown");
+      if (!ok || what != std::string_view("node") || static_cast<size_t>(id.GetNumberAsInt()) == i) continue;
+      doc.model.nodes[static_cast<size_t>(id.GetNumberAsInt())].visible = false;
+    }
+  }
+}
+
+void readAllLevels(Document& doc) {
+  size_t nodes = 0, materials = 0;
+  readLevels(doc, doc.gltf.nodes, "/nodes", "node", nodes);
+  readLevels(doc, doc.gltf.materials, "/materials", "material", materials);
+  if (nodes + materials > 0)
+    doc.info("", std::to_string(nodes) + " nodes and " + std::to_string(materials) +
+                     " materials have coarser levels of detail (MSFT_lod): the finest is shown at any distance");
 }
 
 }  // namespace
@@ -206,6 +247,7 @@ Result<void> readNodes(Document& doc) {
     if (auto ok = linkChildren(doc, i); !ok) return ok;
   }
   if (auto ok = checkCycles(doc); !ok) return ok;
+  readAllLevels(doc);
   for (size_t i = 0; i < doc.gltf.scenes.size(); ++i) {
     if (auto ok = readScene(doc, i); !ok) return ok;
   }

@@ -33,7 +33,7 @@ Result<void> readMatrices(Document& doc, const Json& from, const std::string& pl
   const auto index = readIndex(doc, from, doc.gltf.accessors.size(), place, "accessor");
   if (!index) return tl::unexpected(index.error());
   const auto& accessor = doc.gltf.accessors[static_cast<size_t>(*index)];
-  if (accessor.type != TINYGLTF_TYPE_MAT4 || accessor.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT) {
+  if (accessor.type != TINYGLTF_TYPE_MAT4 || !isFloatingPoint(accessor.componentType)) {
     return doc.error(place, "is not an accessor of 4 x 4 matrices of floats");
   }
   const size_t count = skin.joints.size();

@@ -84,7 +84,7 @@ int textureImage(Document& doc, const Json& from, const std::string& place) {
     else if (*image >= 0)
       images.push_back(*image);
   };
-  for (const char* name : {"KHR_texture_basisu", "EXT_texture_webp"})
+  for (const char* name : {"KHR_texture_basisu", "EXT_texture_avif", "EXT_texture_webp"})
     if (const Json* extension = extensionOf(from, name)) add(*extension, place + "/extensions/" + name);
   add(from, place);
   for (const Error& problem : problems)

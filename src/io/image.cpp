@@ -32,6 +32,7 @@ struct Format {
 constexpr Format formats[] = {{"PNG", isPng, readPngHeader, decodePng},
                               {"JPEG", isJpeg, readJpegHeader, decodeJpeg},
                               {"WebP", isWebp, readWebpHeader, decodeWebp},
+                              {"AVIF", isAvif, readAvifHeader, decodeAvif},
                               {"KTX2", isKtx2, readKtx2Header, decodeKtx2}};
 
 const Format* formatOf(Bytes bytes) {
@@ -53,8 +54,7 @@ const char* foreignFormat(Bytes bytes) {
                {std::string_view("II*\0", 4), 0, "TIFF"},
                {std::string_view("MM\0*", 4), 0, "TIFF"},
                {"#?", 0, "Radiance HDR"},
-               {"v/1\x01", 0, "OpenEXR"},
-               {"ftypavif", 4, "AVIF"}};
+               {"v/1\x01", 0, "OpenEXR"}};
   for (const auto& format : named) {
     if (startsWith(bytes, format.magic, format.at)) return format.name;
   }
@@ -74,7 +74,7 @@ Result<ImageHeader> readHeader(Bytes bytes, const Limits& limits) {
     const char* foreign = foreignFormat(bytes);
     return fail("", "",
                 foreign ? std::string("is a ") + foreign + " image, which is not supported"
-                        : std::string("is no PNG, JPEG, WebP or KTX2 image"),
+                        : std::string("is no PNG, JPEG, WebP, AVIF or KTX2 image"),
                 "convert it to PNG or JPEG");
   }
   const auto header = format->readHeader(bytes);

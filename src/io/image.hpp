@@ -1,7 +1,7 @@
 #pragma once
 
-// Colour images: PNG, JPEG, WebP and KTX2 in (header checked against the pixel budget before anything is decoded), PNG
-// out.
+// Colour images: PNG, JPEG, WebP, AVIF and KTX2 in (header checked against the pixel budget before anything is
+// decoded), PNG out.
 
 #include <cstdint>
 #include <filesystem>
@@ -24,7 +24,7 @@ struct Pixels {
   bool placeholder = false;  // the image was missing or corrupt
   std::string flaw = {};     // not empty: read in spite of damage, so that a part may look wrong; what the decoder says
 
-  // KTX2 alone:
+  // KTX2, and remarks of AVIF, too:
   std::vector<std::vector<uint8_t>> levels = {};  // mip levels 1, 2, ... as the file has them; others are to be made
   enum class Transfer : uint8_t { unknown, linear, srgb };
   Transfer transfer = Transfer::unknown;  // what the file says that its colours are

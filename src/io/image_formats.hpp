@@ -43,6 +43,11 @@ bool isWebp(std::span<const uint8_t> bytes);
 Result<ImageHeader> readWebpHeader(std::span<const uint8_t> bytes);
 Result<Pixels> decodeWebp(std::span<const uint8_t> bytes, const ImageHeader& header);
 
+// image_avif.cpp, through libavif: RGB or RGBA, 16 bits a sample where the file has more than 8.
+bool isAvif(std::span<const uint8_t> bytes);
+Result<ImageHeader> readAvifHeader(std::span<const uint8_t> bytes);
+Result<Pixels> decodeAvif(std::span<const uint8_t> bytes, const ImageHeader& header);
+
 // ktx2/decode.cpp: what its formats hold, as 8-bit or 16-bit RGB or RGBA, all mip levels.
 bool isKtx2(std::span<const uint8_t> bytes);
 Result<ImageHeader> readKtx2Header(std::span<const uint8_t> bytes);

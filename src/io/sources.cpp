@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "io/gltf_environment.hpp"
 #include "io/radiance.hpp"
 #include "io/safe_files.hpp"
 #include "scene/builtin_environments.hpp"
@@ -72,7 +73,9 @@ Result<LoadedModel> loadModel(const std::string& source, const Limits& limits, c
 Result<scene::Environment> loadEnvironmentSource(const std::string& source, Notes& notes, const Limits& limits) {
   if (isBuiltin(source)) return scene::builtinEnvironment(source);
   const LayeredSource layered = splitLayer(source);
-  Result<scene::Environment> loaded = loadEnvironment(layered.file, notes, limits, layered.layer);
+  Result<scene::Environment> loaded = isGltfName(layered.file)
+                                          ? loadGltfEnvironment(layered.file, layered.layer, notes, limits)
+                                          : loadEnvironment(layered.file, notes, limits, layered.layer);
   if (!loaded && !layered.layer.empty()) loaded.error().about = Setting::environmentLayer;
   return loaded;
 }

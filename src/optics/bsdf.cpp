@@ -13,6 +13,14 @@ namespace facet::optics {
 
 namespace {
 
+// Of the diffuse part.
+DiffuseModel diffuseModelOf(const Surface& surface) {
+  return surface.diffuseRoughness ? DiffuseModel::eon : surface.models.diffuse;
+}
+double diffuseRoughnessOf(const Surface& surface) {
+  return surface.diffuseRoughness.value_or(surface.perceptualRoughness);
+}
+
 double largestOf(const glm::dvec3& v) { return std::max({v.r, v.g, v.b}); }
 
 glm::dvec3 inGrain(const Grain& grain, const glm::dvec3& N, const glm::dvec3& d) {
@@ -67,7 +75,7 @@ Reflected reflectFacets(const Surface& surface, const Dfg& dfg, const Angles& an
   const DiffuseAngles base{angles.NoV, angles.NoL, 2 * angles.VoH * angles.VoH - 1};
   reflected.diffuse =
       (1 - m) * surface.diffuseShare *
-      diffuseTerm(surface.models.diffuse, base, surface.perceptualRoughness, surface.baseColor) *
+      diffuseTerm(diffuseModelOf(surface), base, diffuseRoughnessOf(surface), surface.baseColor) *
       leftBelow(surface, specularAlbedo(lightEnergy(surface.models.energy), dfg, alpha, f0.bound, surface.f90)) *
       angles.NoL;
   return reflected;
@@ -178,7 +186,7 @@ DistantWeights distantWeights(const Surface& surface, const Dfg& dfg, double NoV
   weights.prefiltered = m * metal.gain * (f0.metal * dfg.A + dfg.B) +
                         (1 - m) * dielectric.gain * (f0.dielectric * dfg.A + surface.f90 * dfg.B);
   const glm::dvec3 base = surface.diffuseShare *
-                          diffuseReturned(surface.models.diffuse, NoV, surface.perceptualRoughness, surface.baseColor);
+                          diffuseReturned(diffuseModelOf(surface), NoV, diffuseRoughnessOf(surface), surface.baseColor);
   weights.irradiance = m * metal.multiple + (1 - m) * (dielectric.multiple + base * left);
   return weights;
 }

@@ -6,6 +6,7 @@
 // the material extensions, which share light by the rule of layers.hpp.
 
 #include <glm/glm.hpp>
+#include <optional>
 
 #include "optics/energy.hpp"
 #include "optics/microfacet.hpp"
@@ -45,9 +46,10 @@ struct Surface {
   Film film = {};
   Sheen sheen = {};
   Coat coat = {};
-  Models models = {};                    // grain keeps GGX with Smith's term, the film its own Fresnel term
-  const Conductor* conductor = nullptr;  // the metal's, where it is known
-  double diffuseShare = 1;               // of the light below the dielectric's interface: what does not pass through
+  Models models = {};                           // grain keeps GGX with Smith's term, the film its own Fresnel term
+  const Conductor* conductor = nullptr;         // the metal's, where it is known
+  std::optional<double> diffuseRoughness = {};  // KHR_materials_diffuse_roughness: of EON in the model's place
+  double diffuseShare = 1;  // of the light below the dielectric's interface: what does not pass through
 };
 
 // KHR_materials_ior and KHR_materials_specular: f0 = min(f0FromIor(ior) color, 1) weight, f90 = weight. ior 0:

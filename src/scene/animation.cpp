@@ -151,6 +151,7 @@ void setCamera(Camera& camera, AnimatedProperty property, const std::vector<doub
     camera.zNear = std::clamp(v[0], camera.perspective ? smallest : 0, largest);
   if (property == AnimatedProperty::cameraZFar) camera.zFar = std::clamp(v[0], smallest, largest);
   if (property == AnimatedProperty::cameraXMag) camera.xMag = std::clamp(std::abs(v[0]), smallest, largest);
+  if (property == AnimatedProperty::cameraAspectRatio) camera.aspectRatio = std::clamp(v[0], 1e-4, 1e4);
   if (property == AnimatedProperty::cameraYMag) camera.yMag = std::clamp(std::abs(v[0]), smallest, largest);
 }
 

@@ -164,6 +164,10 @@ struct Material {
   TextureRef diffuseTransmission;                           // linear; a
   TextureRef diffuseTransmissionColor;                      // sRGB
 
+  // KHR_materials_diffuse_roughness; factor 0: Lambert's diffuse part, or the model that is chosen
+  float diffuseRoughnessFactor = 0;  // [0, 1]
+  TextureRef diffuseRoughness;       // linear; r
+
   // FACET_materials_models, of our own built-in scenes
   Microfacets microfacets = Microfacets::any;
   std::string conductor;  // metal preset (optics/presets.hpp) whose complex index is the metal's; empty: not known
@@ -302,6 +306,7 @@ enum class AnimatedProperty : uint8_t {
   cameraZFar,
   cameraXMag,
   cameraYMag,
+  cameraAspectRatio,
 };
 
 struct AnimationChannel {
@@ -331,6 +336,7 @@ struct Metadata {
 struct Scene {
   std::string name;
   std::vector<int> nodes;  // roots
+  int imageLight = -1;     // of the file's environments (EXT_lights_image_based); -1: none
 };
 
 struct Model {

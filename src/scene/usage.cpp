@@ -91,6 +91,10 @@ constexpr SlotRow slotRows[] = {
      [](const Material& m) {
        return has(m, Effect::diffuseTransmission) && nonZero(m.diffuseTransmissionColorFactor);
      }},
+    {"extensions/KHR_materials_diffuse_roughness/diffuseRoughnessTexture",
+     &Material::diffuseRoughness,
+     {false, r},
+     shows<Effect::diffuseRoughness>},
 };
 static_assert(std::size(slotRows) == textureSlotCount);
 

@@ -197,10 +197,10 @@ constexpr FeatureRow rows[] = {
 #include "shading/features.inc"
 #undef FEATURE
 };
-static_assert(std::size(rows) <= 64);
+static_assert(std::size(rows) <= 8 * sizeof(FeatureBits));
 
-uint64_t bitsOf(FeatureRole role) {
-  uint64_t bits = 0;
+FeatureBits bitsOf(FeatureRole role) {
+  FeatureBits bits = 0;
   for (const FeatureRow& row : rows)
     if (row.role == role) bits |= bitOf(row.feature);
   return bits;
@@ -296,10 +296,10 @@ FrameFeatures pathFeatures(FrameFeatures drawn) {
   return drawn;
 }
 
-uint64_t attributeBits(const VariantKey& key) { return key.features & bitsOf(FeatureRole::attribute); }
+FeatureBits attributeBits(const VariantKey& key) { return key.features & bitsOf(FeatureRole::attribute); }
 
 VariantKey depthKey(const VariantKey& key) {
-  uint64_t read = bitOf(Feature::skin) | bitOf(Feature::morphTargets);
+  FeatureBits read = bitOf(Feature::skin) | bitOf(Feature::morphTargets);
   if (usesFeature(key, Feature::alphaMask)) {
     read |= bitOf(Feature::alphaMask) | bitOf(Feature::baseColorTexture) | bitOf(Feature::textureTransform) |
             bitOf(Feature::vertexColors) | bitOf(Feature::morphedColors);

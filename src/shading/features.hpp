@@ -108,14 +108,16 @@ struct FeatureRow {
 // Row i is that of Feature(i).
 std::span<const FeatureRow> featureTable();
 
-constexpr uint64_t bitOf(Feature feature) { return uint64_t{1} << static_cast<int>(feature); }
+// One bit for each feature; there are more than 64.
+using FeatureBits = unsigned __int128;
+constexpr FeatureBits bitOf(Feature feature) { return FeatureBits{1} << static_cast<int>(feature); }
 
 // True where the draw's shader reads the slot's texture.
 bool samplesSlot(const FeatureInput& input, scene::TextureSlot slot);
 
 // Everything that decides which program a draw gets; compared by value.
 struct VariantKey {
-  uint64_t features = 0;  // bitOf
+  FeatureBits features = 0;  // bitOf
   uint8_t channel = 0;
   uint16_t imageLightSamples = 0;
   // Models other than the default that the draw can show: indices of optics::Models' enumerations.
@@ -131,7 +133,7 @@ std::vector<Define> variantDefines(const VariantKey& key);
 std::string variantName(const VariantKey& key);  // "normal, uv0, base colour texture, environment"
 
 // The bits of the key that ask for a vertex attribute or another buffer of the primitive.
-uint64_t attributeBits(const VariantKey& key);
+FeatureBits attributeBits(const VariantKey& key);
 
 constexpr bool usesFeature(const VariantKey& key, Feature feature) { return (key.features & bitOf(feature)) != 0; }
 

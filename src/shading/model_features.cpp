@@ -49,6 +49,7 @@ void setModels(const FeatureInput& in, VariantKey& key) {
   const scene::Material& m = in.material;
   const optics::Models& models = in.frame.models;
   if ((lights || environment) && hasDielectric(m)) key.diffuse = static_cast<uint8_t>(models.diffuse);
+  if (usesFeature(key, Feature::diffuseRoughness)) key.diffuse = static_cast<uint8_t>(optics::DiffuseModel::eon);
   if (lights && !usesFeature(key, Feature::anisotropy)) {  // a grain is GGX's
     const auto own = static_cast<int>(m.microfacets) - static_cast<int>(scene::Microfacets::ggx);
     key.distribution = static_cast<uint8_t>(own >= 0 ? own : static_cast<int>(models.distribution));

@@ -73,7 +73,7 @@ TEST_CASE("inspect tells what the images are") {
         "  wood: PNG, 2 x 2, RGB of 8 bits\n"
         "  lamp: KTX2 (UASTC, Zstandard), 16 x 8, RGBA of 8 bits, 5 mip levels\n"
         "  wall: KTX2 (ETC1S, BasisLZ), 16 x 16, RGB of 8 bits, 5 mip levels, not decoded\n"
-        "  lost: is no PNG, JPEG, WebP or KTX2 image\n");
+        "  lost: is no PNG, JPEG, WebP, AVIF or KTX2 image\n");
   CHECK(images[1]["levels"] == 5);
   std::ostringstream nothing;
   commands::printImages(commands::describeImages({}, {}), nothing);

@@ -56,6 +56,9 @@ const Extension extensions[] = {
     {"specular, iridescence", [](scene::Material& m, float r) { specular(m, r), film(m, r); }},
     {"specular, clearcoat, anisotropy", [](scene::Material& m, float r) { specular(m, r), coat(m, r), grain(m, r); }},
     {"sheen, iridescence, clearcoat", [](scene::Material& m, float r) { cloth(m, r), film(m, r), halfCoat(m, r); }},
+    {"diffuse roughness", [](scene::Material& m, float) { m.diffuseRoughnessFactor = 1; }},
+    {"diffuse roughness, sheen, clearcoat",
+     [](scene::Material& m, float r) { m.diffuseRoughnessFactor = 0.5f, cloth(m, r), halfCoat(m, r); }},
     {"all", [](scene::Material& m, float r) { specular(m, r), coat(m, r), cloth(m, r), film(m, r), grain(m, r); }},
     {"half metal, all",
      [](scene::Material& m, float r) {
@@ -151,6 +154,7 @@ optics::Surface surfaceOf(const scene::Material& m, const glm::dvec3& N, const g
   s.sheen = {glm::dvec3(m.sheenColorFactor), double(m.sheenRoughnessFactor)};
   s.film = {double(m.iridescenceFactor), double(m.iridescenceIor), double(m.iridescenceThicknessMaximum)};
   s.grain = {double(m.anisotropyStrength), glm::normalize(glm::dvec3(N.z, 0, -N.x))};
+  if (has(m, scene::Effect::diffuseRoughness)) s.diffuseRoughness = double(m.diffuseRoughnessFactor);
   return s;
 }
 
@@ -201,7 +205,7 @@ TEST_CASE("Layers: what shines by itself looks alike where nothing lights it and
   std::vector<Extension> all(std::begin(extensions), std::end(extensions));
   const auto glass = [](scene::Material& m, float) { m.transmissionFactor = 0.7f; };
   all.push_back({"transmission", glass});
-  all.push_back({"transmission, all", [&](scene::Material& m, float r) { all[20].apply(m, r), glass(m, r); }});
+  all.push_back({"transmission, all", [&](scene::Material& m, float r) { all[22].apply(m, r), glass(m, r); }});
   all.push_back({"volume", [&](scene::Material& m, float r) { glass(m, r), m.thicknessFactor = 0.1f; }});
   all.push_back({"diffuse transmission", [](scene::Material& m, float) { m.diffuseTransmissionFactor = 0.5f; }});
   test::Studio studio;

@@ -82,6 +82,7 @@ TEST_CASE("Every pointer that is known", "[io][animations]") {
       {"/cameras/0/perspective/yfov", AnimatedProperty::cameraFovY, 0, 1},
       {"/cameras/0/perspective/znear", AnimatedProperty::cameraZNear, 0, 1},
       {"/cameras/0/perspective/zfar", AnimatedProperty::cameraZFar, 0, 1},
+      {"/cameras/0/perspective/aspectRatio", AnimatedProperty::cameraAspectRatio, 0, 1},
       {"/cameras/1/orthographic/xmag", AnimatedProperty::cameraXMag, 1, 1},
       {"/cameras/1/orthographic/ymag", AnimatedProperty::cameraYMag, 1, 1},
       {"/cameras/1/orthographic/znear", AnimatedProperty::cameraZNear, 1, 1},

@@ -41,8 +41,10 @@ const Row rows[] = {
      },
      "m: /extensionsRequired/1: the model requires the extension \"ACME_x\", which is not supported; export the model "
      "without it."},
-    {"required geometry", [](GltfBuilder& b) { b.json["extensionsRequired"] = {"KHR_gaussian_splatting"}; },
-     "m: /extensionsRequired/0: the model requires the extension \"KHR_gaussian_splatting\", which is not supported; "
+    {"required geometry",
+     [](GltfBuilder& b) { b.json["extensionsRequired"] = {"KHR_gaussian_splatting_compression_spz_2"}; },
+     "m: /extensionsRequired/0: the model requires the extension \"KHR_gaussian_splatting_compression_spz_2\", which "
+     "is not supported; "
      "export the model without it."},
     // Buffers
     {"buffer shorter than declared",
@@ -96,8 +98,8 @@ const Row rows[] = {
        b.json["accessors"][0]["bufferView"] = 1;
      },
      "m: /accessors/0/bufferView: buffer view 1 does not exist; there are 1; export the model again."},
-    {"component type 5130 (double)", [](GltfBuilder& b) { b.json["accessors"][0]["componentType"] = 5130; },
-     "m: /accessors/0/componentType: 5130 is not a component type; export the model again."},
+    {"component type 5124 (int)", [](GltfBuilder& b) { b.json["accessors"][0]["componentType"] = 5124; },
+     "m: /accessors/0/componentType: 5124 is not a component type; export the model again."},
     {"accessor type", [](GltfBuilder& b) { b.json["accessors"][0]["type"] = "VEC5"; },
      "m: /accessors/0: Unsupported `type` for accessor object. Got \"VEC5\"; export the model again."},
     {"stride smaller than the element", [](GltfBuilder& b) { b.json["bufferViews"][0]["byteStride"] = 8; },

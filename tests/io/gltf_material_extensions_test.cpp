@@ -269,3 +269,20 @@ TEST_CASE("Hostile material extensions", "[io][gltf]") {
         normal + "/extensions/KHR_texture_transform/offset: does not have 2 numbers" + again);
   CHECK(problem("x") == "m: /materials/0/extensions: is not an object" + again);
 }
+
+TEST_CASE("Diffuse roughness", "[io][gltf]") {
+  const auto model = loaded(withMaterials({
+      {{"KHR_materials_diffuse_roughness",
+        {{"diffuseRoughnessFactor", 0.75}, {"diffuseRoughnessTexture", texture(3)}}}},
+      {{"KHR_materials_diffuse_roughness", Json::object()}},
+      {{"KHR_materials_diffuse_roughness", {{"diffuseRoughnessFactor", 2}}}},
+  }));
+  const auto& m = model.model.materials;
+  CHECK(m[0].diffuseRoughnessFactor == 0.75f);
+  CHECK(m[0].diffuseRoughness.texture == 3);
+  CHECK(m[1].diffuseRoughnessFactor == 0);
+  CHECK(m[1].diffuseRoughness.texture == -1);
+  CHECK(m[2].diffuseRoughnessFactor == 1);
+  CHECK(notes(model) ==
+        "! /materials/2/extensions/KHR_materials_diffuse_roughness/diffuseRoughnessFactor: is out of range: clamped\n");
+}

@@ -225,7 +225,7 @@ TEST_CASE("Images that are refused say why", "[io][image]") {
   const std::string convert = ", which is not supported; convert it to PNG or JPEG.";
   CHECK(decode(png) == "decoded");
   CHECK(decode({}) == "i: the image is empty; save it again.");
-  CHECK(decode(text("hello, world")) == "i: is no PNG, JPEG, WebP or KTX2 image; convert it to PNG or JPEG.");
+  CHECK(decode(text("hello, world")) == "i: is no PNG, JPEG, WebP, AVIF or KTX2 image; convert it to PNG or JPEG.");
   CHECK(decode(text(std::string_view("RIFF\x04\0\0\0WEBPVP8 ", 16))) ==
         "i: the image's header is damaged; save it again.");
   CHECK(decode(text("\xabKTX 11\xbb\r\n\x1a\n")) == "i: is a KTX 1 image" + convert);
@@ -234,7 +234,7 @@ TEST_CASE("Images that are refused say why", "[io][image]") {
   CHECK(decode(text("#?RADIANCE\n")) == "i: is a Radiance HDR image" + convert);
   // 18 bytes of TGA that claim 23170 x 23170 pixels
   CHECK(decode({0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0x82, 0x5a, 0x82, 0x5a, 32, 0}) ==
-        "i: is no PNG, JPEG, WebP or KTX2 image; convert it to PNG or JPEG.");
+        "i: is no PNG, JPEG, WebP, AVIF or KTX2 image; convert it to PNG or JPEG.");
   CHECK(decode(Bytes(png.begin(), png.begin() + 20)) == "i: the image's header is damaged; save it again.");
   CHECK(decode(Bytes(png.begin(), png.begin() + 50)) == "i: the image is damaged: end of stream; save it again.");
   CHECK(decode(test::pngBytes(0, 4, 1, 8, {})) == "i: the image's header is damaged; save it again.");
@@ -421,9 +421,10 @@ TEST_CASE("Missing and corrupt images become placeholders with a warning", "[io]
   const std::string instead = "; a placeholder takes its place\n";
   CHECK(all == "/images/2: the image \"lost\" cannot be shown: no such file" + instead +
                    "/images/3: the image \"pipe\" cannot be shown: is not a regular file" + instead +
-                   "/images/4: the image \"broken\" cannot be shown: is no PNG, JPEG, WebP or KTX2 image" + instead +
-                   "/images/5: the image \"named\" cannot be shown: the file \"x.png\" does not exist" + instead +
-                   "/images/7: the image \"short\" cannot be shown: the image is damaged: end of stream" + instead);
+                   "/images/4: the image \"broken\" cannot be shown: is no PNG, JPEG, WebP, AVIF or KTX2 image" +
+                   instead + "/images/5: the image \"named\" cannot be shown: the file \"x.png\" does not exist" +
+                   instead + "/images/7: the image \"short\" cannot be shown: the image is damaged: end of stream" +
+                   instead);
 }
 
 TEST_CASE("All images together stay within the budget", "[io][image]") {
@@ -527,7 +528,7 @@ TEST_CASE("Pictures that cannot be written or read say why", "[io][image]") {
   CHECK(outcome(io::readImage(inNoFolder)) == inNoFolder.string() + ": no such file; check the path.");
   const auto wrong = folder.write("x.png", std::string("text"));
   CHECK(outcome(io::readImage(wrong)) ==
-        wrong.string() + ": is no PNG, JPEG, WebP or KTX2 image; convert it to PNG or JPEG.");
+        wrong.string() + ": is no PNG, JPEG, WebP, AVIF or KTX2 image; convert it to PNG or JPEG.");
   const auto full = io::writePng("/dev/full", io::placeholderImage());
   REQUIRE_FALSE(full);
   CHECK(describe(full.error()) ==

@@ -326,6 +326,7 @@ TEST_CASE("Pointers set the factors of material extensions, and values stay in r
   CHECK(material(P::attenuationColor, {0.5f, 2, -1}).attenuationColor == glm::vec3(0.5f, 1, 0));
   CHECK(material(P::dispersion, {7}).dispersion == 7);
   CHECK(material(P::diffuseTransmissionFactor, {0.5f}).diffuseTransmissionFactor == 0.5f);
+  CHECK(material(P::diffuseRoughnessFactor, {1.5f}).diffuseRoughnessFactor == 1);
   CHECK(material(P::diffuseTransmissionColorFactor, {0.5f, 2, -1}).diffuseTransmissionColorFactor ==
         glm::vec3(0.5f, 1, 0));
 }
@@ -362,7 +363,9 @@ TEST_CASE("Pointers set lights and cameras, and values stay in range") {
   CHECK(camera(P::cameraZNear, {0.5f}).zNear == 0.5);
   CHECK(camera(P::cameraZNear, {-1}).zNear > 0);
   CHECK(camera(P::cameraZFar, {50}).zFar == 50);
-  CHECK(camera(P::cameraZFar, {0.001f}).zFar == infinity);  // in front of the near plane
+  CHECK(camera(P::cameraAspectRatio, {2.5f}).aspectRatio == 2.5);
+  CHECK(camera(P::cameraAspectRatio, {0}).aspectRatio == 1e-4);  // 0 would be the picture's
+  CHECK(camera(P::cameraZFar, {0.001f}).zFar == infinity);       // in front of the near plane
   CHECK(camera(P::cameraXMag, {-2}).xMag == 2);
   CHECK(camera(P::cameraYMag, {0}).yMag > 0);
   model.cameras[0].perspective = false;

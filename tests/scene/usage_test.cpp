@@ -185,6 +185,7 @@ TEST_CASE("Textures of extensions are used while a factor of their effect is lef
       {&Material::thicknessFactor, {"thicknessTexture"}},
       {&Material::dispersion, {}},
       {&Material::diffuseTransmissionFactor, {"diffuseTransmissionTexture", "diffuseTransmissionColorTexture"}},
+      {&Material::diffuseRoughnessFactor, {"diffuseRoughnessTexture"}},
       {&Material::ior, {}},
   };
   for (const auto& row : rows) {

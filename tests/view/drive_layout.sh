@@ -108,4 +108,37 @@ await "frame drawn: builtin:poster" 1
 find_window
 sleep 0.3
 quit
+
+# What is wrong with a file: looked for once its section is open, and a click on a line selects the node.
+cat >wrong.gltf <<'END'
+{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,1]}],"nodes":[{"name":"first"},{"name":"second","mesh":0}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0},"material":0}]}],"materials":[{"extensions":{"KHR_materials_unlit":{}}}],"extensionsUsed":["KHR_materials_unlit"],
+"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":3,"min":[0,0,0],"max":[1,7,0]}],
+"bufferViews":[{"buffer":0,"byteLength":36,"target":34962}],
+"buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]}
+END
+start wrong.gltf --env none --size 1280x800 --samples 1
+await "frame drawn: wrong.gltf, none" 1
+find_window
+sleep 0.5
+[ "$(count "checked: ")" = 0 ] || fail "the file was looked through unasked"
+quit
+mkdir -p "${layout%/*}"
+printf '[facet][Shown]\nbrowser=1\nsettings=1\ntimeline=1\n' >"$layout"
+for section in Camera "Environment and lights" Material Picture Models Accuracy Statistics Window; do
+  echo "section=0 $section" >>"$layout"
+done
+echo "section=1 validation" >>"$layout"
+start wrong.gltf --env none --size 1280x800 --samples 1
+await "checked: wrong.gltf: 1 error, 0 warnings, 1 more" 1
+find_window
+sleep 0.5
+for y in 280 290 300 310; do # the first line, whatever the font
+  xdotool mousemove --window "$window" 1100 $y click 1
+  sleep 0.4
+  [ "$(count "finding chosen: ")" -gt 0 ] && break
+done
+await "finding chosen: ACCESSOR_MAX_MISMATCH, node 1" 1
+quit
+rm "$layout"
 echo "passed"

@@ -134,6 +134,11 @@ std::vector<ImageUse> usesOf(const Asset& asset) {
 }  // namespace
 
 void checkImages(Asset& asset) {
+  for (const Json& light : collection(asset, "extensions/EXT_lights_image_based/lights"))
+    for (const Json& level : member(light, "specularImages"))
+      for (const Json& face : level)
+        if (const auto image = whole(face); image && *image <= INT32_MAX)
+          markUsed(asset, "images", static_cast<int>(*image));
   const Json &images = collection(asset, "images"), &textures = collection(asset, "textures");
   const std::vector<ImageUse> uses = usesOf(asset);
   std::vector<std::string> types;

@@ -45,6 +45,14 @@ const Type& lightType() {
 
 Field freely(std::string name) { return field(std::move(name), Kind::anything); }
 
+const Type& imageLightType() {
+  static const Type type{"EXT_lights_image_based.light",
+                         {numbers("rotation", 4).within(-1, 1), number("intensity").atLeast(0),
+                          freely("irradianceCoefficients").required(), freely("specularImages").required(),
+                          natural("specularImageSize").required().atLeast(1), text("name")}};
+  return type;
+}
+
 // A row of the material's table, "extensions/KHR_materials_ior/ior".
 Field fieldOf(const scene::MaterialProperty& property, std::string name) {
   Field row = componentCount(property) > 1 ? numbers(std::move(name), static_cast<size_t>(componentCount(property)))
@@ -118,6 +126,12 @@ Types makeTypes() {
     add("KHR_xmp_json_ld", parent, {natural("packet").required()});
   for (const char* name : {"KHR_texture_basisu", "EXT_texture_webp", "EXT_texture_avif"})
     add(name, "texture", {index("source", "images").required()});
+  add("EXT_lights_image_based", "glTF", {objects("lights", imageLightType).required()});
+  add("EXT_lights_image_based", "scene", {index("light", "extensions/EXT_lights_image_based/lights").required()});
+  add("MSFT_lod", "node", {indices("ids", "nodes").required()});
+  add("MSFT_lod", "material", {indices("ids", "materials").required()});
+  add("KHR_gaussian_splatting", "mesh.primitive",
+      {text("kernel").required(), text("colorSpace").required(), text("projection"), text("sortingMethod")});
   add("FACET_materials_models", "material", {text("microfacets"), text("conductor")});
   return types;
 }

@@ -247,6 +247,9 @@ Model().row(coat).light((-3, 4, 6), intensity=200).write("clearcoat")
 
 Model().row([material((0.1, 0.02, 0.1), 0, 0.8, {"sheen": {"sheenColorFactor": c, "sheenRoughnessFactor": r}})
              for c, r in (([0.9, 0.8, 1], 0.2), ([1, 0.3, 0.2], 0.5), ([0.5, 0.9, 0.5], 0.9))]).light((0, 5, 3)).write("sheen")
+Model().row([material((0.8, 0.5, 0.3), 0, 0.5, {"diffuse_roughness": {
+    "diffuseRoughnessFactor": f, **({"diffuseRoughnessTexture": CHECKS} if textured else {})}})
+             for f, textured in ((0, False), (1, False), (1, True))]).light((0, 1, 6), intensity=60).write("rough")
 Model().row([material(c, metal, 0.15, {"iridescence": {
     "iridescenceFactor": 1, "iridescenceIor": ior, "iridescenceThicknessMaximum": t}})
              for c, metal, ior, t in (((0.9, 0.9, 0.9), 1, 1.3, 380), ((0.05, 0.05, 0.05), 0, 1.8, 600))]

@@ -228,10 +228,10 @@ TEST_CASE("Textures of KHR_texture_basisu show it, else their other image", "[io
       "/images/1: the image \"ktx\" cannot be shown: the KTX2 file is damaged: it ends within its index; \"other\" is "
       "shown in its place\n");
   CHECK(shown({1}, {2}, said) == io::placeholderImage().data);
-  CHECK(
-      said ==
-      "/images/1: the image \"ktx\" cannot be shown: is no PNG, JPEG, WebP or KTX2 image, nor \"other\" in its place: "
-      "is no PNG, JPEG, WebP or KTX2 image; a placeholder takes its place\n");
+  CHECK(said ==
+        "/images/1: the image \"ktx\" cannot be shown: is no PNG, JPEG, WebP, AVIF or KTX2 image, nor \"other\" in its "
+        "place: "
+        "is no PNG, JPEG, WebP, AVIF or KTX2 image; a placeholder takes its place\n");
   good.transfer = 1;
   good.vkFormat = 37;
   CHECK(shown(good.bytes(), png, said) == red);
