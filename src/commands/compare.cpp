@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -13,6 +14,7 @@
 #include "base/origin_json.hpp"
 #include "base/text.hpp"
 #include "commands/commands.hpp"
+#include "commands/write_tables.hpp"
 #include "compare/metrics.hpp"
 
 namespace facet::commands {
@@ -24,11 +26,11 @@ using compare::Comparison;
 using compare::Metric;
 
 struct CompareSettings {
-  std::string reference, picture, diff;
+  std::string reference, picture, diff, maps;
   std::string metric = "drmse";
   std::string maxError, tolerance;
   bool maskFromAlpha = false;
-  bool json = false;
+  bool json = false, csv = false;
 };
 
 // What is to be measured, checked; the error names the option.
@@ -75,8 +77,11 @@ void printJson(const CompareSettings& settings, const Task& task, const Comparis
   json["picture"] = settings.picture;
   json["pixels"] = c.pixels;
   json["relRmse"] = c.relRmse;
+  json["relMse"] = c.relMse;
   json["bias"] = c.bias;
   json["displayRmse"] = c.displayRmse;
+  json["worst"] = {{"share", c.worstShare}, {"displayRmseWithout", c.trimmedRmse}};
+  json["percentile99"] = c.percentile99;
   json["alphaRmse"] = c.alphaRmse;
   json["ssim"] = c.ssim;
   json["flip"] = {{"mean", c.flipMean}, {"largest", c.flipLargest}, {"shareNoticeable", c.shareNoticeable}};
@@ -103,6 +108,10 @@ void printLine(const Task& task, const Comparison& c) {
                       c.relRmse, 100 * c.bias[0], 100 * c.bias[1], 100 * c.bias[2], c.flipMean, c.ssim)
             << format("  largest %.4f at %d,%d  above %g: %.3f%%  (%llu px)\n", c.largest, c.largestX, c.largestY,
                       task.options.tolerance, 100 * c.shareAbove, static_cast<unsigned long long>(c.pixels));
+  constexpr double much = 0.5;  // of the error in one pixel of a thousand
+  if (c.worstShare > much && c.pixels > 1000)
+    std::cout << format("0.1 %% of the pixels hold %.0f %% of the squared error; without them dRMSE %.2f/255\n",
+                        100 * c.worstShare, c.trimmedRmse);
   if (!c.finite()) {
     std::cout << "differ: not finite are " << c.nonFiniteReference << " pixels of the reference and "
               << c.nonFinitePicture << " of the picture\n";
@@ -114,23 +123,105 @@ void printLine(const Task& task, const Comparison& c) {
   std::cout.flush();
 }
 
+struct Pair {
+  std::string reference, picture;
+};
+
+Result<Comparison> comparePair(const Pair& pair, const Task& task, const CompareSettings& settings) {
+  const Result<io::RadianceImage> reference = compare::readPicture(pair.reference);
+  if (!reference) return tl::unexpected(reference.error());
+  const Result<io::RadianceImage> picture = compare::readPicture(pair.picture);
+  if (!picture) return tl::unexpected(picture.error());
+  Result<Comparison> comparison = compare::comparePictures(*reference, *picture, task.options);
+  if (!comparison) {
+    comparison.error().file = pair.reference + " and " + pair.picture;
+    return comparison;
+  }
+  if (!settings.diff.empty()) {
+    const Result<io::Pixels> map = compare::heatMap(*reference, *picture, task.options);
+    const Result<void> written = map ? io::writePng(settings.diff, *map) : tl::unexpected(map.error());
+    if (!written) return tl::unexpected(written.error());
+  }
+  if (!settings.maps.empty()) {
+    const Result<compare::DifferenceMaps> maps = compare::differenceMaps(*reference, *picture, task.options);
+    if (!maps) return tl::unexpected(maps.error());
+    const Result<void> written =
+        io::writeExr(settings.maps, maps->difference, originOfProcess(), {{"relative", &maps->relative}});
+    if (!written) return tl::unexpected(written.error());
+  }
+  return comparison;
+}
+
+bool isPicture(const std::filesystem::path& file) {
+  const std::string ending = file.extension().string();
+  return ending == ".png" || ending == ".exr" || ending == ".jpg" || ending == ".hdr";
+}
+
+// Pictures of the first folder with those of the same name below the second.
+Result<std::vector<Pair>> pairsOf(const CompareSettings& settings) {
+  namespace fs = std::filesystem;
+  std::vector<Pair> pairs;
+  std::error_code error;
+  for (fs::recursive_directory_iterator entry(settings.reference, error), end; !error && entry != end;
+       entry.increment(error)) {
+    if (!isPicture(entry->path())) continue;
+    const fs::path other = fs::path(settings.picture) / fs::relative(entry->path(), settings.reference);
+    if (!fs::exists(other))
+      return fail(other.string(), {}, "there is no such picture",
+                  "it would be compared with " + entry->path().string());
+    pairs.push_back({entry->path().string(), other.string()});
+  }
+  if (error) return fail(settings.reference, {}, "cannot be read: " + error.message(), "check the folder");
+  if (pairs.empty()) return fail(settings.reference, {}, "holds no pictures", "name a folder of .png or .exr");
+  std::ranges::sort(pairs, {}, &Pair::reference);
+  return pairs;
+}
+
+int compareFolders(const CompareSettings& settings, const Task& task) {
+  if (!settings.diff.empty() || !settings.maps.empty())
+    return badInput({{}, settings.diff.empty() ? "--maps" : "--diff", "is of one pair", "name two pictures"});
+  const Result<std::vector<Pair>> pairs = pairsOf(settings);
+  if (!pairs) return badInput(pairs.error());
+  report::Table table{"compare",
+                      settings.picture + " against " + settings.reference,
+                      "Worst: the share of the squared display error that 0.1 % of the pixels hold.",
+                      {"reference", "picture"},
+                      {}};
+  for (const Metric& metric : compare::metrics()) table.columns.emplace_back(metric.name);
+  table.columns.insert(table.columns.end(), {"worst", "passed"});
+  bool good = true;
+  for (const Pair& pair : *pairs) {
+    const Result<Comparison> comparison = comparePair(pair, task, settings);
+    if (!comparison) return badInput(comparison.error());
+    std::vector<report::Cell>& row = table.rows.emplace_back(std::vector<report::Cell>{pair.reference, pair.picture});
+    for (const Metric& metric : compare::metrics()) row.emplace_back(metric.value(*comparison));
+    const bool passed = passes(task, *comparison);
+    row.emplace_back(comparison->worstShare), row.emplace_back(std::string(passed ? "yes" : "no"));
+    good = good && passed;
+  }
+  const Result<std::string> text = tablesText(settings.json  ? TableFormat::json
+                                              : settings.csv ? TableFormat::csv
+                                                             : TableFormat::markdown,
+                                              {table}, originOfProcess());
+  if (!text) return badInput(text.error());
+  std::cout << *text << std::flush;
+  return good ? exitGood : exitFailed;
+}
+
 int runCompare(const CompareSettings& settings) {
   const Result<Task> task = checkedTask(settings);
   if (!task) return badInput(task.error());
-  const Result<io::RadianceImage> reference = compare::readPicture(settings.reference);
-  if (!reference) return badInput(reference.error());
-  const Result<io::RadianceImage> picture = compare::readPicture(settings.picture);
-  if (!picture) return badInput(picture.error());
-  Result<Comparison> comparison = compare::comparePictures(*reference, *picture, task->options);
-  if (!comparison) {
-    comparison.error().file = settings.reference + " and " + settings.picture;
-    return badInput(comparison.error());
-  }
-  if (!settings.diff.empty()) {
-    const Result<io::Pixels> map = compare::heatMap(*reference, *picture, task->options);
-    const Result<void> written = map ? io::writePng(settings.diff, *map) : tl::unexpected(map.error());
-    if (!written) return badInput(written.error());
-  }
+  std::error_code ignored;
+  const bool folder = std::filesystem::is_directory(settings.reference, ignored);
+  if (folder != std::filesystem::is_directory(settings.picture, ignored))
+    return badInput({folder ? settings.picture : settings.reference,
+                     {},
+                     "is no folder, and the other is one",
+                     "name two pictures, or two folders"});
+  if (folder) return compareFolders(settings, *task);
+  if (settings.csv) return badInput({{}, "--csv", "is for folders", "use --json for one pair"});
+  const Result<Comparison> comparison = comparePair({settings.reference, settings.picture}, *task, settings);
+  if (!comparison) return badInput(comparison.error());
   settings.json ? printJson(settings, *task, *comparison) : printLine(*task, *comparison);
   return passes(*task, *comparison) ? exitGood : exitFailed;
 }
@@ -139,8 +230,12 @@ int runCompare(const CompareSettings& settings) {
 
 std::function<int()> addCompare(CLI::App& app) {
   const auto settings = std::make_shared<CompareSettings>();
-  app.add_option("REF", settings->reference, "the reference, PNG or EXR")->type_name("PICTURE")->required();
-  app.add_option("IMG", settings->picture, "the picture to judge, PNG or EXR")->type_name("PICTURE")->required();
+  app.add_option("REF", settings->reference, "the reference, PNG or EXR, or a folder of them")
+      ->type_name("PICTURE")
+      ->required();
+  app.add_option("IMG", settings->picture, "the picture to judge, or a folder with pictures of the same names")
+      ->type_name("PICTURE")
+      ->required();
   app.add_option("--max-error", settings->maxError, "exit 1 if the metric is above this")->type_name("E");
   std::string help = "what --max-error limits (drmse):";
   for (const Metric& metric : compare::metrics())
@@ -153,7 +248,11 @@ std::function<int()> addCompare(CLI::App& app) {
                  "write a heat map of the display differences:\n"
                  "0 black, 1/16 blue, 1/4 red, 9/16 yellow, 1 white; not finite magenta")
       ->type_name("D.png");
+  app.add_option("--maps", settings->maps,
+                 "write signed linear differences, and those relative to the reference as the layer \"relative\"")
+      ->type_name("D.exr");
   app.add_flag("--json", settings->json, "print the figures as JSON");
+  app.add_flag("--csv", settings->csv, "of folders: print the figures as CSV");
   return [settings] { return runCompare(*settings); };
 }
 

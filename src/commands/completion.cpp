@@ -60,6 +60,7 @@ constexpr ValueKind valueKinds[] = {
     {"HEIGHT.png", "png", true},
     {"NORMAL.png", "png", true},
     {"D.png", "png", true},
+    {"D.exr", "exr", true},
     {"D.svg", "svg", true},
     {"METRIC", {}, false, metrics},
     {"TOPIC", {}, false, topics},

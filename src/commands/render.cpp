@@ -145,8 +145,9 @@ nlohmann::ordered_json statsJson(const Job& job, const frame::Session& session, 
 }
 
 Result<void> writeOutput(const Job& job, const frame::Session& session, const frame::Picture& picture) {
-  const io::RadianceImage* error = picture.standardError.pixels.empty() ? nullptr : &picture.standardError;
-  return isExr(job.output) ? io::writeExr(job.output, picture.radiance, pictureOrigin(job, session), error)
+  std::vector<io::ExrLayerImage> layers;
+  if (!picture.standardError.pixels.empty()) layers.push_back({"error", &picture.standardError});
+  return isExr(job.output) ? io::writeExr(job.output, picture.radiance, pictureOrigin(job, session), layers)
                            : io::writePng(job.output, picture.display);
 }
 

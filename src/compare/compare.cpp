@@ -63,9 +63,13 @@ Result<void> checkSizes(const io::RadianceImage& a, const io::RadianceImage& b) 
   return {};
 }
 
+constexpr double relativeFloor = 0.01;  // added to what squares are divided by (Rousselle et al. 2011)
+
 // What one row adds up to. Rows are summed in order afterwards, so that the result does not depend on the threads.
 struct Sums {
   glm::dvec3 reference = glm::dvec3(0), error = glm::dvec3(0);
+  double squaredRelativeError = 0;
+  std::vector<double> displayErrors = {}, differences = {};  // of each pixel: squared, largest of the channels
   double squaredError = 0, squaredDisplayError = 0, squaredAlphaError = 0, ssim = 0;
   double flip = 0, flipLargest = 0;
   double largest = -1;
@@ -74,6 +78,9 @@ struct Sums {
 
   void add(const Sums& row) {
     reference += row.reference, error += row.error;
+    squaredRelativeError += row.squaredRelativeError;
+    displayErrors.insert(displayErrors.end(), row.displayErrors.begin(), row.displayErrors.end());
+    differences.insert(differences.end(), row.differences.begin(), row.differences.end());
     squaredError += row.squaredError, squaredDisplayError += row.squaredDisplayError, ssim += row.ssim;
     squaredAlphaError += row.squaredAlphaError;
     flip += row.flip, flipLargest = std::max(flipLargest, row.flipLargest), noticeable += row.noticeable;
@@ -90,18 +97,36 @@ void addPixel(Sums& sums, const glm::vec4& reference, const glm::vec4& picture, 
   sums.error += error;
   sums.squaredError += glm::dot(error, error);
   sums.squaredDisplayError += glm::dot(displayError, displayError);
+  sums.displayErrors.push_back(glm::dot(displayError, displayError));
+  for (int c = 0; c < 3; ++c) sums.squaredRelativeError += error[c] * error[c] / (r[c] * r[c] + relativeFloor);
   const double alphaError = coverage(picture) - coverage(reference);
   sums.squaredAlphaError += alphaError * alphaError;
   const double difference = isFinite(reference) && isFinite(picture)
                                 ? std::max({std::abs(displayError.r), std::abs(displayError.g),
                                             std::abs(displayError.b), std::abs(alphaError)})
                                 : 1;
+  sums.differences.push_back(difference);
   if (difference > sums.largest) sums.largest = difference, sums.largestX = x, sums.largestY = y;
   if (difference > tolerance) ++sums.above;
   ++sums.pixels;
 }
 
-Comparison figures(const Sums& sums) {
+// Sorts some of the sums' pixels.
+void setTails(Comparison& result, Sums& sums) {
+  const size_t n = sums.displayErrors.size(), worst = std::max<size_t>(n / 1000, 1);
+  std::vector<double>& errors = sums.displayErrors;
+  std::ranges::nth_element(errors, errors.end() - static_cast<ptrdiff_t>(worst));
+  double tail = 0, all = 0;
+  for (size_t i = 0; i < n; ++i) all += errors[i], tail += i >= n - worst ? errors[i] : 0;
+  result.worstShare = all > 0 ? tail / all : 0;
+  if (n > worst)
+    result.trimmedRmse = std::sqrt(std::max(all - tail, 0.0) / (3.0 * static_cast<double>(n - worst))) * 255;
+  const auto at = sums.differences.begin() + static_cast<ptrdiff_t>(static_cast<double>(n - 1) * 0.99);
+  std::ranges::nth_element(sums.differences, at);
+  result.percentile99 = *at;
+}
+
+Comparison figures(Sums& sums) {
   // A black reference has no scale: its errors are then taken relative to a mean of 1e-9, large but finite.
   const auto scale = [](double mean) { return std::max(mean, 1e-9); };
   const double n = static_cast<double>(sums.pixels);
@@ -109,7 +134,9 @@ Comparison figures(const Sums& sums) {
   Comparison result;
   result.relRmse = std::sqrt(sums.squaredError / (3 * n)) / scale((mean.r + mean.g + mean.b) / 3);
   for (int c = 0; c < 3; ++c) result.bias[static_cast<size_t>(c)] = sums.error[c] / n / scale(mean[c]);
+  result.relMse = sums.squaredRelativeError / (3 * n);
   result.displayRmse = std::sqrt(sums.squaredDisplayError / (3 * n)) * 255;
+  setTails(result, sums);
   result.alphaRmse = std::sqrt(sums.squaredAlphaError / n) * 255;
   result.ssim = sums.ssim / n;
   result.flipMean = sums.flip / n;
@@ -218,7 +245,12 @@ Comparison worse(const Comparison& a, const Comparison& b) {
   Comparison result = a.largest >= b.largest ? a : b;
   result.relRmse = std::max(a.relRmse, b.relRmse);
   for (size_t c = 0; c < 3; ++c) result.bias[c] = std::abs(a.bias[c]) >= std::abs(b.bias[c]) ? a.bias[c] : b.bias[c];
+  result.relMse = std::max(a.relMse, b.relMse);
   result.displayRmse = std::max(a.displayRmse, b.displayRmse);
+  const Comparison& tailed = a.displayRmse >= b.displayRmse ? a : b;
+  result.worstShare = tailed.worstShare;
+  result.trimmedRmse = std::max(a.trimmedRmse, b.trimmedRmse);
+  result.percentile99 = std::max(a.percentile99, b.percentile99);
   result.ssim = std::min(a.ssim, b.ssim);
   result.flipMean = std::max(a.flipMean, b.flipMean);
   result.flipLargest = std::max(a.flipLargest, b.flipLargest);
@@ -235,6 +267,23 @@ Result<Comparison> comparePictures(const io::RadianceImage& reference, const io:
   if (!overBlack || (isOpaque(reference) && isOpaque(picture))) return overBlack;
   const Result<Comparison> white = compareColors(overWhite(reference), overWhite(picture), options);
   return white ? worse(*overBlack, *white) : white;
+}
+
+Result<DifferenceMaps> differenceMaps(const io::RadianceImage& reference, const io::RadianceImage& picture,
+                                      const CompareOptions& options) {
+  if (auto checked = checkSizes(reference, picture); !checked) return tl::unexpected(checked.error());
+  DifferenceMaps maps;
+  for (io::RadianceImage* map : {&maps.difference, &maps.relative}) {
+    map->width = reference.width, map->height = reference.height;
+    map->pixels.resize(reference.pixels.size());
+  }
+  for (size_t i = 0; i < reference.pixels.size(); ++i) {
+    if (!counts(reference.pixels[i], options)) continue;
+    const glm::vec3 r(reference.pixels[i]), apart = glm::vec3(picture.pixels[i]) - r;
+    maps.difference.pixels[i] = glm::vec4(apart, 1);
+    maps.relative.pixels[i] = glm::vec4(apart / glm::max(r, glm::vec3(0.01f)), 1);
+  }
+  return maps;
 }
 
 std::array<uint8_t, 3> heatColor(double difference) {

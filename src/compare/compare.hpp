@@ -22,8 +22,12 @@ struct CompareOptions {
 // component counts as 0 in relRmse, bias, displayRmse, SSIM and FLIP, as 1 in the display difference.
 struct Comparison {
   double relRmse = 0;               // root mean squared linear error / mean of the reference
+  double relMse = 0;                // mean of the squared linear error / (reference^2 + 0.01), per channel
   std::array<double, 3> bias = {};  // mean signed linear error / mean of the reference, per channel
   double displayRmse = 0;           // root mean squared display error, in 1/255
+  // Where few pixels bear the error: the share of the squared display error that the worst 0.1 % of the pixels hold
+  // (one at least), displayRmse without them, and the display difference that 99 % of the pixels do not exceed, [0, 1].
+  double worstShare = 0, trimmedRmse = 0, percentile99 = 0;
   double alphaRmse = 0;             // root mean squared difference of alpha, in 1/255
   double ssim = 1;                  // structural similarity of the display pictures' luma, [-1, 1]
   double flipMean = 0;              // mean of FLIP over the pixels, [0, 1] (compare/flip.hpp)
@@ -49,6 +53,15 @@ io::RadianceImage linearPicture(const io::Pixels& pixels);
 // Errors: sizes differ; the mask is empty.
 Result<Comparison> comparePictures(const io::RadianceImage& reference, const io::RadianceImage& picture,
                                    const CompareOptions& options = {});
+
+// Signed linear differences, picture - reference, and those over the reference's channel (at least 0.01); alpha 1 where
+// a pixel counts. What is not finite stays so.
+struct DifferenceMaps {
+  io::RadianceImage difference, relative;
+};
+// Errors: sizes differ.
+Result<DifferenceMaps> differenceMaps(const io::RadianceImage& reference, const io::RadianceImage& picture,
+                                      const CompareOptions& options = {});
 
 // Largest display difference of the channels, over black and over white, and alpha at a pixel, [0, 1]; 1 where either
 // is not finite.

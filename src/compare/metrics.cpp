@@ -11,6 +11,10 @@ namespace {
 constexpr Metric table[] = {
     {"drmse", "RMSE of the sRGB pictures in 1/255", [](const Comparison& c) { return c.displayRmse; }},
     {"rel-rmse", "linear RMSE / mean", [](const Comparison& c) { return c.relRmse; }},
+    {"rel-mse", "mean of squared linear error / (reference^2 + 0.01)", [](const Comparison& c) { return c.relMse; }},
+    {"trimmed", "drmse without the worst 0.1 % of the pixels", [](const Comparison& c) { return c.trimmedRmse; }},
+    {"p99", "display difference that 99 % of the pixels do not exceed, 0..1",
+     [](const Comparison& c) { return c.percentile99; }},
     {"bias", "largest of the channels' |mean error| / mean",
      [](const Comparison& c) {
        return std::max({std::abs(c.bias[0]), std::abs(c.bias[1]), std::abs(c.bias[2])});

@@ -262,7 +262,7 @@ Result<RadianceImage> decodeExr(Bytes bytes, const std::string& name, const Limi
 }
 
 Result<void> writeExr(const std::filesystem::path& path, const RadianceImage& image, const Origin& origin,
-                      const RadianceImage* error) {
+                      const std::vector<ExrLayerImage>& layers) {
   try {
     Imf::Header header(image.width, image.height);
     header.compression() = Imf::ZIP_COMPRESSION;
@@ -276,7 +276,8 @@ Result<void> writeExr(const std::filesystem::path& path, const RadianceImage& im
     };
     const char* names[] = {"R", "G", "B", "A"};
     for (int c = 0; c < 4; ++c) insert(names[c], image, c);
-    for (int c = 0; error && c < 3; ++c) insert(std::string("error.") + names[c], *error, c);
+    for (const ExrLayerImage& layer : layers)
+      for (int c = 0; c < 3; ++c) insert(layer.name + "." + names[c], *layer.image, c);
     MemoryOutput memory(path.string());
     {
       Imf::OutputFile file(memory, header, exrThreads());

@@ -40,8 +40,12 @@ Result<scene::Environment> loadEnvironment(const std::filesystem::path& path, No
                                            const std::string& layer = {});
 
 // 32-bit float RGBA, whole or not at all (base/whole_file.hpp), with what is known of its origin as attributes of the
-// header. error: of each pixel, as a layer "error" of R, G, B; null: none. Errors: the file cannot be written.
+// header, and layers of R, G, B: channels "error.R" and so on. Errors: the file cannot be written.
+struct ExrLayerImage {
+  std::string name;
+  const RadianceImage* image;  // of the picture's size
+};
 Result<void> writeExr(const std::filesystem::path& path, const RadianceImage& image, const Origin& origin = {},
-                      const RadianceImage* error = nullptr);
+                      const std::vector<ExrLayerImage>& layers = {});
 
 }  // namespace facet::io

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "base/srgb.hpp"
 #include "compare/flip.hpp"
@@ -60,9 +61,10 @@ TEST_CASE("compare: each metric is limited by --max-error") {
     std::string metric;
     double value;
   };
-  const Row row = GENERATE_COPY(Row{"drmse", 255 * shown}, Row{"rel-rmse", 0.2}, Row{"bias", 0.2},
-                                Row{"largest", shown}, Row{"above", 1}, Row{"flip", flip}, Row{"flip-largest", flip},
-                                Row{"noticeable", 1}, Row{"ssim", 1 - (2 * p * q + c1) / (p * p + q * q + c1)});
+  const Row row = GENERATE_COPY(Row{"drmse", 255 * shown}, Row{"rel-rmse", 0.2}, Row{"rel-mse", 0.01 / 0.26},
+                                Row{"trimmed", 255 * shown}, Row{"p99", shown}, Row{"bias", 0.2}, Row{"largest", shown},
+                                Row{"above", 1}, Row{"flip", flip}, Row{"flip-largest", flip}, Row{"noticeable", 1},
+                                Row{"ssim", 1 - (2 * p * q + c1) / (p * p + q * q + c1)});
   const auto statusAt = [&](double limit) {
     return runFacet({"compare", a, b, "--metric", row.metric, "--max-error", std::to_string(limit)}).status;
   };
@@ -167,4 +169,40 @@ TEST_CASE("compare: figures of path-traced references agree with those of an ind
   CHECK(json["bias"][2].get<double>() == Approx(-0.0131402710).epsilon(1e-4));
   CHECK(json["ssim"].get<double>() == Approx(0.9175742721).epsilon(1e-5));
   CHECK(json["displayRmse"].get<double>() == Approx(7.9610494352).epsilon(1e-4));
+}
+
+TEST_CASE("compare: folders are compared picture by picture, maps hold signed differences") {
+  test::TemporaryFolder folder;
+  for (const char* name : {"ref", "ref/sub", "img", "img/sub"})
+    std::filesystem::create_directories(folder.path() / name);
+  png(folder, "ref/a.png", 128), png(folder, "img/a.png", 128);
+  exr(folder, "ref/sub/b.exr", 0.5f), exr(folder, "img/sub/b.exr", 0.4f);
+  const std::string reference = folder.file("ref"), picture = folder.file("img");
+  const Outcome outcome = runFacet({"compare", reference, picture, "--max-error", "1", "--csv"});
+  CHECK(outcome.status == 1);
+  std::vector<std::string> lines;
+  std::istringstream stream(outcome.text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  REQUIRE(lines.size() == 3);
+  CHECK(lines[0].starts_with("reference,picture,drmse,rel-rmse,"));
+  CHECK(lines[1].starts_with(reference + "/a.png," + picture + "/a.png,0,0,"));
+  CHECK(lines[2].find("/sub/b.exr") != std::string::npos);
+  CHECK(lines[2].find(",no,") != std::string::npos);
+  CHECK(runFacet({"compare", reference, picture, "--json"}).status == 0);
+  std::filesystem::remove(folder.path() / "img/a.png");
+  const Outcome missing = runFacet({"compare", reference, picture});
+  CHECK(missing.status == 2);
+  CHECK(missing.text.find("img/a.png: there is no such picture") != std::string::npos);
+  CHECK(
+      runFacet({"compare", reference, folder.file("img/sub/b.exr")}).text.find("is no folder, and the other is one") !=
+      std::string::npos);
+  const std::string maps = folder.file("maps.exr");
+  REQUIRE(runFacet({"compare", folder.file("ref/sub/b.exr"), folder.file("img/sub/b.exr"), "--maps", maps}).status ==
+          0);
+  const auto difference = io::readRadiance(maps);
+  REQUIRE(difference.has_value());
+  CHECK(difference->pixels[3].y == Approx(-0.1f));
+  const auto relative = io::readRadiance(maps, {}, "relative");
+  REQUIRE(relative.has_value());
+  CHECK(relative->pixels[3].x == Approx(-0.2f));
 }

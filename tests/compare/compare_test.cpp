@@ -267,3 +267,27 @@ TEST_CASE("stored pixels become linear with associated alpha") {
     CHECK(image.pixels[1].r == Approx(1 / 65535.0 / 12.92));
   }
 }
+
+TEST_CASE("compare: where one pixel of a thousand bears the error it is told apart") {
+  io::RadianceImage reference{100, 100, std::vector<glm::vec4>(10000, glm::vec4(0.25f, 0.25f, 0.25f, 1))};
+  io::RadianceImage picture = reference;
+  for (size_t i = 0; i < picture.pixels.size(); ++i)
+    picture.pixels[i] += glm::vec4(glm::vec3(i % 2 ? 1e-3f : -1e-3f), 0);
+  const auto even = compare::comparePictures(reference, picture);
+  REQUIRE(even.has_value());
+  CHECK(even->worstShare == Approx(0.001).epsilon(0.02));
+  CHECK(even->trimmedRmse == Approx(even->displayRmse).epsilon(0.01));
+  CHECK(even->relMse == Approx(1e-6 / (0.0625 + 0.01)).epsilon(1e-3));
+  CHECK(even->percentile99 == Approx(even->largest).epsilon(0.01));
+  for (const size_t i : {5u, 500u, 5000u}) picture.pixels[i] = glm::vec4(1);  // three of the ten worst
+  const auto spiky = compare::comparePictures(reference, picture);
+  CHECK(spiky->worstShare > 0.98);
+  CHECK(spiky->trimmedRmse == Approx(even->displayRmse).epsilon(0.01));
+  CHECK(spiky->percentile99 == Approx(even->percentile99));
+  CHECK(spiky->largest > 0.4);
+  const auto maps = compare::differenceMaps(reference, picture);
+  REQUIRE(maps.has_value());
+  CHECK(maps->difference.pixels[0].x == Approx(-1e-3f).epsilon(1e-3));
+  CHECK(maps->relative.pixels[1].y == Approx(4e-3f).epsilon(1e-3));
+  CHECK(maps->difference.pixels[5].z == Approx(0.75f));
+}
