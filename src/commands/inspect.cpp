@@ -193,8 +193,10 @@ Result<Json> readMeasured(const frame::PictureSettings& settings, frame::DrawOpt
 // The file is checked to the letter all the same.
 int tellRefused(const InspectArguments& arguments, const Error& error, const io::validate::Report& report) {
   if (arguments.asJson) {
-    const Json out = {
-        {"file", arguments.model}, {"refused", describe(error)}, {"validation", describeValidation(report)}};
+    const Json out = {{"file", arguments.model},
+                      {"refused", describe(error)},
+                      {"validation", describeValidation(report)},
+                      {"origin", originJson(originOfProcess())}};
     std::cout << out.dump(2, ' ', false, Json::error_handler_t::replace) << std::endl;
   } else {
     printValidation(report, arguments.all, std::cout);

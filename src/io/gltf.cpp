@@ -7,6 +7,7 @@
 #include "io/glb.hpp"
 #include "io/gltf_document.hpp"
 #include "io/gltf_image_light.hpp"
+#include "io/gltf_views.hpp"
 #include "io/json_section.hpp"
 #include "io/uri.hpp"
 
@@ -290,6 +291,25 @@ Result<scene::Environment> withImages(const fs::path& path, const Limits& limits
                                       if (auto ok = readImages(doc); !ok) return tl::unexpected(ok.error());
                                       return use(doc);
                                     });
+}
+
+Result<DecodedViews> decodeViews(std::span<const uint8_t> bytes, const std::string& name, const fs::path& baseFolder,
+                                 const Limits& limits) {
+  const auto doc = std::make_shared<Document>();
+  const auto read = [&]() -> Result<DecodedViews> {
+    for (const auto step : {readAsset, readBuffers, parse, decodeMeshopt})
+      if (auto ok = step(*doc); !ok) return tl::unexpected(ok.error());
+    if (auto ok = checkBufferViews(*doc); !ok) return tl::unexpected(ok.error());
+    DecodedViews views{doc, {}};
+    for (size_t i = 0; i < doc->gltf.bufferViews.size(); ++i)
+      views.bytes.push_back(viewBytes(*doc, static_cast<int>(i)));
+    return views;
+  };
+  return safely<DecodedViews>(name, baseFolder, limits, [&](Document& fresh) -> Result<DecodedViews> {
+    *doc = std::move(fresh);
+    if (auto ok = readText(*doc, bytes); !ok) return tl::unexpected(ok.error());
+    return read();
+  });
 }
 
 }  // namespace facet::io

@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "io/validate/validate.hpp"
 #include "support/gltf_load.hpp"
 
 namespace {
@@ -386,4 +387,29 @@ TEST_CASE("Meshopt: random damage never crashes", "[io][meshopt]") {
   }
   CHECK(good > 0);
   CHECK(good < 2000);
+}
+
+TEST_CASE("Validation looks into what is compressed", "[io][validate]") {
+  const std::vector<float> positions = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+  GltfBuilder b;
+  const int view = addCompressed(b, encodeVertices(positions, 12), 3, 12, "ATTRIBUTES");
+  b.json["bufferViews"][0]["target"] = 34962;
+  const int accessor = addAttribute(b, view, 3, test::floatType, "VEC3");
+  b.json["accessors"][0].update({{"min", {0, 0, 0}}, {"max", {1, 2, 0}}});
+  b.append("meshes", {{"primitives", {{{"attributes", {{"POSITION", accessor}}}}}}});
+  b.append("nodes", {{"mesh", 0}});
+  b.append("scenes", {{"nodes", {0}}});
+  b.json["extensionsUsed"] = {meshopt};
+  const auto codes = [&] {
+    const Bytes file = b.glb();
+    std::string out;
+    for (const auto& f : io::validateBytes(file, "m.glb").findings)
+      out += std::string(io::validate::name(f.code)) + " " + f.place + "\n";
+    return out;
+  };
+  CHECK(codes() == "ACCESSOR_MAX_MISMATCH /accessors/0/max/1\n");
+  b.json["accessors"][0]["max"] = {1, 1, 0};
+  CHECK(codes() == "");
+  b.bytes[0] = 0;  // no header of the codec's
+  CHECK(codes().starts_with("FACET_NOT_CHECKED"));
 }

@@ -189,14 +189,7 @@ void readAccessor(Asset& asset, const Json& json, Accessor& a, const std::string
 void readAccessors(Asset& asset) {
   const Json& list = collection(asset, "accessors");
   asset.accessors.resize(list.size());
-  bool compressed = false;
-  for (size_t i = 0; i < list.size(); ++i) {
-    readAccessor(asset, list[i], asset.accessors[i], at("/accessors", i));
-    const int view = asset.accessors[i].view;
-    compressed = compressed || (view >= 0 && asset.views[static_cast<size_t>(view)].compressed);
-  }
-  if (compressed)
-    asset.add(Code::FACET_NOT_CHECKED, "/accessors", "what EXT or KHR_meshopt_compression hold is not looked into");
+  for (size_t i = 0; i < list.size(); ++i) readAccessor(asset, list[i], asset.accessors[i], at("/accessors", i));
 }
 
 void useAccessor(Asset& asset, int accessor, Use use, const std::string& place) {

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "io/gltf.hpp"
+#include "io/gltf_views.hpp"
 #include "io/safe_files.hpp"
 #include "io/validate/findings.hpp"
 
@@ -59,6 +60,7 @@ struct Asset {
   std::string name;
   std::filesystem::path folder;  // canonical; empty: no files may be named
   Limits limits;
+  std::span<const uint8_t> bytes;  // of the file
   bool isGlb = false, hasBinary = false;
   std::span<const uint8_t> binary;
   Json json;
@@ -66,6 +68,7 @@ struct Asset {
 
   std::vector<Buffer> buffers;
   std::vector<View> views;
+  DecodedViews decoded;  // where there are compressed views that can be read
   std::vector<Accessor> accessors;
   std::map<std::string, std::pair<int, int>> imageSizes;         // by place: width, height
   std::vector<FileBytes> files;                                  // storage

@@ -148,10 +148,26 @@ void readViews(Asset& asset) {
   }
 }
 
+void decodeCompressed(Asset& asset) {
+  if (std::ranges::none_of(asset.views, &View::compressed)) return;
+  auto decoded = decodeViews(asset.bytes, asset.name, asset.folder, asset.limits);
+  if (decoded)
+    asset.decoded = std::move(*decoded);
+  else
+    asset.add(Code::FACET_NOT_CHECKED, decoded.error().place,
+              "what is compressed can't be read: " + decoded.error().problem);
+}
+
 std::span<const uint8_t> bytesOf(const Asset& asset, int view) {
   if (view < 0 || static_cast<size_t>(view) >= asset.views.size()) return {};
   const View& v = asset.views[static_cast<size_t>(view)];
-  if (!v.wellFormed || v.compressed) return {};
+  if (!v.wellFormed) return {};
+  if (v.compressed) {
+    const auto& decoded = asset.decoded.bytes;
+    const bool there =
+        static_cast<size_t>(view) < decoded.size() && decoded[static_cast<size_t>(view)].size() == v.length;
+    return there ? decoded[static_cast<size_t>(view)] : std::span<const uint8_t>();
+  }
   const auto bytes = asset.buffers[static_cast<size_t>(v.buffer)].bytes;
   if (v.offset > bytes.size() || v.length > bytes.size() - v.offset) return {};
   return bytes.subspan(v.offset, v.length);

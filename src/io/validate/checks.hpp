@@ -19,6 +19,7 @@ void checkUnusedParts(Asset& asset);  // last
 // buffers.cpp
 void readBuffers(Asset& asset);
 void readViews(Asset& asset);
+void decodeCompressed(Asset& asset);  // by EXT or KHR_meshopt_compression
 void useView(Asset& asset, int view, Use use, const std::string& place);
 // accessors.cpp
 void readAccessors(Asset& asset);

@@ -43,6 +43,7 @@ bool isWorse(const Finding& a, const Finding& b) {
 }
 
 void run(Asset& asset, std::span<const uint8_t> bytes) {
+  asset.bytes = bytes;
   std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   if (isGlb(bytes)) text = checkContainer(asset, bytes);
   if (asset.isGlb && text.empty()) return;
@@ -51,9 +52,9 @@ void run(Asset& asset, std::span<const uint8_t> bytes) {
   for (const Json& used : collection(asset, "extensionsUsed"))
     if (used.is_string()) asset.extensionsUsed.insert(used.get<std::string>());
   checkSchema(asset);
-  for (const auto check : {checkRoot, readBuffers, readViews, readAccessors, checkImages, checkMaterials, checkCameras,
-                           checkMeshes, checkNodes, checkSkins, checkAnimations, checkAccessorData, checkInfluences,
-                           checkSurfaces, checkUnusedParts, findShown})
+  for (const auto check : {checkRoot, readBuffers, readViews, decodeCompressed, readAccessors, checkImages,
+                           checkMaterials, checkCameras, checkMeshes, checkNodes, checkSkins, checkAnimations,
+                           checkAccessorData, checkInfluences, checkSurfaces, checkUnusedParts, findShown})
     check(asset);
 }
 
