@@ -12,6 +12,7 @@
 #include "io/gltf_image_light.hpp"
 #include "io/image.hpp"
 #include "io/json_section.hpp"
+#include "scene/builtin_environments.hpp"
 
 namespace facet::io {
 
@@ -53,16 +54,22 @@ Result<void> readFaces(const Document& doc, const Json& json, ImageLight& light)
   return {};
 }
 
-Result<ImageLight> readImageLight(Document& doc, size_t wanted) {
+Json lightsOf(const Document& doc) {
   const JsonMember* member = doc.outline.find("extensions");
-  const Json root = member ? Json::parse(doc.json.substr(member->begin, member->end - member->begin), nullptr, false)
-                           : Json::object();
-  const Json lights = root.value(Json::json_pointer("/EXT_lights_image_based/lights"), Json::array());
-  if (!lights.is_array() || wanted >= lights.size() || !lights[wanted].is_object())
-    return doc.error(lightsPlace,
-                     "environment " + std::to_string(wanted) + " does not exist; there are " +
-                         std::to_string(lights.is_array() ? lights.size() : 0),
-                     "name another file as the environment");
+  if (member == nullptr) return Json::array();
+  const Json root = Json::parse(doc.json.substr(member->begin, member->end - member->begin), nullptr, false);
+  const Json lights = root.is_object() ? root.value(Json::json_pointer("/EXT_lights_image_based/lights"), Json::array())
+                                       : Json::array();
+  return lights.is_array() ? lights : Json::array();
+}
+
+Result<ImageLight> readImageLight(Document& doc, size_t wanted) {
+  const Json lights = lightsOf(doc);
+  if (wanted >= lights.size() || !lights[wanted].is_object())
+    return doc.error(
+        lightsPlace,
+        "environment " + std::to_string(wanted) + " does not exist; there are " + std::to_string(lights.size()),
+        "name another file as the environment");
   const Json& json = lights[wanted];
   ImageLight light{.name = stringAt(json, "name"), .place = pointer(lightsPlace, wanted)};
   if (auto ok = readFaces(doc, json, light); !ok) return tl::unexpected(ok.error());
@@ -157,6 +164,8 @@ scene::Environment equirectOf(const CubeMap& cube, const ImageLight& light, bool
 
 }  // namespace
 
+size_t imageLightCount(const Document& doc) { return lightsOf(doc).size(); }
+
 bool isGltfName(const std::filesystem::path& path) {
   std::string ending = path.extension().string();
   std::ranges::transform(ending, ending.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
@@ -172,7 +181,11 @@ Result<scene::Environment> loadGltfEnvironment(const std::filesystem::path& path
     const auto light = readImageLight(doc, static_cast<size_t>(*wanted));
     if (!light) return tl::unexpected(light.error());
     const auto cube = decodeFaces(doc, *light);
-    if (!cube) return tl::unexpected(cube.error());
+    if (!cube) {  // the model is worth more than its own light
+      doc.lost(cube.error(), "builtin:studio takes the environment's place");
+      std::ranges::move(doc.notes, std::back_inserter(notes));
+      return scene::builtinEnvironment("builtin:studio");
+    }
     const bool mirrored = isMirrored(*cube, *light);
     scene::Environment environment = equirectOf(*cube, *light, mirrored);
     environment.name = light->name.empty() ? path.filename().string() : light->name;

@@ -26,6 +26,9 @@ glm::dvec3 cubeRadiance(const CubeMap& cube, const glm::dvec3& direction, bool m
 // int L Y over the sphere, real spherical harmonics up to l = 2 (Ramamoorthi and Hanrahan 2001: 00; 1-1 10 11; ...).
 std::array<glm::dvec3, 9> harmonicsOf(const CubeMap& cube, bool mirrored);
 
+// gltf_environment.cpp: how many the file has.
+size_t imageLightCount(const Document& doc);
+
 // gltf.cpp: reads the file's text, buffers and images, nothing else, and calls `use`; what the libraries throw becomes
 // an error.
 Result<scene::Environment> withImages(const std::filesystem::path& path, const Limits& limits,

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "io/gltf_deformation.hpp"
+#include "io/gltf_image_light.hpp"
 
 namespace facet::io {
 
@@ -175,10 +176,10 @@ void readSceneImageLight(Document& doc, const tinygltf::Scene& from, const std::
   const auto extension = from.extensions.find("EXT_lights_image_based");
   if (extension == from.extensions.end()) return;
   const auto& light = memberValue(extension->second, "light");
-  if (light.IsInt() && light.GetNumberAsInt() >= 0)
-    scene.imageLight = light.GetNumberAsInt();
-  else
-    doc.warning(place + "/extensions/EXT_lights_image_based/light", "is no index: another environment is shown");
+  const int index = light.IsInt() ? light.GetNumberAsInt() : -1;
+  const auto ok =
+      checkIndex(doc, index, imageLightCount(doc), place + "/extensions/EXT_lights_image_based/light", "environment");
+  ok ? void(scene.imageLight = index) : doc.lost(ok.error(), "another one is shown");
 }
 
 Result<void> readScene(Document& doc, size_t index) {

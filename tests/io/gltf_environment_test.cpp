@@ -136,9 +136,22 @@ TEST_CASE("An environment of a glTF file: what is wrong", "[io][environment]") {
   std::vector<Bytes> faces = colours();
   b = withFaces(faces);
   b.json["images"][5]["uri"] = dataUri(pngBytes(1, 1, 3, 8, Bytes(3)), "image/png");
-  CHECK(problem(read(b)) == "is 1 x 1, not a square as large as the first");
+  const auto instead = [&] {
+    const Read map = read(b);
+    REQUIRE(map.environment);
+    CHECK(map.environment->name != "hall");
+    return map.notes.back().text;
+  };
+  CHECK(instead() == "is 1 x 1, not a square as large as the first: builtin:studio takes the environment's place");
   b.json["images"][5]["uri"] = "data:,x";
-  CHECK(problem(read(b)) == "the image cannot be read");
+  CHECK(instead() == "the image cannot be read: builtin:studio takes the environment's place");
+  b.json["scenes"][0]["extensions"]["EXT_lights_image_based"]["light"] = 3;
+  const auto model = test::loaded(b);
+  CHECK(model.model.scenes[0].imageLight == -1);
+  CHECK(
+      notes(model) ==
+      "! /scenes/0/extensions/EXT_lights_image_based/light: environment 3 does not exist; there are 1: another one is "
+      "shown\n");
 }
 
 TEST_CASE("An environment of a glTF file is shown unless another one is named", "[io][environment]") {
