@@ -17,7 +17,7 @@ vec3 hable(vec3 x) {
 }
 vec3 toneUncharted2(vec3 c) { return clamp(hable(2.0 * min(c, 1e6)) / hable(vec3(11.2)), 0.0, 1.0); }
 
-// Hill's fit of the ACES RRT and ODT, without the pre-exposure of 1 / 0.6 that some viewers add.
+// Hill 2016, a fit of the ACES RRT and ODT, without the pre-exposure of 1 / 0.6 that some viewers add.
 vec3 toneAces(vec3 c) {
   const mat3 inputMatrix = mat3(0.59719, 0.07600, 0.02840, 0.35458, 0.90834, 0.13383, 0.04823, 0.01566, 0.83777);
   const mat3 outputMatrix = mat3(1.60475, -0.10208, -0.00327, -0.53108, 1.10813, -0.07276, -0.07367, -0.00605, 1.07602);
@@ -26,7 +26,7 @@ vec3 toneAces(vec3 c) {
   return clamp(outputMatrix * v, 0.0, 1.0);
 }
 
-// Sobotka's AgX in the published minimal form: log2 range -12.47393 .. 4.026069 and a sixth-order fit of the curve.
+// Sobotka's AgX in the minimal form of Wrensch 2023: log2 range -12.47393 .. 4.026069 and a sixth-order fit of the curve.
 vec3 toneAgx(vec3 c) {
   const mat3 inset = mat3(0.842479062253094, 0.0423282422610123, 0.0423756549057051, 0.0784335999999992,
                           0.878468636469772, 0.0784336, 0.0792237451477643, 0.0791661274605434, 0.879142973793104);
@@ -42,7 +42,7 @@ vec3 toneAgx(vec3 c) {
   return pow(clamp(v, 0.0, 1.0), vec3(2.2));
 }
 
-// Khronos PBR Neutral Tone Mapper, from its specification.
+// PBR Neutral Tone Mapper, Khronos 2024.
 vec3 toneNeutral(vec3 c) {
   const float startCompression = 0.8 - 0.04;
   const float desaturation = 0.15;

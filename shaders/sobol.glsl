@@ -12,7 +12,7 @@ uint hashedBits(uint x) {
 uint pixelSeed(uvec2 pixel, uint use) { return hashedBits((pixel.x + (pixel.y << 16)) ^ hashedBits(use + 0x9e3779b9u)); }
 
 // Owen's scrambling of a number whose bits stand in reverse: each flips by a hash of those below it (Laine and Karras
-// 2011, with Vegdahl's constants of 2021).
+// 2011, with the constants of Vegdahl 2021).
 uint scrambledReverse(uint x, uint seed) {
   x ^= x * 0x3d20adeau;
   x += seed;

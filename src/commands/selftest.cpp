@@ -12,6 +12,7 @@
 #include "selftest/corners.hpp"
 #include "selftest/coverage.hpp"
 #include "selftest/numerics.hpp"
+#include "selftest/sources.hpp"
 
 namespace facet::commands {
 
@@ -31,7 +32,9 @@ void printJson(const gl::ContextInfo& context, const std::vector<CheckResult>& r
   using Json = nlohmann::ordered_json;
   Json checks = Json::array();
   for (const CheckResult& r : results) {
+    const std::vector<std::string> source = optics::sourcesOf(selftest::checkSources(), r.name);
     Json check = {{"function", r.name},
+                  {"source", source.empty() ? Json() : Json(source)},
                   {"passed", r.passed},
                   {"evaluations", r.evaluations},
                   {"kind", r.relative ? "relative" : "absolute"},
@@ -92,14 +95,18 @@ void printTable(const gl::ContextInfo& context, const std::vector<CheckResult>& 
   std::cout
       << context.renderer << ", OpenGL " << context.version << " (" << context.platform << ")\n"
       << "Shader functions against double precision, tables of awkward environments against what is known of them; the "
-         "input shown is where the error comes nearest to what is allowed.\n\n";
+         "input shown is where the error comes nearest to what is allowed. Sources: keys of "
+         "src/optics/references.bib.\n\n";
   char line[256];
-  std::snprintf(line, sizeof line, "%-44s %7s %-8s %9s %9s %10s  %s\n", "function", "inputs", "kind", "error",
-                "allowed", "not finite", "at");
+  std::snprintf(line, sizeof line, "%-44s %7s %-8s %9s %9s %10s  %-46s  %s\n", "function", "inputs", "kind", "error",
+                "allowed", "not finite", "source", "at");
   std::cout << line;
   for (const CheckResult& r : results) {
-    std::snprintf(line, sizeof line, "%-44s %7zu %-8s %9.2e %9.2e %10zu  ", r.name.c_str(), r.evaluations,
-                  r.relative ? "relative" : "absolute", r.error, r.allowed, r.nonFinite);
+    const std::vector<std::string> keys = optics::sourcesOf(selftest::checkSources(), r.name);
+    std::string source = keys.empty() ? "facet" : keys.front();
+    for (size_t i = 1; i < keys.size(); ++i) source += ", " + keys[i];
+    std::snprintf(line, sizeof line, "%-44s %7zu %-8s %9.2e %9.2e %10zu  %-46s  ", r.name.c_str(), r.evaluations,
+                  r.relative ? "relative" : "absolute", r.error, r.allowed, r.nonFinite, source.c_str());
     std::cout << line << r.input << (r.passed ? "" : "  FAILED") << "\n";
   }
   for (const CheckResult& r : results) {

@@ -7,7 +7,7 @@
 namespace facet::compare {
 
 // Difference that one sees when two pictures alternate in place, [0, 1] a pixel: Andersson, Nilsson, Akenine-Möller,
-// Oskarsson, Åström, Fairchild, "FLIP: A Difference Evaluator for Alternating Images", 2020. Written from the paper:
+// Oskarsson, Åström, Fairchild 2020, "FLIP: A Difference Evaluator for Alternating Images". Written from the paper:
 // what the eye cannot resolve is filtered out (section 4.1), the rest is a colour difference (4.1.2) that differences
 // of edges and points (4.2) raise (4.3). Symmetric in the pictures.
 

@@ -44,8 +44,8 @@ Fall errorByFall(std::span<const PartDifference> parts) {
 }
 
 // By what a sum of squares whose relative variance is that may be too small, with errorConfidence: chi-squared with 2 /
-// variance degrees of freedom (Satterthwaite 1946), by Wilson and Hilferty's approximation (1931). The more of the sum
-// comes from few pixels, the less is known of it.
+// variance degrees of freedom (Satterthwaite 1946), as the cube of a normal number (Wilson and Hilferty 1931). The more
+// of the sum comes from few pixels, the less is known of it.
 double mostOverSum(double variance) {
   constexpr double quantile = 1.645;
   const double share = variance / 9;

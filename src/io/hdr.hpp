@@ -1,6 +1,6 @@
 #pragma once
 
-// Radiance pictures (.hdr, .pic): G. Ward, "Real Pixels", Graphics Gems II, 1991; Radiance file formats.
+// Radiance pictures (.hdr, .pic): Ward 1991, "Real Pixels" (Graphics Gems II); Radiance file formats.
 
 #include <cstdint>
 #include <span>

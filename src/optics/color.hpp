@@ -24,10 +24,10 @@ enum class ToneMapper : uint8_t {
   none,        // clamp
   reinhard,    // Reinhard et al. 2002, eq. 3, per channel: c / (1 + c)
   uncharted2,  // Hable 2010, "Filmic Tonemapping Operators": exposure bias 2, white 11.2
-  aces,        // Hill's fit of ACES' RRT + sRGB ODT (2016), without any exposure boost
-  agx,         // Sobotka's AgX, base look, as Wrensch's degree-6 polynomial with Rec. 709 matrices (2023); encoded
+  aces,        // Hill 2016: a fit of ACES' RRT + sRGB ODT, without any exposure boost
+  agx,         // Sobotka's AgX, base look, as the degree-6 polynomial of Wrensch 2023 with Rec. 709 matrices; encoded
                // for a 2.2 display and made linear by that power
-  pbrNeutral,  // Khronos PBR Neutral 1.0 (2024)
+  pbrNeutral,  // PBR Neutral 1.0, Khronos 2024
 };
 // In the order of toneMap in shaders/color.glsl.
 inline constexpr Choice<ToneMapper> toneMappers[] = {

@@ -20,8 +20,8 @@ Quadrature gaussLegendre(size_t n);
 
 // Hammersley 1960: (i / n, van der Corput base 2 of i), i < n <= 2^32.
 glm::dvec2 hammersley(uint32_t i, uint32_t n);
-// i-th of n: on the unit disc of radius sqrt(x) and azimuth 2 pi y Vogel's spiral (1979, "A better way to construct the
-// sunflower head"), y by the golden ratio's multiples.
+// i-th of n: on the unit disc of radius sqrt(x) and azimuth 2 pi y the spiral of Vogel 1979, "A better way to construct
+// the sunflower head", y by the golden ratio's multiples.
 glm::dvec2 spiralPoint(uint32_t i, uint32_t n);
 // i-th of n points spread evenly over the unit sphere (golden-angle spiral, equal areas), from +Z to -Z.
 glm::dvec3 goldenSpiral(size_t i, size_t n);

@@ -7,6 +7,7 @@
 
 #include "base/origin_json.hpp"
 #include "base/text.hpp"
+#include "report/sources.hpp"
 
 namespace facet::report {
 
@@ -34,6 +35,9 @@ std::string csvField(const std::string& text) {
 void addMarkdown(const Table& table, std::string& out) {
   out += "### " + table.title + "\n\n";
   if (!table.note.empty()) out += table.note + "\n\n";
+  std::string sources;
+  for (const std::string& key : optics::sourcesOf(tableSources(), table.name)) sources += " " + key;
+  if (!sources.empty()) out += "Sources (src/optics/references.bib):" + sources + "\n\n";
   std::vector<std::vector<std::string>> lines = {table.columns};
   for (const std::vector<Cell>& row : table.rows) {
     assert(row.size() == table.columns.size());
@@ -109,6 +113,7 @@ std::string json(const std::vector<Table>& tables, const Origin& origin) {
     out["tables"].push_back({{"name", table.name},
                              {"title", table.title},
                              {"note", table.note},
+                             {"sources", optics::sourcesOf(tableSources(), table.name)},
                              {"columns", table.columns},
                              {"units", units},
                              {"rows", rows}});

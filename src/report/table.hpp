@@ -27,8 +27,8 @@ std::string markdown(const std::vector<Table>& tables, const Origin& origin);
 // One table, as RFC 4180 has it, numbers as short as they read back the same; what is not finite is nan, inf, -inf. The
 // origin's fields are the last columns, the same in every row.
 std::string csv(const Table& table, const Origin& origin);
-// As resources/schema/report.schema.json has it: {"origin": {...}, "tables": [{"name", "title", "note", "columns",
-// "units": {column: unit}, "rows": [{column: value}]}]}; a number that is not finite is null.
+// As resources/schema/report.schema.json has it: {"origin": {...}, "tables": [{"name", "title", "note", "sources",
+// "columns", "units": {column: unit}, "rows": [{column: value}]}]}; a number that is not finite is null.
 std::string json(const std::vector<Table>& tables, const Origin& origin);
 
 // What a column's numbers are in, by the last words of its name: "true %", "time ms", "error 1/255"; empty: a number,

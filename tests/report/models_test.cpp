@@ -92,6 +92,16 @@ TEST_CASE("Report: shadowing terms, and what lobes return") {
   CHECK(at(lobes, rowOf(lobes, "GGX", 1), "view at 0") < at(lobes, rowOf(lobes, "Beckmann", 1), "view at 0"));
 }
 
+TEST_CASE("Tables: their sources") {
+  const std::vector<Table> tables = {{"proxy", "P", "A note.", {"a"}, {{1.0}}}, {"mine", "M", "", {"a"}, {{1.0}}}};
+  const std::string text = report::markdown(tables, {});
+  CHECK(text.starts_with("### P\n\nA note.\n\nSources (src/optics/references.bib): Dupuy2015\n\n| a "));
+  CHECK(text.find("### M\n\n| a ") != std::string::npos);
+  const nlohmann::json json = nlohmann::json::parse(report::json(tables, {}))["tables"];
+  CHECK(json[0]["sources"] == nlohmann::json({"Dupuy2015"}));
+  CHECK(json[1]["sources"] == nlohmann::json::array());
+}
+
 TEST_CASE("Tables: Markdown, CSV, JSON") {
   const std::vector<Table> tables = {
       {"first", "First one", "A note.", {"name", "a, b"}, {{std::string("x \"y\""), 0.125}}}};

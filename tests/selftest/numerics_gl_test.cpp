@@ -220,6 +220,9 @@ TEST_CASE("facet selftest: table, JSON, exit status") {
   CHECK(json["passed"] == true);
   CHECK(json["checks"].size() == 160);
   CHECK(json["checks"][0]["function"] == "D_GGX");
+  CHECK(json["checks"][0]["source"] == nlohmann::json({"Walter2007", "Trowbridge1975"}));
+  CHECK(json["checks"].back()["source"].is_null());
+  CHECK_THAT(table.text, Catch::Contains("Walter2007, Trowbridge1975 ") && Catch::Contains(" facet "));
   CHECK_THAT(table.text, Catch::Contains("functions of the shaders") && Catch::Contains("Not held are:") &&
                              Catch::Contains("passes/picture_error.comp.glsl: displayedPart pixelErrors main"));
   for (const auto& entry : json["functions"])
