@@ -12,6 +12,8 @@
 #include <cstring>
 #include <fstream>
 
+#include "base/log.hpp"
+
 namespace facet {
 
 namespace {
@@ -72,8 +74,17 @@ void removeOldest(const DiskCache& cache, const fs::path& written) {
 }  // namespace
 
 std::filesystem::path userCacheFolder() {
-  if (const char* xdg = std::getenv("XDG_CACHE_HOME"); xdg && *xdg == '/') return fs::path(xdg) / "facet";
-  if (const char* home = std::getenv("HOME"); home && *home == '/') return fs::path(home) / ".cache" / "facet";
+  fs::path folder;
+  if (const char* xdg = std::getenv("XDG_CACHE_HOME"); xdg && *xdg == '/')
+    folder = fs::path(xdg) / "facet";
+  else if (const char* home = std::getenv("HOME"); home && *home == '/')
+    folder = fs::path(home) / ".cache" / "facet";
+  struct stat status {};
+  if (folder.empty() || stat(folder.c_str(), &status) != 0) return folder;
+  const bool foreign = status.st_uid != geteuid(), open = (status.st_mode & S_IWOTH) != 0;
+  if (!foreign && !open) return folder;
+  log::warning(folder.string() + (foreign ? ": belongs to another user" : ": everybody may write to it") +
+               ", so that no cache is used; set XDG_CACHE_HOME to a folder of your own, or give --no-cache.");
   return {};
 }
 

@@ -14,6 +14,7 @@
 #include <cstring>
 #include <filesystem>
 #include <optional>
+#include <thread>
 #include <utility>
 
 #include "base/interrupt.hpp"
@@ -54,6 +55,17 @@ std::optional<Pipe> makePipe() {
   return Pipe{Descriptor(ends[0]), Descriptor(ends[1])};
 }
 
+// True where it has ended, and been waited for, by then.
+bool endsWithin(pid_t pid, double seconds) {
+  const Clock::time_point end =
+      Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+  for (auto step = std::chrono::microseconds(100);; step = std::min(2 * step, std::chrono::microseconds(20'000))) {
+    if (waitpid(pid, nullptr, WNOHANG) != 0) return true;
+    if (Clock::now() > end) return false;
+    std::this_thread::sleep_for(step);
+  }
+}
+
 struct Process {
   pid_t pid = -1;
   Descriptor in, out, err;  // our ends
@@ -70,12 +82,14 @@ struct Process {
     std::swap(task, other.task), std::swap(start, other.start);
     return *this;
   }
-  // A process without a task ends by itself once its input does; one with a task is not waited for.
+  // A process without a task ends by itself once its input does; one with a task is killed, and left behind where the
+  // kernel does not let it die, as in a driver that hangs.
   ~Process() {
     if (pid < 0) return;
-    if (task) kill(pid, SIGKILL);
     in = Descriptor();
-    waitpid(pid, nullptr, 0);
+    if (!task && endsWithin(pid, 10)) return;
+    kill(pid, SIGKILL);
+    endsWithin(pid, 2);
   }
 };
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 
 namespace facet {
 
@@ -12,6 +13,24 @@ template <class T>
 std::string shortest(T value) {
   std::array<char, 64> buffer;
   return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
+}
+
+// Bytes of the code point at the beginning; 0 where there is none (RFC 3629).
+size_t utf8Length(std::string_view text) {
+  const auto byte = [&](size_t i) { return static_cast<uint8_t>(i < text.size() ? text[i] : 0); };
+  const auto within = [&](size_t i, int low, int high) { return byte(i) >= low && byte(i) <= high; };
+  const uint8_t first = byte(0);
+  if (first < 0x80) return 1;
+  if (first >= 0xC2 && first <= 0xDF) return within(1, 0x80, 0xBF) ? 2 : 0;
+  if (first >= 0xE0 && first <= 0xEF) {
+    const bool second = within(1, first == 0xE0 ? 0xA0 : 0x80, first == 0xED ? 0x9F : 0xBF);
+    return second && within(2, 0x80, 0xBF) ? 3 : 0;
+  }
+  if (first >= 0xF0 && first <= 0xF4) {
+    const bool second = within(1, first == 0xF0 ? 0x90 : 0x80, first == 0xF4 ? 0x8F : 0xBF);
+    return second && within(2, 0x80, 0xBF) && within(3, 0x80, 0xBF) ? 4 : 0;
+  }
+  return 0;
 }
 
 }  // namespace
@@ -57,7 +76,35 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   return parts;
 }
 
-std::string inQuotes(std::string_view text) { return "'" + std::string(text) + "'"; }
+std::optional<std::string> withValidUtf8(std::string_view text) {
+  std::string out;
+  size_t copied = 0;
+  for (size_t i = 0; i < text.size();) {
+    const size_t length = utf8Length(text.substr(i));
+    if (length > 0) {
+      i += length;
+      continue;
+    }
+    out.append(text.substr(copied, i - copied)).append("\xEF\xBF\xBD");
+    copied = ++i;
+  }
+  if (copied == 0) return std::nullopt;
+  return out.append(text.substr(copied));
+}
+
+std::string printable(std::string_view text, size_t longest) {
+  const bool cut = text.size() > longest;
+  if (cut) {
+    while (longest > 0 && (static_cast<uint8_t>(text[longest]) & 0xC0) == 0x80) --longest;  // not within a character
+    text = text.substr(0, longest);
+  }
+  std::string out = withValidUtf8(text).value_or(std::string(text));
+  for (char& c : out)
+    if (static_cast<uint8_t>(c) < 0x20 || c == 0x7f) c = c == '\t' ? ' ' : '?';
+  return cut ? out + "..." : out;
+}
+
+std::string inQuotes(std::string_view text) { return "'" + printable(text, 80) + "'"; }
 
 std::string shellWord(std::string_view text) {
   constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./@%";

@@ -2,6 +2,7 @@
 
 // Text <-> numbers, and ways of quoting.
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,7 +22,12 @@ std::string number(double value);
 
 std::vector<std::string_view> split(std::string_view text, char separator);
 
-std::string inQuotes(std::string_view text);     // 'text', for messages
+// With U+FFFD for each byte that is no UTF-8, such as names in Latin-1; nothing where all is.
+std::optional<std::string> withValidUtf8(std::string_view text);
+// For people and terminals, whoever wrote it: valid UTF-8, control characters as ?, at most so many bytes and then "...".
+std::string printable(std::string_view text, size_t longest = std::string_view::npos);
+
+std::string inQuotes(std::string_view text);     // 'text', for messages; printable, of 80 bytes at most
 std::string shellWord(std::string_view text);    // one word for a POSIX shell, quoted where it has to be
 std::string pointerToken(std::string_view key);  // of a JSON pointer (RFC 6901): ~ as ~0, / as ~1
 

@@ -1,16 +1,24 @@
 #include "base/whole_file.hpp"
 
 #include <fcntl.h>
+#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
+#include <cstdio>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 #include <string>
+#include <vector>
 
 namespace facet {
 
 namespace {
+
+constexpr const char* partEnding = ".part";
 
 // 0, or what went wrong.
 int writeAll(int fd, std::span<const std::byte> bytes) {
@@ -23,21 +31,50 @@ int writeAll(int fd, std::span<const std::byte> bytes) {
   return 0;
 }
 
-int writeInto(const std::string& path, int flags, std::span<const std::byte> bytes) {
+// before: of a file that is replaced; its rights are kept. null: none.
+int writeInto(const std::string& path, int flags, std::span<const std::byte> bytes,
+              const struct stat* before = nullptr) {
   const int fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | flags, 0666);
   if (fd < 0) return errno;
   int problem = writeAll(fd, bytes);
   // A quota may be noticed only now.
   if (problem == 0 && (flags & O_EXCL) && ::fsync(fd) != 0 && errno != EINVAL) problem = errno;
+  if (problem == 0 && before != nullptr) ::fchmod(fd, before->st_mode & 07777);
   if (::close(fd) != 0 && problem == 0) problem = errno;
   return problem;
 }
 
-int writeBeside(const std::string& target, const struct stat* before, std::span<const std::byte> bytes) {
-  const std::string aside = target + "." + std::to_string(::getpid()) + ".part";
-  ::unlink(aside.c_str());  // of a process that had our number and died
-  int problem = writeInto(aside, O_EXCL, bytes);
-  if (problem == 0 && before != nullptr) ::chmod(aside.c_str(), before->st_mode & 07777);
+// Signals that ask for the end wait until this dies, so that nothing is left beside.
+class SignalsHeld {
+ public:
+  SignalsHeld() {
+    sigset_t held;
+    sigemptyset(&held);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&held, signal);
+    pthread_sigmask(SIG_BLOCK, &held, &before_);
+  }
+  ~SignalsHeld() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  SignalsHeld(const SignalsHeld&) = delete;
+  SignalsHeld& operator=(const SignalsHeld&) = delete;
+
+ private:
+  sigset_t before_;
+};
+
+// Of no other process, nor of one in another container that has our number. Not longer for long names.
+std::string nameBeside(const std::filesystem::path& target) {
+  uint64_t chance = 0;
+  if (::getrandom(&chance, sizeof chance, GRND_NONBLOCK) < 0) chance = reinterpret_cast<uintptr_t>(&chance);
+  char name[64];
+  std::snprintf(name, sizeof name, ".facet.%d.%016llx%s", static_cast<int>(::getpid()),
+                static_cast<unsigned long long>(chance), partEnding);
+  return (target.parent_path() / name).string();
+}
+
+int writeBeside(const std::filesystem::path& target, const struct stat* before, std::span<const std::byte> bytes) {
+  const std::string aside = nameBeside(target);
+  const SignalsHeld held;
+  int problem = writeInto(aside, O_EXCL, bytes, before);
   if (problem == 0 && ::rename(aside.c_str(), target.c_str()) != 0) problem = errno;
   if (problem != 0) ::unlink(aside.c_str());
   return problem;
@@ -61,6 +98,23 @@ Result<void> writeWholeFile(const std::filesystem::path& path, std::span<const s
 
 Result<void> writeWholeFile(const std::filesystem::path& path, std::string_view text) {
   return writeWholeFile(path, std::as_bytes(std::span(text)));
+}
+
+Result<void> copyWholeFile(const std::filesystem::path& from, const std::filesystem::path& to) {
+  std::ifstream in(from, std::ios::binary);
+  const std::vector<char> bytes{std::istreambuf_iterator<char>(in), {}};
+  if (!in.is_open() || in.bad())
+    return fail(from.string(), "", std::string("cannot be read: ") + std::strerror(errno), "check the file");
+  return writeWholeFile(to, std::as_bytes(std::span(bytes)));
+}
+
+void removeParts(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  for (std::filesystem::directory_iterator it(folder, ignored), end; it != end; it.increment(ignored)) {
+    const std::string name = it->path().filename().string();
+    std::error_code gone;
+    if (name.starts_with(".facet.") && name.ends_with(partEnding)) std::filesystem::remove(it->path(), gone);
+  }
 }
 
 }  // namespace facet

@@ -11,10 +11,17 @@
 
 namespace facet {
 
-// Written beside (NAME.PROCESS.part), then renamed; through a link into what it names. What is no regular file (a pipe,
-// /dev/stdout) is written to as it is, and so is a file in a folder where none can be made. Errors: it cannot be
-// written, with the system's reason; a file of this name then stays as it was.
+// Written beside (.facet.PROCESS.CHANCE.part), then renamed; through a link into what it names. What is no regular file
+// (a pipe, /dev/stdout) is written to as it is, and so is a file in a folder where none can be made. SIGINT, SIGTERM
+// and SIGHUP wait for its end; what is killed leaves at most the part beside. Errors: it cannot be written, with the
+// system's reason; a file of this name then stays as it was.
 Result<void> writeWholeFile(const std::filesystem::path& path, std::span<const std::byte> bytes);
 Result<void> writeWholeFile(const std::filesystem::path& path, std::string_view text);
+
+// The same of another file's bytes. Errors: that cannot be read, too.
+Result<void> copyWholeFile(const std::filesystem::path& from, const std::filesystem::path& to);
+
+// Parts that were left in a folder by processes that were killed; only where nobody writes.
+void removeParts(const std::filesystem::path& folder);
 
 }  // namespace facet

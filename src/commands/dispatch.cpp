@@ -2,10 +2,14 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <iostream>
 #include <new>
+#include <system_error>
 #include <vector>
 
 #include "base/log.hpp"
@@ -173,11 +177,23 @@ int badInput(const Error& error) {
   return exitBadInput;
 }
 
+namespace {
+
+// What went to standard output is there, or a word about it.
+int flushed(int status) {
+  if (std::cout.flush() && std::fflush(stdout) == 0 && !std::ferror(stdout)) return status;
+  return badInput({"standard output", {}, std::string("cannot be written: ") + std::strerror(errno), {}});
+}
+
+}  // namespace
+
 int run(std::span<const Command> table, int argc, char** argv) {
   try {
-    return parseAndRun(table, argc, argv);
+    return flushed(parseAndRun(table, argc, argv));
   } catch (const std::bad_alloc&) {
     return badInput({{}, {}, "the memory does not suffice", "give a smaller input"});
+  } catch (const std::system_error& error) {  // no more threads
+    return badInput({{}, {}, std::string("the system gives no more: ") + error.what(), "end other programs"});
   } catch (const std::exception& error) {  // of a library; ours do not throw
     return badInput({{}, {}, error.what(), {}});
   }

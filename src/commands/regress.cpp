@@ -14,11 +14,13 @@
 #include "base/interrupt.hpp"
 #include "base/log.hpp"
 #include "base/process_pool.hpp"
+#include "base/whole_file.hpp"
 #include "commands/commands.hpp"
 #include "commands/json_file.hpp"
 #include "commands/regress_job.hpp"
 #include "commands/shard.hpp"
 #include "commands/suite.hpp"
+#include "options/picture_options.hpp"
 
 namespace facet::commands {
 
@@ -32,7 +34,7 @@ using compare::RegressionReport;
 struct RegressArguments {
   std::string folder, results, filter, shard = "1/1", shaderDir;
   std::vector<std::string> merge;
-  bool accept = false, acceptAll = false, noCache = false, worker = false;
+  bool accept = false, acceptAll = false, noCache = false, worker = false, noSandbox = false;
   int processes = 0;  // 0: chosen
   double timeout = 120;
 };
@@ -146,6 +148,7 @@ PoolOptions poolOptions(const RegressArguments& arguments) {
   if (!arguments.shaderDir.empty())
     options.command.insert(options.command.end(), {"--shader-dir", arguments.shaderDir});
   if (arguments.noCache) options.command.emplace_back("--no-cache");
+  if (arguments.noSandbox) options.command.emplace_back("--no-sandbox");
   options.processes = chosenProcesses(arguments.processes);
   options.secondsPerTask = arguments.timeout;
   options.hopelessStatus = exitNoOpenGL;
@@ -179,12 +182,9 @@ bool isToBeAccepted(const JobResult& job, const RegressArguments& arguments) {
 }
 
 Result<void> accept(const Suite& suite, const fs::path& results, JobResult& job) {
-  const fs::path file = suite.baseline(job.name, suite.rendererOf(job.renderer)), aside = file.string() + ".new";
+  const fs::path file = suite.baseline(job.name, suite.rendererOf(job.renderer));
   if (Result<void> made = makeFolder(file.parent_path()); !made) return made;
-  std::error_code error;
-  fs::copy_file(results / job.picture, aside, fs::copy_options::overwrite_existing, error);
-  if (!error) fs::rename(aside, file, error);
-  if (error) return fail(file.string(), "", "cannot be written: " + error.message(), "check the folder");
+  if (Result<void> copied = copyWholeFile(results / job.picture, file); !copied) return copied;
   const std::string before = job.status == JobStatus::missing ? "a new baseline" : "the baseline is replaced";
   job.message = before + (job.status == JobStatus::missing || job.message.empty() ? "" : ": " + job.message);
   job.status = JobStatus::accepted;
@@ -220,6 +220,7 @@ int runSuite(const RegressArguments& arguments) {
   const Result<FolderLock> lock = FolderLock::take(results);
   if (!lock) return badInput(lock.error());
   compare::removeReports(results);
+  removeParts(results);
 
   RegressionReport report;
   report.origin = originOfProcess();
@@ -238,7 +239,10 @@ int runSuite(const RegressArguments& arguments) {
     ran = distribute(poolOptions(arguments), tasks, [&](size_t i, const TaskOutcome& outcome) {
       JobResult& job = report.jobs[i] = resultOf((*jobs)[i], outcome, report.renderer);
       if (isToBeAccepted(job, arguments)) {
-        if (Result<void> taken = accept(*suite, results, job); !taken) accepted = taken;
+        if (Result<void> taken = accept(*suite, results, job); !taken) {
+          accepted = taken;
+          job.status = JobStatus::failed, job.message = options::describe(taken.error());
+        }
       }
       progress.tell(job);
       ++done;
@@ -256,8 +260,8 @@ int runSuite(const RegressArguments& arguments) {
     log::error(said);
     return exitNoOpenGL;
   }
-  if (!accepted) return badInput(accepted.error());
-  return finish(report, results);
+  const int status = finish(report, results);
+  return accepted ? status : badInput(accepted.error());
 }
 
 Result<void> copyPictures(const RegressionReport& report, const fs::path& from, const fs::path& to) {
@@ -267,9 +271,9 @@ Result<void> copyPictures(const RegressionReport& report, const fs::path& from, 
       if (fs::path(name).filename() != name)
         return fail((from / "report.json").string(), "", "names the picture '" + name + "', which is no file name",
                     "give folders that facet regress has written");
-      std::error_code error;
-      fs::copy_file(from / name, to / name, fs::copy_options::overwrite_existing, error);
-      if (error) return fail((from / name).string(), "", "cannot be copied: " + error.message(), "check both folders");
+      std::error_code ignored;
+      if (fs::equivalent(from / name, to / name, ignored)) continue;
+      if (Result<void> copied = copyWholeFile(from / name, to / name); !copied) return copied;
     }
   }
   return {};
@@ -305,7 +309,8 @@ int runRegress(const RegressArguments& arguments) {
   const Result<Suite> suite = chosenSuite(arguments);
   if (!suite) return badInput(suite.error());
   const std::string shaders = suite->jobs.front().settings.sources.shaderDir;
-  return answerJobs(*suite, resultsFolder(arguments), {.shaderDir = shaders, .diskCache = !arguments.noCache});
+  return answerJobs(*suite, resultsFolder(arguments), {.shaderDir = shaders, .diskCache = !arguments.noCache},
+                    !arguments.noSandbox);
 }
 
 }  // namespace
@@ -330,6 +335,7 @@ std::function<int()> addRegress(CLI::App& app) {
   app.add_option("--shader-dir", arguments->shaderDir, "reads shaders from here instead of the embedded ones")
       ->type_name("DIR");
   app.add_flag("--no-cache", arguments->noCache, "neither read nor write the cache of compiled shaders");
+  app.add_flag("--no-sandbox", arguments->noSandbox, "read models with all of the user's rights");
   app.add_flag("--worker", arguments->worker, "renders jobs as they are asked for")->group("");
   return [arguments] { return runRegress(*arguments); };
 }

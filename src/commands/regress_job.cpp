@@ -5,8 +5,10 @@
 #include <string>
 
 #include "base/log.hpp"
+#include "base/whole_file.hpp"
 #include "base/whole_number.hpp"
 #include "commands/commands.hpp"
+#include "commands/confine.hpp"
 #include "compare/compare.hpp"
 
 namespace facet::commands {
@@ -63,8 +65,7 @@ Result<void> compareWithBaseline(const Suite& suite, const SuiteJob& job, const 
     return {};
   }
   const Files files = filesOf(job);
-  std::filesystem::copy_file(file, results / files.baseline, std::filesystem::copy_options::overwrite_existing, error);
-  if (error) return fail(file.string(), "", "cannot be copied to " + results.string(), "check both folders");
+  if (Result<void> copied = copyWholeFile(file, results / files.baseline); !copied) return copied;
   result.baseline = files.baseline;
   result.baselineRenderer = baselineRenderer(file);
   const Result<io::RadianceImage> before = compare::readPicture(file);
@@ -124,12 +125,13 @@ JobResult startedResult(const SuiteJob& job) {
   return result;
 }
 
-JobResult runJob(const Suite& suite, const SuiteJob& job, const std::filesystem::path& results,
-                 frame::Session& session) {
+Result<JobResult> runJob(const Suite& suite, const SuiteJob& job, const std::filesystem::path& results,
+                         frame::Session& session) {
   JobResult result = startedResult(job);
   result.renderer = rendererText(session.context());
   const auto start = std::chrono::steady_clock::now();
   if (Result<void> done = tryJob(suite, job, results, session, result); !done) {
+    if (gl::isOfDriver(done.error())) return tl::unexpected(done.error());
     result.status = JobStatus::failed;
     result.message = options::describe(done.error());
   }
@@ -137,17 +139,24 @@ JobResult runJob(const Suite& suite, const SuiteJob& job, const std::filesystem:
   return result;
 }
 
-int answerJobs(const Suite& suite, const std::filesystem::path& results, const frame::SessionOptions& options) {
+int answerJobs(const Suite& suite, const std::filesystem::path& results, const frame::SessionOptions& options,
+               bool sandbox) {
   Result<std::unique_ptr<frame::Session>> session = frame::Session::create(options);
   if (!session) {
     log::error(describe(session.error()));
     return exitNoOpenGL;
   }
+  if (sandbox) {
+    Needed needed{{suite.folder}, {results}};
+    for (const SuiteJob& job : suite.jobs) needPicture(needed, job.model, job.settings);
+    confine(std::move(needed), options.diskCache);
+  }
   for (std::string line; std::getline(std::cin, line);) {
     const std::optional<int> index = wholeNumber(line);
     if (!index || *index < 0 || *index >= static_cast<int>(suite.jobs.size())) return exitBadInput;
-    const JobResult result = runJob(suite, suite.jobs[static_cast<size_t>(*index)], results, **session);
-    std::cout << rendererText((*session)->context()) << '\t' << compare::jobText(result) << std::endl;
+    const Result<JobResult> result = runJob(suite, suite.jobs[static_cast<size_t>(*index)], results, **session);
+    if (!result) return badInput(result.error());  // the job's end; another process takes the next one
+    std::cout << rendererText((*session)->context()) << '\t' << compare::jobText(*result) << std::endl;
   }
   return exitGood;
 }

@@ -22,11 +22,13 @@ compare::JobResult startedResult(const SuiteJob& job);
 
 // Renders the job's picture into `results` (NAME.png) and compares it with the baseline, a copy of which goes beside it
 // (NAME.baseline.png), and where both differ the difference (NAME.diff.png). Whatever goes wrong is in the result.
-compare::JobResult runJob(const Suite& suite, const SuiteJob& job, const std::filesystem::path& results,
-                          frame::Session& session);
+// Errors: the driver's alone (gl::isOfDriver), after which the session is not to be used.
+Result<compare::JobResult> runJob(const Suite& suite, const SuiteJob& job, const std::filesystem::path& results,
+                                  frame::Session& session);
 
 // The process of a pool: reads indices of the suite's jobs, a line each, and answers with the renderer, a tab, and the
-// result as compare::jobText has it. Returns the exit status.
-int answerJobs(const Suite& suite, const std::filesystem::path& results, const frame::SessionOptions& options);
+// result as compare::jobText has it. sandbox: confines itself to what the suite needs. Returns the exit status.
+int answerJobs(const Suite& suite, const std::filesystem::path& results, const frame::SessionOptions& options,
+               bool sandbox);
 
 }  // namespace facet::commands

@@ -7,10 +7,12 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "base/interrupt.hpp"
 #include "base/log.hpp"
 #include "base/origin_json.hpp"
 #include "base/whole_file.hpp"
 #include "commands/commands.hpp"
+#include "commands/confine.hpp"
 #include "commands/jobs.hpp"
 #include "commands/notes_json.hpp"
 #include "commands/picture_arguments.hpp"
@@ -25,7 +27,7 @@ namespace {
 struct RenderArguments {
   PictureArguments picture;
   std::string model, output, stats, jobs, shard;
-  bool strict = false, noCache = false, glDebug = false, errorLayer = false;
+  bool strict = false, noCache = false, glDebug = false, errorLayer = false, noSandbox = false;
   int repeat = 0;
   int frames = 0;  // 0: one picture
   double fps = 30;
@@ -60,7 +62,7 @@ Origin pictureOrigin(const Job& job, const frame::Session& session) {
 }
 
 nlohmann::ordered_json statsJson(const Job& job, const frame::Session& session, const frame::Picture& picture,
-                                 const Stages& stages, const Notes& notes) {
+                                 const Stages& stages, const Notes& notes, const Confined& confined) {
   using Json = nlohmann::ordered_json;
   const frame::PictureStatistics& s = picture.statistics;
   Json out;
@@ -140,6 +142,7 @@ nlohmann::ordered_json statsJson(const Job& job, const frame::Session& session, 
         {"rms", s.comparison->rms}, {"share", s.comparison->share}, {"largest", s.comparison->largest}};
   if (isExr(job.output)) out["pixels"] = {{"fullyClamped", s.clampedPixels}, {"nonFinite", s.nonFinitePixels}};
   out["leftOut"] = frame::leftOut(session.model()->model, s);
+  out["sandbox"] = {{"files", confined.files}, {"calls", confined.calls}};
   out["notes"] = notesJson(notes);
   return out;
 }
@@ -188,18 +191,21 @@ std::string tellReached(const Job& job, const frame::Picture& picture, Notes& no
   return ": " + samples + ", error up to " + reached;
 }
 
-Result<JobOutcome> runJob(const Job& job, int repeat, bool errorLayer, bool last, frame::Session& session,
-                          Stages stages) {
+Result<JobOutcome> runJob(const Job& job, const RenderArguments& arguments, bool last, frame::Session& session,
+                          const Confined& confined, Stages stages) {
   Notes notes;
   const bool exr = isExr(job.output);
-  const frame::PictureRequest request{
-      .radiance = exr, .display = !exr, .standardError = exr && errorLayer, .repeat = repeat, .last = last};
+  const frame::PictureRequest request{.radiance = exr,
+                                      .display = !exr,
+                                      .standardError = exr && arguments.errorLayer,
+                                      .repeat = arguments.repeat,
+                                      .last = last};
   Result<frame::Picture> picture = session.render(job.model, job.settings, request, notes, stages);
   if (!picture) return tl::unexpected(picture.error());
   if (picture->statistics.nonFinitePixels > 0)
     notes.push_back(
         {Note::Severity::warning, "", std::to_string(picture->statistics.nonFinitePixels) + " pixels are not finite"});
-  if (errorLayer && picture->standardError.pixels.empty())
+  if (arguments.errorLayer && picture->standardError.pixels.empty())
     notes.push_back(
         {Note::Severity::warning, "",
          exr ? "--error-layer: the picture does not converge, and has no error to be told; give more than 16 "
@@ -210,8 +216,8 @@ Result<JobOutcome> runJob(const Job& job, int repeat, bool errorLayer, bool last
   if (Result<void> written = writeOutput(job, session, *picture); !written) return tl::unexpected(written.error());
   stages.mark("write");
   if (!job.stats.empty()) {
-    const std::string text =
-        statsJson(job, session, *picture, stages, notes).dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+    const std::string text = statsJson(job, session, *picture, stages, notes, confined)
+                                 .dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
     if (Result<void> written = writeWholeFile(job.stats, text + "\n"); !written) return tl::unexpected(written.error());
   }
   return JobOutcome{warned, reached};
@@ -254,6 +260,20 @@ Result<std::vector<Job>> listJobs(const RenderArguments& arguments) {
   return std::vector<Job>{job};
 }
 
+Confined confineTo(const std::vector<Job>& jobs, const RenderArguments& arguments) {
+  if (arguments.noSandbox) return {"no: --no-sandbox", "no: --no-sandbox"};
+  Needed needed;
+  for (const Job& job : jobs) {
+    needPicture(needed, job.model, job.settings);
+    needOutput(needed, job.output), needOutput(needed, job.stats);
+  }
+  return confine(std::move(needed), !arguments.noCache);
+}
+
+std::string writtenOf(size_t pictures, size_t all) {
+  return std::to_string(pictures) + " of " + std::to_string(all) + " pictures written";
+}
+
 int runRender(const RenderArguments& arguments) {
   Stages stages;
   const Result<std::vector<Job>> jobs = listJobs(arguments);
@@ -263,32 +283,40 @@ int runRender(const RenderArguments& arguments) {
     if (job.settings.sources.shaderDir != shaderDir)
       return badInput(
           {arguments.jobs, "shader-dir", "differs from job to job", "give one for all, on the command line"});
-  Result<std::unique_ptr<frame::Session>> session =
-      frame::Session::create({.shaderDir = shaderDir, .diskCache = !arguments.noCache, .debug = arguments.glDebug});
+  const frame::SessionOptions wished{
+      .shaderDir = shaderDir, .diskCache = !arguments.noCache, .debug = arguments.glDebug};
+  Result<std::unique_ptr<frame::Session>> session = frame::Session::create(wished);
   if (!session) {
     log::error(describe(session.error()));
     return exitNoOpenGL;
   }
   stages.mark("context");
+  const Confined confined = confineTo(*jobs, arguments);
+  stages.mark("sandbox");
   int status = exitGood;
   size_t pictures = 0;  // written
   const bool many = jobs->size() > 1;
+  LastWords lastWords(writtenOf(0, jobs->size()));
   for (size_t i = 0; i < jobs->size(); ++i) {
     const Job& job = (*jobs)[i];
-    const Result<JobOutcome> result = runJob(job, arguments.repeat, arguments.errorLayer, i + 1 == jobs->size(),
-                                             **session, i == 0 ? stages : Stages());
+    const Result<JobOutcome> result =
+        runJob(job, arguments, i + 1 == jobs->size(), **session, confined, i == 0 ? stages : Stages());
     const std::string place = many ? std::to_string(i + 1) + "/" + std::to_string(jobs->size()) + " " : "";
     if (!result) {
       log::error(place + (many ? job.output.string() + ": " : "") + options::describe(result.error()));
       status = exitBadInput;
-      continue;
+      if (!gl::isOfDriver(result.error()) || i + 1 == jobs->size()) continue;
+      session->reset();
+      session = frame::Session::create(wished);
+      if (session) continue;
+      log::error(describe(session.error()));
+      return exitNoOpenGL;
     }
     if (result->warned && arguments.strict) status = exitBadInput;
-    ++pictures;
+    lastWords.change(writtenOf(++pictures, jobs->size()));
     log::info(place + job.output.string() + result->reached);
   }
-  if (pictures < jobs->size() && many)
-    log::error(std::to_string(pictures) + " of " + std::to_string(jobs->size()) + " pictures written");
+  if (pictures < jobs->size() && many) log::error(writtenOf(pictures, jobs->size()));
   return status;
 }
 
@@ -315,6 +343,7 @@ std::function<int()> addRender(CLI::App& app) {
   app.add_flag("--strict", arguments->strict, "any warning makes the exit status 2");
   app.add_flag("--no-cache", arguments->noCache,
                "neither read nor write the caches of compiled shaders and of light tables");
+  app.add_flag("--no-sandbox", arguments->noSandbox, "read models with all of the user's rights");
   app.add_flag("--gl-debug", arguments->glDebug, "log OpenGL's debug messages");
   addPictureOptions(app, arguments->picture);
   return [arguments] { return runRender(*arguments); };

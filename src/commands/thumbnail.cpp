@@ -8,6 +8,7 @@
 
 #include "base/log.hpp"
 #include "commands/commands.hpp"
+#include "commands/confine.hpp"
 #include "frame/session.hpp"
 #include "frame/settings.hpp"
 #include "io/image.hpp"
@@ -77,6 +78,10 @@ int runThumbnail(const ThumbnailArguments& arguments) {
     log::error(describe(session.error()));
     return exitNoOpenGL;
   }
+  Needed needed;
+  needPicture(needed, arguments.model, {});
+  needOutput(needed, arguments.output);
+  confine(std::move(needed), true);
   const Result<io::Pixels> pixels = drawThumbnail(arguments, **session);
   if (!pixels) return badInput(pixels.error());
   const Result<void> written = io::writePng(arguments.output, *pixels);

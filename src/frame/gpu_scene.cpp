@@ -388,7 +388,9 @@ bool uploadImages(GpuScene& gpu, const scene::Model& model, const std::vector<Te
   const auto byImage = [](const TextureUse& use) { return use.image; };
   for (size_t image = 0; image < pixels.size(); ++image) {
     if (pixels[image].width == 0) continue;
-    for (const TextureUse& use : std::ranges::equal_range(uses, static_cast<int>(image), {}, byImage)) {
+    const int number = static_cast<int>(image);
+    for (auto at = std::ranges::lower_bound(uses, number, {}, byImage); at != uses.end() && at->image == number; ++at) {
+      const TextureUse& use = *at;
       if (findTexture(gpu, use)) continue;
       std::optional<TextureUpload>& upload = gpu.textureUpload;
       if (!upload || upload->use != use) {

@@ -98,6 +98,14 @@ Result<void> Session::loadScene(const std::string& source, const Sources& source
 
 Result<Picture> Session::render(const std::string& model, const PictureSettings& settings,
                                 const PictureRequest& request, Notes& notes, Stages& stages) {
+  Result<Picture> picture = draw(model, settings, request, notes, stages);
+  // The driver's trouble may be why there is none.
+  if (Result<void> r = gl::checkDriver("the picture"); !r) return tl::unexpected(r.error());
+  return picture;
+}
+
+Result<Picture> Session::draw(const std::string& model, const PictureSettings& settings, const PictureRequest& request,
+                              Notes& notes, Stages& stages) {
   if (Result<void> r = loadScene(model, settings.sources, notes); !r) return tl::unexpected(r.error());
   stages.mark("read model");
   PictureStatistics statistics;
@@ -111,6 +119,7 @@ Result<Picture> Session::render(const std::string& model, const PictureSettings&
     for (scene::Image& image : model_->model.images) image.encoded = {};
   }
   malloc_trim(0);
+  if (Result<void> r = gl::checkDriver("the scene"); !r) return tl::unexpected(r.error());
   return drawPicture(settings, request, *drawable, std::move(statistics), programs_, context_.info(), stages);
 }
 

@@ -36,7 +36,8 @@ class Session {
   static Result<std::unique_ptr<Session>> create(const SessionOptions& options);
 
   // Loads what the picture names and is not there yet, then renders it. Notes: the model's (only when it was loaded by
-  // this call), the environment's, the picture's.
+  // this call), the environment's, the picture's. After an error of the driver (gl::isOfDriver) what the session keeps
+  // is not to be relied on: another one begins anew.
   Result<Picture> render(const std::string& model, const PictureSettings& settings, const PictureRequest& request,
                          Notes& notes, Stages& stages);
 
@@ -47,6 +48,8 @@ class Session {
 
  private:
   explicit Session(gl::HeadlessContext context, const SessionOptions& options);
+  Result<Picture> draw(const std::string& model, const PictureSettings& settings, const PictureRequest& request,
+                       Notes& notes, Stages& stages);
   Result<void> loadScene(const std::string& source, const Sources& sources, Notes& notes);
 
   gl::HeadlessContext context_;  // first: everything below is freed before it

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdio>
 
 #include "base/log.hpp"
 
@@ -52,7 +53,37 @@ std::string missingExtensions() {
   return missing;
 }
 
+constexpr const char* driver = "OpenGL";  // what errors of it name in place of a file
+
 }  // namespace
+
+Result<void> checkDriver(std::string_view doing) {
+  bool memory = false, lost = glGetGraphicsResetStatus() != GL_NO_ERROR;
+  GLenum other = GL_NO_ERROR;
+  // A lost context may say so for ever.
+  for (int i = 0; i < 8; ++i) {
+    const GLenum error = glGetError();
+    if (error == GL_NO_ERROR) break;
+    memory = memory || error == GL_OUT_OF_MEMORY;
+    lost = lost || error == GL_CONTEXT_LOST;
+    if (error != GL_OUT_OF_MEMORY && error != GL_CONTEXT_LOST) other = error;
+  }
+  if (lost)
+    return fail(driver, "", "the driver was reset while it worked on " + std::string(doing),
+                "run facet again; if that happens often, update the graphics driver");
+  if (memory)
+    return fail(driver, "", "the driver's memory does not suffice for " + std::string(doing),
+                "close other programs, draw a smaller picture, or take a smaller model");
+  if (other != GL_NO_ERROR) {
+    char code[16];
+    std::snprintf(code, sizeof code, "0x%04X", other);
+    log::warning("OpenGL reports the error " + std::string(code) + " after " + std::string(doing) +
+                 "; the picture may be wrong.");
+  }
+  return {};
+}
+
+bool isOfDriver(const Error& error) { return error.file == driver; }
 
 int debugErrorCount() { return debugErrors; }
 

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "base/error.hpp"
 
@@ -30,6 +31,13 @@ struct ContextInfo {
 // Call once with the new context current: sets the state that the whole program relies on (clip control 0..1, seamless
 // cube maps, pixel alignment 1) and, with debug, routes KHR_debug messages into the log.
 Result<ContextInfo> adoptCurrentContext(const std::string& platform, bool debug);
+
+// OpenGL goes on after an error and tells of it when it is asked: whether since the last call the driver lacked memory
+// or lost the context (the GPU was reset), so that what it drew or keeps is not to be used. `doing`: "the
+// picture". Other errors are told as a warning.
+Result<void> checkDriver(std::string_view doing);
+// Such an error.
+bool isOfDriver(const Error& error);
 
 // The current context's driver draws on the CPU, as far as its name tells.
 bool drawsBySoftware();

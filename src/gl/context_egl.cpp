@@ -50,7 +50,8 @@ std::vector<Candidate> candidates() {
   return out;
 }
 
-EGLContext createContext(EGLDisplay display, int minor, bool debug) {
+// tellsReset: a driver that is reset says so, and what follows does nothing, instead of whatever it would do.
+EGLContext createContext(EGLDisplay display, int minor, bool debug, bool tellsReset) {
   const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
                                4,
                                EGL_CONTEXT_MINOR_VERSION,
@@ -59,6 +60,8 @@ EGLContext createContext(EGLDisplay display, int minor, bool debug) {
                                EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                EGL_CONTEXT_OPENGL_DEBUG,
                                debug ? EGL_TRUE : EGL_FALSE,
+                               tellsReset ? EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY : EGL_NONE,
+                               EGL_LOSE_CONTEXT_ON_RESET,
                                EGL_NONE};
   return eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
 }
@@ -95,8 +98,11 @@ Result<HeadlessContext> HeadlessContext::create(bool debug) {
       note("has no OpenGL context without a surface");
       continue;
     }
-    out.egl_->context = createContext(candidate.display, 6, debug);
-    if (out.egl_->context == EGL_NO_CONTEXT) out.egl_->context = createContext(candidate.display, 5, debug);
+    const bool robust = hasExtension(extensions, "EGL_EXT_create_context_robustness");
+    for (const bool tellsReset : {true, false})
+      for (const int minor : {6, 5})
+        if (out.egl_->context == EGL_NO_CONTEXT && (robust || !tellsReset))
+          out.egl_->context = createContext(candidate.display, minor, debug, tellsReset);
     if (out.egl_->context == EGL_NO_CONTEXT ||
         !eglMakeCurrent(candidate.display, EGL_NO_SURFACE, EGL_NO_SURFACE, out.egl_->context)) {
       note("refuses OpenGL 4.6 and 4.5 core (EGL error " + hex(eglGetError()) + ")");

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <sstream>
 
+#include "gl/context.hpp"
 #include "ibl/layers.hpp"
 
 namespace facet::ibl {
@@ -216,6 +217,7 @@ Result<void> prepareTables(Tables& tables, const scene::Environment* environment
   const std::vector<TableStatistics> loaded = tables.statistics;
   const std::vector<Piece> missing = missingPieces(tables, needs);
   if (Result<void> r = computeTables(tables, environment, needs, programs, method, prepared, found); !r) return r;
+  if (Result<void> r = gl::checkDriver("tables of light"); !r) return r;  // none such is kept
   if (!cache.disk.folder.empty())
     for (const Piece& piece : missing) {
       const PackedPiece packed = packPiece(tables, piece, content, cache, method);

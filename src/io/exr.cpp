@@ -249,11 +249,12 @@ bool isExr(Bytes bytes) { return bytes.size() >= 4 && littleEndian(bytes, 0) == 
 
 Result<RadianceImage> decodeExr(Bytes bytes, const std::string& name, const Limits& limits, const std::string& layer) {
   if (auto ok = checkVersion(bytes, name); !ok) return tl::unexpected(ok.error());
-  const std::vector<ExrPart> parts = scanExrParts(bytes, (littleEndian(bytes, 4) & severalPartsBit) != 0);
-  for (const ExrPart& part : parts)
+  const Result<std::vector<ExrPart>> parts = scanExrParts(bytes, (littleEndian(bytes, 4) & severalPartsBit) != 0, name);
+  if (!parts) return tl::unexpected(parts.error());
+  for (const ExrPart& part : *parts)
     if (auto ok = checkExrPart(part, bytes.size(), name, limits); !ok) return tl::unexpected(ok.error());
   try {
-    return readExrImage(bytes, parts, name, layer);
+    return readExrImage(bytes, *parts, name, layer);
   } catch (const std::bad_alloc&) {
     return fail(name, "", "there is not enough memory for the picture", "use a smaller picture");
   } catch (const std::exception& e) {

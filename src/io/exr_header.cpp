@@ -110,7 +110,7 @@ Result<void> checkWindow(const std::optional<ExrWindow>& window, const char* wha
 
 }  // namespace
 
-std::vector<ExrPart> scanExrParts(Bytes bytes, bool severalParts) {
+Result<std::vector<ExrPart>> scanExrParts(Bytes bytes, bool severalParts, const std::string& name) {
   std::vector<ExrPart> parts;
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   size_t at = 8;
@@ -122,7 +122,9 @@ std::vector<ExrPart> scanExrParts(Bytes bytes, bool severalParts) {
       const size_t typeEnd = text.find('\0', nameEnd + 1);
       if (typeEnd == std::string_view::npos || bytes.size() - typeEnd < 5) return parts;
       const size_t size = littleEndian(bytes, typeEnd + 1), value = typeEnd + 5;
-      if (size > bytes.size() - value) return parts;
+      if (size > bytes.size() - value)  // the library would have the memory before it notices
+        return fail(name, "byte " + std::to_string(typeEnd + 1),
+                    "an attribute of " + std::to_string(size) + " bytes does not fit into the file", exrCopyAgain);
       readAttribute(part, text.substr(at, nameEnd - at), text.substr(nameEnd + 1, typeEnd - nameEnd - 1),
                     bytes.subspan(value, size));
       at = value + size;

@@ -31,8 +31,9 @@ struct ExrPart {
   uint32_t tileWidth = 0, tileHeight = 0;  // 0: scan lines
 };
 
-// Stops where the bytes make no sense: the library says what is wrong.
-std::vector<ExrPart> scanExrParts(std::span<const uint8_t> bytes, bool severalParts);
+// Stops where the bytes make no sense: the library says what is wrong. Errors: an attribute that is longer than the
+// rest of the file.
+Result<std::vector<ExrPart>> scanExrParts(std::span<const uint8_t> bytes, bool severalParts, const std::string& name);
 
 // Errors: a window that is missing, empty or over the limit; more pixels than the file can hold, by its chunks (16
 // bytes each at least) and by what its compression can shrink.

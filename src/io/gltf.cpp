@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "base/text.hpp"
 #include "io/accessors.hpp"
 #include "io/glb.hpp"
 #include "io/gltf_document.hpp"

@@ -34,24 +34,6 @@ std::string stringValue(std::string_view token) {
   return value.is_string() ? value.get<std::string>() : std::string(token);
 }
 
-// Bytes of the code point at the beginning; 0 where there is none (RFC 3629).
-size_t utf8Length(std::string_view text) {
-  const auto byte = [&](size_t i) { return static_cast<uint8_t>(i < text.size() ? text[i] : 0); };
-  const auto within = [&](size_t i, int low, int high) { return byte(i) >= low && byte(i) <= high; };
-  const uint8_t first = byte(0);
-  if (first < 0x80) return 1;
-  if (first >= 0xC2 && first <= 0xDF) return within(1, 0x80, 0xBF) ? 2 : 0;
-  if (first >= 0xE0 && first <= 0xEF) {
-    const bool second = within(1, first == 0xE0 ? 0xA0 : 0x80, first == 0xED ? 0x9F : 0xBF);
-    return second && within(2, 0x80, 0xBF) ? 3 : 0;
-  }
-  if (first >= 0xF0 && first <= 0xF4) {
-    const bool second = within(1, first == 0xF0 ? 0x90 : 0x80, first == 0xF4 ? 0x8F : 0xBF);
-    return second && within(2, 0x80, 0xBF) && within(3, 0x80, 0xBF) ? 4 : 0;
-  }
-  return 0;
-}
-
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 // A number with a fraction or an exponent that stands for a whole number which a double holds exactly; as digits.
@@ -315,22 +297,6 @@ size_t JsonOutline::elements(std::string_view key) const {
 }
 
 Result<JsonOutline> scanJson(std::string_view text, int maxDepth) { return Scanner(text, maxDepth).run(); }
-
-std::optional<std::string> withValidUtf8(std::string_view text) {
-  std::string out;
-  size_t copied = 0;
-  for (size_t i = 0; i < text.size();) {
-    const size_t length = utf8Length(text.substr(i));
-    if (length > 0) {
-      i += length;
-      continue;
-    }
-    out.append(text.substr(copied, i - copied)).append("\xEF\xBF\xBD");
-    copied = ++i;
-  }
-  if (copied == 0) return std::nullopt;
-  return out.append(text.substr(copied));
-}
 
 std::optional<std::string> withWholeNumbers(std::string_view text) {
   std::string out;

@@ -39,9 +39,6 @@ struct JsonOutline {
 // given" without a word.
 Result<JsonOutline> scanJson(std::string_view text, int maxDepth);
 
-// With U+FFFD for each byte that is no UTF-8, such as names in Latin-1; nothing where all is.
-std::optional<std::string> withValidUtf8(std::string_view text);
-
 // glTF allows whole numbers to be written with a fraction of zero or an exponent (2.0, 3.2), which parsers take for
 // numbers of another kind. The text with all of them as digits; nothing where there are none. Blanks fill up, so that
 // what follows stays in its place unless an exponent needs more digits.

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "base/text.hpp"
+
 namespace facet::io {
 
 namespace {
@@ -100,11 +102,6 @@ std::optional<std::vector<uint8_t>> decodeDataUri(std::string_view uri) {
   return std::vector<uint8_t>(text.begin(), text.end());
 }
 
-std::string inQuotes(std::string_view text) {
-  constexpr size_t longest = 80;
-  std::string result = "\"";
-  for (const char c : text.substr(0, longest)) result += static_cast<uint8_t>(c) < 0x20 || c == 0x7f ? '?' : c;
-  return result + (text.size() > longest ? "...\"" : "\"");
-}
+std::string inQuotes(std::string_view text) { return "\"" + printable(text, 80) + "\""; }
 
 }  // namespace facet::io

@@ -72,7 +72,8 @@ struct Side {
 };
 Side sideOf(const Grid& grid, const std::vector<glm::vec3>& values, const Place& from, size_t axis, int step,
             int farthest) {
-  const auto [steps, wraps] = grid.axes[axis];
+  const int steps = grid.axes[axis].steps;
+  const bool wraps = grid.axes[axis].wraps;
   int stride = 1;
   for (size_t a = axis + 1; a < grid.count; ++a) stride *= grid.axes[a].steps;
   const int base = static_cast<int>(indexOf(grid, from)) - from[axis] * stride;

@@ -136,7 +136,7 @@ Table diffuseTable() {
               {}};
   for (const auto& [model, word, name, note] : optics::diffuseModels)
     for (const double r : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-      const auto albedo = [&](double NoV) { return optics::diffuseAlbedo(model, NoV, r); };
+      const auto albedo = [&, model = model](double NoV) { return optics::diffuseAlbedo(model, NoV, r); };
       const Largest lowest = least(albedo), highest = least([&](double NoV) { return -albedo(NoV); });
       double halfError = 0;
       for (const double NoV : viewCosines)

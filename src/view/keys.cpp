@@ -170,7 +170,7 @@ Result<KeyMap> readKeys(const std::filesystem::path& file) {
   const nlohmann::json values = nlohmann::json::parse(stream, nullptr, false);
   if (!values.is_object()) return fail(file.string(), "", "is no JSON object", "correct or delete it");
   for (const auto& [name, value] : values.items()) {
-    const auto row = std::ranges::find_if(commandRows(), [&](const CommandRow& r) { return r.name == name; });
+    const auto row = std::ranges::find(commandRows(), name, &CommandRow::name);
     if (row == commandRows().end()) {
       std::vector<std::string_view> names;
       for (const CommandRow& known : commandRows()) names.emplace_back(known.name);

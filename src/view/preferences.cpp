@@ -4,6 +4,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "base/whole_file.hpp"
+
 namespace facet::view {
 
 namespace {
@@ -55,15 +57,7 @@ Result<void> writePreferences(const std::filesystem::path& file, const Preferenc
   if (preferences.width > 0) values["size"] = {preferences.width, preferences.height};
   std::error_code ignored;
   std::filesystem::create_directories(file.parent_path(), ignored);
-  // Beside and in place of the old one, so that a crash leaves one of the two.
-  const std::filesystem::path beside = file.string() + ".new";
-  std::ofstream stream(beside, std::ios::binary);
-  stream << values.dump(2) << "\n";
-  stream.close();
-  std::error_code error;
-  if (stream) std::filesystem::rename(beside, file, error);
-  if (!stream || error) return fail(file.string(), "", "cannot be written", "check the folder's permissions");
-  return {};
+  return writeWholeFile(file, values.dump(2) + "\n");
 }
 
 }  // namespace facet::view

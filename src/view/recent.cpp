@@ -1,10 +1,10 @@
 #include "view/recent.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+
+#include "base/whole_file.hpp"
 
 namespace facet::view {
 
@@ -38,17 +38,9 @@ void noteRecent(const fs::path& file, const std::string& source) {
   paths.insert(paths.begin(), path);
   if (paths.size() > keptRecent) paths.resize(keptRecent);
   fs::create_directories(file.parent_path(), problem);
-  const fs::path aside = file.string() + "." + std::to_string(getpid());
-  {
-    std::ofstream out(aside);
-    for (const std::string& line : paths) out << line << '\n';
-    out.close();
-    if (!out) {
-      fs::remove(aside, problem);
-      return;
-    }
-  }
-  fs::rename(aside, file, problem);
+  std::string lines;
+  for (const std::string& line : paths) lines += line + '\n';
+  (void)writeWholeFile(file, lines);
 }
 
 }  // namespace facet::view

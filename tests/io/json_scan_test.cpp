@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cctype>
 
+#include "base/text.hpp"
 #include "support/gltf_load.hpp"
 
 namespace {
@@ -177,7 +178,7 @@ TEST_CASE("Of a key that is given twice the later one counts", "[io][gltf]") {
 }
 
 TEST_CASE("Text that is no UTF-8 is read with replacement marks", "[io][gltf]") {
-  const auto valid = [](std::string_view text) { return io::withValidUtf8(text).value_or("as it is"); };
+  const auto valid = [](std::string_view text) { return withValidUtf8(text).value_or("as it is"); };
   const std::string mark = "\xEF\xBF\xBD";
   CHECK(valid("Gr\xC3\xBC\xC3\x9F"
               "e \xE2\x82\xAC \xF0\x9F\x98\x80") == "as it is");

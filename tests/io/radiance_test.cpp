@@ -529,8 +529,18 @@ TEST_CASE("EXR files that are refused say why", "[io][radiance]") {
   };
   CHECK(read(good) == "read");
   CHECK(read(Bytes(good.begin(), good.begin() + 6)) == f + "the file is cut off; copy or download it again.");
+  CHECK(read(Bytes(good.begin(), good.begin() + 8)) == f + "the header has no data window; copy or download it again.");
   CHECK(read(Bytes(good.begin(), good.begin() + 40)) ==
-        f + "the header has no data window; copy or download it again.");
+        f + "byte 24: an attribute of 55 bytes does not fit into the file; copy or download it again.");
+  Bytes greedy = good;  // the last attribute claims gigabytes
+  const std::string last = "screenWindowWidth";
+  const auto attribute = std::search(greedy.begin(), greedy.end(), last.begin(), last.end());
+  REQUIRE(attribute != greedy.end());
+  const auto size = attribute + 18 + 6;  // behind both names
+  *(size + 3) = 0x7f;
+  CHECK(read(greedy) ==
+        f + "byte " + std::to_string(size - greedy.begin()) +
+            ": an attribute of 2130706436 bytes does not fit into the file; copy or download it again.");
   Bytes deep = good;
   deep[5] |= 0x08;
   CHECK(read(deep) == f + "byte 4: deep images are not supported; convert it to a single-part scan-line image.");

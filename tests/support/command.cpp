@@ -24,6 +24,8 @@ Outcome runShell(const std::string& line) {
 
 std::string facetPath() { return FACET_EXECUTABLE; }
 
+std::string glFaultsPath() { return FACET_GL_FAULTS; }
+
 Outcome runFacet(const std::vector<std::string>& words) {
   std::string line = shellWord(FACET_EXECUTABLE);
   for (const std::string& word : words) line.append(" ").append(shellWord(word));

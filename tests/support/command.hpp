@@ -18,6 +18,9 @@ Outcome runFacet(const std::vector<std::string>& words);
 // The built facet.
 std::string facetPath();
 
+// A library for LD_PRELOAD that makes OpenGL fail (gl_faults.c).
+std::string glFaultsPath();
+
 // Runs a line of shell.
 Outcome runShell(const std::string& line);
 

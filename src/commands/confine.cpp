@@ -1,0 +1,68 @@
+#include "commands/confine.hpp"
+
+#include <cstdlib>
+
+#include "base/disk_cache.hpp"
+#include "base/log.hpp"
+#include "io/measured.hpp"
+#include "io/sources.hpp"
+
+namespace facet::commands {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path folderOf(const fs::path& file) {
+  std::error_code ignored;
+  const fs::path whole = fs::absolute(fs::weakly_canonical(file, ignored), ignored);
+  return whole.parent_path();
+}
+
+bool isFile(const std::string& source) {
+  return !source.empty() && source != "none" && !source.starts_with(io::builtinPrefix);
+}
+
+// Where Mesa and NVIDIA's driver keep compiled shaders. Mesa's own threads write there.
+void needDriverCaches(Needed& needed) {
+  const auto variable = [](const char* name) { return std::getenv(name); };
+  for (const char* name : {"MESA_SHADER_CACHE_DIR", "__GL_SHADER_DISK_CACHE_PATH"})
+    if (const char* folder = variable(name)) needed.read.emplace_back(folder);
+  const char *xdg = variable("XDG_CACHE_HOME"), *home = variable("HOME");
+  const fs::path cache = xdg ? fs::path(xdg) : home ? fs::path(home) / ".cache" : fs::path();
+  if (cache.empty()) return;
+  for (const char* name : {"mesa_shader_cache", "mesa_shader_cache_db", "nvidia"}) needed.read.push_back(cache / name);
+  if (home) needed.read.push_back(fs::path(home) / ".nv");
+}
+
+}  // namespace
+
+void needPicture(Needed& needed, const std::string& model, const frame::PictureSettings& settings) {
+  const frame::Sources& sources = settings.sources;
+  if (isFile(model)) needed.read.push_back(folderOf(model));
+  for (const std::string& folder : {sources.allowOutside, sources.shaderDir})
+    if (!folder.empty()) needed.read.emplace_back(folder);
+  if (isFile(sources.environment)) needed.read.emplace_back(io::splitLayer(sources.environment).file);
+  if (!sources.bump.empty()) needed.read.emplace_back(sources.bump);
+  if (!isFile(sources.brdf)) return;
+  needed.read.emplace_back(sources.brdf);
+  for (const fs::path& folder : io::brdfFolders(sources.brdfDir)) needed.read.push_back(folder);
+}
+
+void needOutput(Needed& needed, const fs::path& file) {
+  if (!file.empty()) needed.written.push_back(folderOf(file));
+}
+
+Confined confine(Needed needed, bool ownCache) {
+  needDriverCaches(needed);
+  if (const fs::path cache = ownCache ? userCacheFolder() : fs::path(); !cache.empty()) {
+    std::error_code ignored;
+    fs::create_directories(cache, ignored);
+    needed.written.push_back(cache);
+  }
+  const Confined confined = confineProcess(needed);
+  log::debug("sandbox: files " + confined.files + ", calls " + confined.calls);
+  return confined;
+}
+
+}  // namespace facet::commands

@@ -1,0 +1,21 @@
+#pragma once
+
+// What a picture needs of the file system, for commands that read what strangers wrote (base/sandbox.hpp).
+
+#include <string>
+
+#include "base/sandbox.hpp"
+#include "frame/settings.hpp"
+
+namespace facet::commands {
+
+// The model's folder, or none of a built-in one; environment, measured BRDFs, height map, shaders.
+void needPicture(Needed& needed, const std::string& model, const frame::PictureSettings& settings);
+// The folder of a file that is written, also where it is a link.
+void needOutput(Needed& needed, const std::filesystem::path& file);
+
+// Once the driver is at work and before the first byte of a model is read. ownCache: facet's caches are used; those of
+// drivers are read.
+Confined confine(Needed needed, bool ownCache);
+
+}  // namespace facet::commands

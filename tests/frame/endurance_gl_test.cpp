@@ -1,0 +1,80 @@
+// Many pictures in one process: what the first fifty have taken is all that is ever taken.
+
+#include <epoxy/gl.h>
+#include <malloc.h>
+
+#include <catch2/catch.hpp>
+#include <map>
+#include <string>
+
+#include "support/picture.hpp"
+
+using namespace facet;
+
+namespace {
+
+// Live names by kind; none is above the largest that was ever given.
+std::map<std::string, int> liveObjects() {
+  constexpr GLuint largest = 20'000;
+  struct Kind {
+    const char* name;
+    GLboolean (*is)(GLuint);
+  };
+  const Kind kinds[] = {{"textures", [](GLuint id) { return glIsTexture(id); }},
+                        {"buffers", [](GLuint id) { return glIsBuffer(id); }},
+                        {"framebuffers", [](GLuint id) { return glIsFramebuffer(id); }},
+                        {"samplers", [](GLuint id) { return glIsSampler(id); }},
+                        {"programs", [](GLuint id) { return glIsProgram(id); }},
+                        {"shaders", [](GLuint id) { return glIsShader(id); }},
+                        {"vertex arrays", [](GLuint id) { return glIsVertexArray(id); }},
+                        {"queries", [](GLuint id) { return glIsQuery(id); }}};
+  std::map<std::string, int> counts;
+  for (const Kind& kind : kinds)
+    for (GLuint id = 1; id <= largest; ++id) counts[kind.name] += kind.is(id) == GL_TRUE;
+  return counts;
+}
+
+// Bytes that the C library has given and not got back.
+size_t heapBytes() {
+  malloc_trim(0);
+  const struct mallinfo2 info = mallinfo2();
+  return info.uordblks + info.hblkhd;
+}
+
+std::string text(const std::map<std::string, int>& counts) {
+  std::string out;
+  for (const auto& [name, count] : counts) out += std::to_string(count) + " " + name + "\n";
+  return out;
+}
+
+// Ten kinds of jobs, one after the other.
+frame::PictureSettings settingsOf(int job) {
+  frame::PictureSettings settings = test::bareSettings(16 + 8 * (job % 3), 16);
+  const int kind = job % 10;
+  if (kind % 2 == 0) settings.sources.environment = kind % 4 == 0 ? "builtin:studio" : "builtin:sky";
+  if (kind == 1) settings.quality.samples = 8;
+  if (kind == 3) settings.quality.visibility = frame::Visibility::automatic;
+  if (kind == 4) settings.quality.visibility = frame::Visibility::screen;
+  if (kind == 5) settings.sources.brdf = "builtin:ggx-0.35";
+  if (kind == 6) settings.quality.visibility = frame::Visibility::rays, settings.quality.samples = 2;
+  if (kind == 7) settings.display.toneMapper = optics::ToneMapper::agx;
+  if (kind == 8) settings.frame.background = frame::Background::color;
+  return settings;
+}
+
+}  // namespace
+
+TEST_CASE("endurance: two hundred mixed jobs take no more than the first fifty", "[gl]") {
+  test::Studio studio;
+  std::map<std::string, int> objects;
+  size_t heap = 0;
+  for (int job = 0; job < 200; ++job) {
+    if (job == 50) objects = liveObjects(), heap = heapBytes();
+    const char* models[] = {"builtin:metals", "builtin:spheres", "builtin:poster"};
+    studio.render(test::loadBuiltin(models[job % 5 < 3 ? 0 : job % 5 - 2]), settingsOf(job));
+  }
+  const size_t after = heapBytes();
+  INFO("heap after 50: " << heap << ", after 200: " << after);
+  CHECK(text(liveObjects()) == text(objects));
+  CHECK(after < heap + (256 << 10));
+}

@@ -1,0 +1,38 @@
+// One program for all targets: FACET_FUZZ_TARGET in the environment names the one.
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <random>
+
+#include "fuzz/mutate.hpp"
+
+using namespace facet::fuzz;
+
+namespace {
+const Target* target = nullptr;
+}
+
+extern "C" size_t LLVMFuzzerMutate(uint8_t* data, size_t size, size_t maxSize);
+
+extern "C" int LLVMFuzzerInitialize(int*, char***) {
+  const char* name = std::getenv("FACET_FUZZ_TARGET");
+  target = name ? findTarget(name) : nullptr;
+  if (target) return 0;
+  std::fputs("facet_fuzz: FACET_FUZZ_TARGET names no target\n", stderr);
+  std::exit(2);
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  target->run({data, size});
+  return 0;
+}
+
+extern "C" size_t LLVMFuzzerCustomMutator(uint8_t* data, size_t size, size_t maxSize, unsigned seed) {
+  std::mt19937 random(seed);
+  if (!target->json || random() % 4 == 0) return LLVMFuzzerMutate(data, size, maxSize);
+  const Bytes changed = mutateJson({data, size}, random);
+  if (changed.empty() || changed.size() > maxSize) return LLVMFuzzerMutate(data, size, maxSize);
+  std::memcpy(data, changed.data(), changed.size());
+  return changed.size();
+}

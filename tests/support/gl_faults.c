@@ -1,0 +1,106 @@
+// A library that is loaded before all others and makes the OpenGL driver fail as FACET_GL_FAULT says: "KIND N" is about
+// the N-th call, from 1 on. What is not about N goes to the driver.
+//   textures  this storage of a texture, and all that follow, cannot be had: GL_OUT_OF_MEMORY
+//   buffers   likewise of buffers
+//   once      the storage of this texture alone
+//   reset     glFinish: the GPU is reset, and the context is lost for good
+//   hang      glFinish never returns
+
+#define _GNU_SOURCE
+#include <dlfcn.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+static void* (*realDlsym)(void*, const char*);
+static void* (*realGetProcAddress)(const char*);
+
+static char kind[16];
+static int first, counted, outOfMemory, lost;
+
+static int isKind(const char* name) {
+  if (kind[0] == 0) {
+    const char* said = getenv("FACET_GL_FAULT");
+    if (!said || sscanf(said, "%15s %d", kind, &first) != 2) strcpy(kind, "none");
+  }
+  return strcmp(kind, name) == 0;
+}
+
+// Whether this call of the kind fails.
+static int fails(const char* name) { return isKind(name) && ++counted >= first; }
+static int noTexture(void) {
+  const int none = fails("textures") || (isKind("once") && ++counted == first);
+  outOfMemory |= none;
+  return none;
+}
+
+#define REAL(type, name) ((type)realGetProcAddress(name))
+
+static void textureStorage2D(GLuint t, GLsizei levels, GLenum format, GLsizei width, GLsizei height) {
+  if (!noTexture()) REAL(PFNGLTEXTURESTORAGE2DPROC, "glTextureStorage2D")(t, levels, format, width, height);
+}
+static void textureStorage3D(GLuint t, GLsizei levels, GLenum format, GLsizei width, GLsizei height, GLsizei depth) {
+  if (!noTexture()) REAL(PFNGLTEXTURESTORAGE3DPROC, "glTextureStorage3D")(t, levels, format, width, height, depth);
+}
+static void textureStorage2DMultisample(GLuint t, GLsizei samples, GLenum format, GLsizei width, GLsizei height,
+                                        GLboolean fixed) {
+  if (!noTexture())
+    REAL(PFNGLTEXTURESTORAGE2DMULTISAMPLEPROC, "glTextureStorage2DMultisample")(t, samples, format, width, height, fixed);
+}
+static void namedBufferStorage(GLuint b, GLsizeiptr size, const void* data, GLbitfield flags) {
+  if (fails("buffers"))
+    outOfMemory = 1;
+  else
+    REAL(PFNGLNAMEDBUFFERSTORAGEPROC, "glNamedBufferStorage")(b, size, data, flags);
+}
+static GLenum getError(void) {
+  if (lost) return GL_CONTEXT_LOST;
+  const int memory = outOfMemory;
+  outOfMemory = 0;
+  // What follows from it is not told.
+  const GLenum real = REAL(GLenum(*)(void), "glGetError")();
+  return memory ? GL_OUT_OF_MEMORY : real;
+}
+static GLenum getGraphicsResetStatus(void) { return lost ? GL_UNKNOWN_CONTEXT_RESET : GL_NO_ERROR; }
+static void finish(void) {
+  if (fails("reset")) lost = 1;
+  if (fails("hang"))
+    for (;;) pause();
+  REAL(void (*)(void), "glFinish")();
+}
+
+static void* ours(const char* name) {
+  if (strcmp(name, "glTextureStorage2D") == 0) return (void*)textureStorage2D;
+  if (strcmp(name, "glTextureStorage3D") == 0) return (void*)textureStorage3D;
+  if (strcmp(name, "glTextureStorage2DMultisample") == 0) return (void*)textureStorage2DMultisample;
+  if (strcmp(name, "glNamedBufferStorage") == 0) return (void*)namedBufferStorage;
+  if (strcmp(name, "glGetError") == 0) return (void*)getError;
+  if (strcmp(name, "glGetGraphicsResetStatus") == 0) return (void*)getGraphicsResetStatus;
+  if (strcmp(name, "glFinish") == 0) return (void*)finish;
+  return NULL;
+}
+
+static void* getProcAddress(const char* name) {
+  void* const found = ours(name);
+  return found ? found : realGetProcAddress(name);
+}
+
+// libepoxy, through which facet calls OpenGL, finds all of it so.
+void* dlsym(void* handle, const char* name) {
+  if (!realDlsym) {
+    realDlsym = dlvsym(RTLD_NEXT, "dlsym", "GLIBC_2.34");
+    if (!realDlsym) realDlsym = dlvsym(RTLD_NEXT, "dlsym", "GLIBC_2.2.5");
+    if (!realDlsym) realDlsym = dlvsym(RTLD_NEXT, "dlsym", "GLIBC_2.17");
+  }
+  void* const found = realDlsym(handle, name);
+  if (found && strcmp(name, "eglGetProcAddress") == 0) {
+    realGetProcAddress = found;
+    return (void*)getProcAddress;
+  }
+  if (found && realGetProcAddress && ours(name)) return ours(name);
+  return found;
+}
