@@ -12,8 +12,6 @@
 #include <cstring>
 #include <fstream>
 
-#include "base/log.hpp"
-
 namespace facet {
 
 namespace {
@@ -73,20 +71,27 @@ void removeOldest(const DiskCache& cache, const fs::path& written) {
 
 }  // namespace
 
-std::filesystem::path userCacheFolder() {
-  fs::path folder;
-  if (const char* xdg = std::getenv("XDG_CACHE_HOME"); xdg && *xdg == '/')
-    folder = fs::path(xdg) / "facet";
-  else if (const char* home = std::getenv("HOME"); home && *home == '/')
-    folder = fs::path(home) / ".cache" / "facet";
-  struct stat status {};
-  if (folder.empty() || stat(folder.c_str(), &status) != 0) return folder;
-  const bool foreign = status.st_uid != geteuid(), open = (status.st_mode & S_IWOTH) != 0;
-  if (!foreign && !open) return folder;
-  log::warning(folder.string() + (foreign ? ": belongs to another user" : ": everybody may write to it") +
-               ", so that no cache is used; set XDG_CACHE_HOME to a folder of your own, or give --no-cache.");
+namespace {
+
+fs::path wantedFolder() {
+  if (const char* xdg = std::getenv("XDG_CACHE_HOME"); xdg && *xdg == '/') return fs::path(xdg) / "facet";
+  if (const char* home = std::getenv("HOME"); home && *home == '/') return fs::path(home) / ".cache" / "facet";
   return {};
 }
+
+}  // namespace
+
+std::string userCacheProblem() {
+  const fs::path folder = wantedFolder();
+  struct stat status {};
+  if (folder.empty() || stat(folder.c_str(), &status) != 0) return {};
+  const bool foreign = status.st_uid != geteuid(), open = (status.st_mode & S_IWOTH) != 0;
+  if (!foreign && !open) return {};
+  return folder.string() + (foreign ? ": belongs to another user" : ": everybody may write to it") +
+         ", so that no cache is used; set XDG_CACHE_HOME to a folder of your own, or give --no-cache.";
+}
+
+std::filesystem::path userCacheFolder() { return userCacheProblem().empty() ? wantedFolder() : fs::path(); }
 
 std::array<uint64_t, 2> contentHash(std::span<const std::byte> bytes) {
   std::array<uint64_t, 4> lanes = {0x243f6a8885a308d3ull, 0x13198a2e03707344ull, 0xa4093822299f31d0ull,

@@ -20,9 +20,11 @@ struct DiskCache {
   uintmax_t maxBytes = 0;        // of all files in it; those that were used last stay
 };
 
-// $XDG_CACHE_HOME/facet, else ~/.cache/facet; empty where neither is known, and, with a warning, where others may
-// write: a driver is handed the programs as they lie there.
+// $XDG_CACHE_HOME/facet, else ~/.cache/facet; empty where neither is known, and where others may write to it: a driver
+// is handed the programs as they lie there.
 std::filesystem::path userCacheFolder();
+// A sentence where others may; else empty.
+std::string userCacheProblem();
 
 // Nothing where there is no such file, or one that is not whole or of another key.
 std::optional<std::vector<std::byte>> readCached(const DiskCache& cache, std::string_view key);

@@ -22,8 +22,8 @@ struct Confined {
 
 // For the rest of the process:
 //  - files (landlock): this thread, and those that it starts from now on, open only what is needed, what the system has
-//    below /usr, /lib and /sys, devices, and what is open already. Names, sizes and times of other files can still be
-//    asked for. Threads that a driver has started before keep their rights.
+//    below /usr, /lib, /sys and of the process in /proc, devices, and what is open already. Names, sizes and times of
+//    other files can still be asked for. Threads that a driver has started before keep their rights.
 //  - calls (seccomp), all threads: no network and no other sockets, no other programs or processes, none of others to
 //    signal or to look into, no change of owners or rights of files by name, nothing that only system tools need.
 // What the kernel does not offer is left out, and the answer says so.

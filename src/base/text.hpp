@@ -24,7 +24,8 @@ std::vector<std::string_view> split(std::string_view text, char separator);
 
 // With U+FFFD for each byte that is no UTF-8, such as names in Latin-1; nothing where all is.
 std::optional<std::string> withValidUtf8(std::string_view text);
-// For people and terminals, whoever wrote it: valid UTF-8, control characters as ?, at most so many bytes and then "...".
+// For people and terminals, whoever wrote it: valid UTF-8, control characters as ?, at most so many bytes and then
+// "...".
 std::string printable(std::string_view text, size_t longest = std::string_view::npos);
 
 std::string inQuotes(std::string_view text);     // 'text', for messages; printable, of 80 bytes at most

@@ -23,17 +23,8 @@ bool isFile(const std::string& source) {
   return !source.empty() && source != "none" && !source.starts_with(io::builtinPrefix);
 }
 
-// Where Mesa and NVIDIA's driver keep compiled shaders. Mesa's own threads write there.
-void needDriverCaches(Needed& needed) {
-  const auto variable = [](const char* name) { return std::getenv(name); };
-  for (const char* name : {"MESA_SHADER_CACHE_DIR", "__GL_SHADER_DISK_CACHE_PATH"})
-    if (const char* folder = variable(name)) needed.read.emplace_back(folder);
-  const char *xdg = variable("XDG_CACHE_HOME"), *home = variable("HOME");
-  const fs::path cache = xdg ? fs::path(xdg) : home ? fs::path(home) / ".cache" : fs::path();
-  if (cache.empty()) return;
-  for (const char* name : {"mesa_shader_cache", "mesa_shader_cache_db", "nvidia"}) needed.read.push_back(cache / name);
-  if (home) needed.read.push_back(fs::path(home) / ".nv");
-}
+// Mesa's and NVIDIA's.
+constexpr const char* driverCaches[] = {"MESA_SHADER_CACHE_DIR", "__GL_SHADER_DISK_CACHE_PATH"};
 
 }  // namespace
 
@@ -53,8 +44,22 @@ void needOutput(Needed& needed, const fs::path& file) {
   if (!file.empty()) needed.written.push_back(folderOf(file));
 }
 
+void keepDriverCacheApart() {
+  fs::path folder = userCacheFolder();
+  if (folder.empty()) {
+    setenv("MESA_SHADER_CACHE_DISABLE", "true", 0), setenv("__GL_SHADER_DISK_CACHE", "0", 0);
+    return;
+  }
+  folder /= "driver";
+  std::error_code ignored;
+  fs::create_directories(folder, ignored);
+  for (const char* variable : driverCaches) setenv(variable, folder.c_str(), 0);
+  setenv("MESA_SHADER_CACHE_MAX_SIZE", "128M", 0);
+}
+
 Confined confine(Needed needed, bool ownCache) {
-  needDriverCaches(needed);
+  for (const char* variable : driverCaches)
+    if (const char* folder = std::getenv(variable)) needed.written.emplace_back(folder);
   if (const fs::path cache = ownCache ? userCacheFolder() : fs::path(); !cache.empty()) {
     std::error_code ignored;
     fs::create_directories(cache, ignored);

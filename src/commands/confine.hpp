@@ -14,8 +14,11 @@ void needPicture(Needed& needed, const std::string& model, const frame::PictureS
 // The folder of a file that is written, also where it is a link.
 void needOutput(Needed& needed, const std::filesystem::path& file);
 
-// Once the driver is at work and before the first byte of a model is read. ownCache: facet's caches are used; those of
-// drivers are read.
+// Before the driver starts: it keeps its compiled shaders below facet's cache, apart from those of other programs,
+// unless the environment says where.
+void keepDriverCacheApart();
+
+// Once the driver is at work and before the first byte of a model is read. ownCache: facet's caches are used.
 Confined confine(Needed needed, bool ownCache);
 
 }  // namespace facet::commands

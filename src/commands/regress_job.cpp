@@ -141,6 +141,7 @@ Result<JobResult> runJob(const Suite& suite, const SuiteJob& job, const std::fil
 
 int answerJobs(const Suite& suite, const std::filesystem::path& results, const frame::SessionOptions& options,
                bool sandbox) {
+  if (sandbox) keepDriverCacheApart();
   Result<std::unique_ptr<frame::Session>> session = frame::Session::create(options);
   if (!session) {
     log::error(describe(session.error()));

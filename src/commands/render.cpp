@@ -285,6 +285,7 @@ int runRender(const RenderArguments& arguments) {
           {arguments.jobs, "shader-dir", "differs from job to job", "give one for all, on the command line"});
   const frame::SessionOptions wished{
       .shaderDir = shaderDir, .diskCache = !arguments.noCache, .debug = arguments.glDebug};
+  if (!arguments.noSandbox) keepDriverCacheApart();
   Result<std::unique_ptr<frame::Session>> session = frame::Session::create(wished);
   if (!session) {
     log::error(describe(session.error()));

@@ -73,6 +73,7 @@ Result<io::Pixels> drawThumbnail(const ThumbnailArguments& arguments, frame::Ses
 
 int runThumbnail(const ThumbnailArguments& arguments) {
   limitOneself();
+  keepDriverCacheApart();
   Result<std::unique_ptr<frame::Session>> session = frame::Session::create({});
   if (!session) {
     log::error(describe(session.error()));

@@ -1,5 +1,7 @@
 #include "frame/user_stores.hpp"
 
+#include "base/log.hpp"
+
 namespace facet::frame {
 
 namespace {
@@ -10,6 +12,7 @@ std::string driverName(const gl::ContextInfo& info) { return info.vendor + "\n" 
 
 shading::ProgramStore userPrograms(const gl::ContextInfo& context, const std::string& shaderDir, bool diskCache) {
   const bool cached = diskCache && context.programBinaries;
+  if (const std::string problem = userCacheProblem(); diskCache && !problem.empty()) log::warning(problem);
   return {shading::shaderReader(shaderDir), cached ? userCacheFolder() : std::filesystem::path(), driverName(context)};
 }
 

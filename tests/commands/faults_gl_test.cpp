@@ -28,13 +28,14 @@ std::string contents(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-// Files in the folder and below that no complete write leaves.
+// Files in the folder and below that no complete write leaves; the driver's own are not ours.
 std::vector<std::string> remains(const fs::path& folder) {
   std::vector<std::string> found;
-  for (const auto& entry : fs::recursive_directory_iterator(folder))
-    if (entry.path().extension() == ".part" || entry.path().extension() == ".new" ||
-        (entry.is_regular_file() && entry.file_size() == 0))
-      found.push_back(entry.path().string());
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.path().string().find("/driver/") != std::string::npos) continue;
+    const bool aside = entry.path().extension() == ".part" || entry.path().extension() == ".new";
+    if (aside || (entry.is_regular_file() && entry.file_size() == 0)) found.push_back(entry.path().string());
+  }
   return found;
 }
 
@@ -155,7 +156,6 @@ TEST_CASE("faults: whatever the cache's folder is, the picture is the same", "[g
   const std::string out = folder.file("a.png"), picture = pictureWith(fine, out);
   CHECK(picture.size() < 4096);
   REQUIRE(fs::exists(fine / "facet/tables"));
-  fs::remove_all(fine / "mesa_shader_cache");
   const auto entries = [&](const fs::path& cache) {
     size_t count = 0;
     for (const auto& entry : fs::recursive_directory_iterator(cache)) count += entry.path().extension() == ".bin";
@@ -171,7 +171,7 @@ TEST_CASE("faults: whatever the cache's folder is, the picture is the same", "[g
   const fs::path corrupt = copied("corrupt");
   size_t kind = 0;
   for (const auto& entry : fs::recursive_directory_iterator(corrupt)) {
-    if (!entry.is_regular_file()) continue;
+    if (entry.path().extension() != ".bin") continue;
     std::string bytes = contents(entry.path());
     if (kind % 3 == 0) bytes.resize(bytes.size() / 2);
     if (kind % 3 == 1) bytes[bytes.size() - 1] = static_cast<char>(bytes[bytes.size() - 1] ^ 1);

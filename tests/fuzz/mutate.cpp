@@ -151,6 +151,7 @@ void change(Json& root, Random& random) {
       return;
     case 5:
       if (value.is_object()) {
+        if (!value.contains("extensions") || !value["extensions"].is_object()) value["extensions"] = Json::object();
         Json& extension = value["extensions"][extensionNames[below(random, std::size(extensionNames))]];
         extension = Json::object();
         for (size_t i = below(random, 3); i > 0; --i) extension[anyKey(random)] = anyValue(random);

@@ -26,6 +26,7 @@
 #include "io/safe_files.hpp"
 #include "io/uri.hpp"
 #include "io/utia.hpp"
+#include "io/validate/validate.hpp"
 #include "scene/animation.hpp"
 #include "scene/deformation.hpp"
 #include "scene/geometry.hpp"
@@ -122,6 +123,12 @@ bool isSmall(const scene::Model& model) {
 void runGltf(Input bytes) {
   Result<io::LoadedModel> loaded = io::loadGltfBytes(bytes, "m", {}, smallLimits());
   if (good(loaded) && isSmall(loaded->model)) poseModel(std::move(*loaded));
+}
+
+void runValidate(Input bytes) {
+  const io::validate::Report report = io::validateBytes(bytes, "m", {}, smallLimits());
+  for (const io::validate::Finding& finding : report.findings)
+    demand(!finding.text.empty() && finding.text.size() < 65536, "a finding is a sentence");
 }
 
 void runGlb(Input bytes) {
@@ -354,6 +361,7 @@ void runCache(Input bytes) {
 
 constexpr Target table[] = {
     {"gltf", "a model, whole way from bytes to a posed scene with its images", runGltf, gltfSeeds, 65536, true},
+    {"validate", "what facet inspect says of a model by the letter", runValidate, gltfSeeds, 65536, true},
     {"glb", "the binary container's framing", runGlb, glbSeeds, 4096, false},
     {"json", "the scan of JSON text before it is parsed", runJson, jsonSeeds, 4096, false},
     {"uri", "URIs, and which files they name", runUri, uriSeeds, 1024, false},

@@ -1,5 +1,7 @@
 // The JSON text: whether it is some, whether each key stands once, its encoding.
 
+#include "base/text.hpp"
+
 #include <stdexcept>
 
 #include "io/json_scan.hpp"
