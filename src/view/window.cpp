@@ -303,6 +303,9 @@ bool turn(Loop& loop, ImGuiSession& imgui, Viewport& viewport, ViewerState& stat
   followScreenshot(viewport, state);
   if (loop.framesToDraw > 0) {
     present(loop.window, viewport, state);
+    if (const Result<void> driver = gl::checkDriver("the window's picture");
+        !driver && state.status.text != describe(driver.error()))
+      complain(state, driver.error());
     noteGap(loop.load, !state.loading.empty());
     noteMeasuredShown(viewport);
     --loop.framesToDraw;

