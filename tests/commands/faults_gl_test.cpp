@@ -359,11 +359,11 @@ TEST_CASE("faults: regress ends a job that hangs in the driver and one whose dri
   const std::string regress = "regress " + folder.path().string() + " --accept -j 1 ";
   // Each of a process's pictures waits twice for the driver: its second job is the one, and the third has a new
   // process.
-  const Outcome hung = withFault("hang 3", regress + "--timeout 4");
+  const Outcome hung = withFault("hang 3", regress + "--timeout 20");
   INFO(hung.text);
   CHECK(hung.status == 1);
   CHECK(says(hung.text, "accepted a"));
-  CHECK(says(hung.text, "failed b: the process that rendered it took longer than 4 s"));
+  CHECK(says(hung.text, "failed b: the process that rendered it took longer than 20 s"));
   CHECK(says(hung.text, "accepted c"));
   CHECK(says(hung.text, "2 of 3 good"));
   fs::remove_all(folder.path() / "baselines");
