@@ -219,6 +219,8 @@ int runBrdf(const BrdfArguments& arguments) {
       return badInput({*file, option, "plots are SVG", "end the name in .svg"});
   if (!arguments.output.empty())
     return badInput({{}, "-o", "only --synthesize writes a file there", "--plot writes the slices"});
+  if (arguments.files.empty() && !choices->eval.empty())
+    return badInput({{}, "--eval", "of which BRDF is not said", "name one: a file, or builtin:NAME"});
   if (arguments.files.empty()) {
     return print(arguments, *choices, {databases(arguments)});
   }

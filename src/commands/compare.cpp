@@ -7,6 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include "base/log.hpp"
@@ -145,16 +146,19 @@ Result<Comparison> comparePair(const Pair& pair, const Task& task, const Compare
   if (!settings.maps.empty()) {
     const Result<compare::DifferenceMaps> maps = compare::differenceMaps(*reference, *picture, task.options);
     if (!maps) return tl::unexpected(maps.error());
-    const Result<void> written =
-        io::writeExr(settings.maps, maps->difference, originOfProcess(), {{"relative", &maps->relative}});
+    Origin origin = originOfProcess();
+    origin.date = {};  // the same wish gives the same bytes
+    const Result<void> written = io::writeExr(settings.maps, maps->difference, origin, {{"relative", &maps->relative}});
     if (!written) return tl::unexpected(written.error());
   }
   return comparison;
 }
 
 bool isPicture(const std::filesystem::path& file) {
-  const std::string ending = file.extension().string();
-  return ending == ".png" || ending == ".exr" || ending == ".jpg" || ending == ".hdr";
+  std::string ending = file.extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  constexpr std::string_view endings[] = {".png", ".exr", ".jpg", ".jpeg", ".hdr"};
+  return std::ranges::find(endings, ending) != std::end(endings);
 }
 
 // Pictures of the first folder with those of the same name below the second.
@@ -173,6 +177,11 @@ Result<std::vector<Pair>> pairsOf(const CompareSettings& settings) {
   }
   if (error) return fail(settings.reference, {}, "cannot be read: " + error.message(), "check the folder");
   if (pairs.empty()) return fail(settings.reference, {}, "holds no pictures", "name a folder of .png or .exr");
+  for (fs::recursive_directory_iterator entry(settings.picture, error), end; !error && entry != end;
+       entry.increment(error))
+    if (isPicture(entry->path()) &&
+        !fs::exists(fs::path(settings.reference) / fs::relative(entry->path(), settings.picture)))
+      log::warning(entry->path().string() + ": has no reference, and is not compared");
   std::ranges::sort(pairs, {}, &Pair::reference);
   return pairs;
 }
@@ -189,15 +198,18 @@ int compareFolders(const CompareSettings& settings, const Task& task) {
                       {}};
   for (const Metric& metric : compare::metrics()) table.columns.emplace_back(metric.name);
   table.columns.insert(table.columns.end(), {"worst", "passed"});
-  bool good = true;
+  int status = exitGood;
   for (const Pair& pair : *pairs) {
     const Result<Comparison> comparison = comparePair(pair, task, settings);
-    if (!comparison) return badInput(comparison.error());
+    if (!comparison) {
+      status = badInput(comparison.error());
+      continue;
+    }
     std::vector<report::Cell>& row = table.rows.emplace_back(std::vector<report::Cell>{pair.reference, pair.picture});
     for (const Metric& metric : compare::metrics()) row.emplace_back(metric.value(*comparison));
     const bool passed = passes(task, *comparison);
     row.emplace_back(comparison->worstShare), row.emplace_back(std::string(passed ? "yes" : "no"));
-    good = good && passed;
+    if (!passed && status == exitGood) status = exitFailed;
   }
   const Result<std::string> text = tablesText(settings.json  ? TableFormat::json
                                               : settings.csv ? TableFormat::csv
@@ -205,13 +217,24 @@ int compareFolders(const CompareSettings& settings, const Task& task) {
                                               {table}, originOfProcess());
   if (!text) return badInput(text.error());
   std::cout << *text << std::flush;
-  return good ? exitGood : exitFailed;
+  return status;
 }
 
 int runCompare(const CompareSettings& settings) {
   const Result<Task> task = checkedTask(settings);
   if (!task) return badInput(task.error());
   std::error_code ignored;
+  const std::tuple<const char*, const std::string*, const char*> written[] = {{"--diff", &settings.diff, ".png"},
+                                                                              {"--maps", &settings.maps, ".exr"}};
+  for (const auto& [option, file, ending] : written) {
+    if (file->empty()) continue;
+    if (std::filesystem::path(*file).extension() != ending)
+      return badInput({*file, option, "is no " + std::string(ending).substr(1) + " file",
+                       "end the name in " + std::string(ending)});
+    if (std::filesystem::equivalent(*file, settings.reference, ignored) ||
+        std::filesystem::equivalent(*file, settings.picture, ignored))
+      return badInput({*file, option, "would overwrite what is compared", "name another file"});
+  }
   const bool folder = std::filesystem::is_directory(settings.reference, ignored);
   if (folder != std::filesystem::is_directory(settings.picture, ignored))
     return badInput({folder ? settings.picture : settings.reference,

@@ -50,12 +50,13 @@ double steadyFrameMs(const std::vector<double>& frameMs) {
 }
 
 // The same for the same picture: without a date, and wherever it is written to.
-Origin pictureOrigin(const Job& job, const frame::Session& session) {
+Origin pictureOrigin(const Job& job, const frame::Session& session, bool errorLayer = false) {
   return {.version = programVersion(),
           .commit = programCommit(),
           .renderer = session.context().renderer,
           .driver = session.context().version,
-          .command = options::commandLine(job.settings, job.model, "picture" + job.output.extension().string()),
+          .command = options::commandLine(job.settings, job.model, "picture" + job.output.extension().string()) +
+                     (errorLayer ? " --error-layer" : ""),
           .environment = session.environmentName(),
           .model = job.model,
           .seed = job.settings.quality.seed};
@@ -150,8 +151,9 @@ nlohmann::ordered_json statsJson(const Job& job, const frame::Session& session, 
 Result<void> writeOutput(const Job& job, const frame::Session& session, const frame::Picture& picture) {
   std::vector<io::ExrLayerImage> layers;
   if (!picture.standardError.pixels.empty()) layers.push_back({"error", &picture.standardError});
-  return isExr(job.output) ? io::writeExr(job.output, picture.radiance, pictureOrigin(job, session), layers)
-                           : io::writePng(job.output, picture.display);
+  return isExr(job.output)
+             ? io::writeExr(job.output, picture.radiance, pictureOrigin(job, session, !layers.empty()), layers)
+             : io::writePng(job.output, picture.display);
 }
 
 // What was repaired or is missing; true where there was a warning.

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/disk_cache.hpp"
 #include "base/log.hpp"
 #include "base/text.hpp"
 #include "commands/commands.hpp"
@@ -12,6 +13,8 @@
 #include "commands/sweep_plan.hpp"
 #include "commands/write_tables.hpp"
 #include "frame/session.hpp"
+#include "io/referenced_files.hpp"
+#include "io/sources.hpp"
 #include "options/picture_options.hpp"
 
 namespace facet::commands {
@@ -73,7 +76,26 @@ Result<Json> sweepDocument(const SweepArguments& arguments) {
   return document;
 }
 
+// Where a file lies, how long it and those beside it are that it names, and when they were written: other contents are
+// another key.
+std::string contentsOf(const std::string& source) {
+  namespace fs = std::filesystem;
+  if (source.starts_with(io::builtinPrefix) || source == "none") return {};
+  std::vector<fs::path> files = {source};
+  for (const fs::path& file : io::referencedFiles(source)) files.push_back(file);
+  std::string text;
+  for (const fs::path& file : files) {
+    std::error_code ignored;
+    const auto written = fs::last_write_time(file, ignored).time_since_epoch().count();
+    text += "\n" + fs::absolute(file, ignored).string() + " " + std::to_string(fs::file_size(file, ignored)) + " " +
+            std::to_string(written);
+  }
+  return text;
+}
+
 report::SweepTools sweepTools(frame::Session& session, const std::filesystem::path& folder) {
+  Origin origin = originOfProcess();
+  origin.renderer = session.context().renderer, origin.driver = session.context().version, origin.date = {};
   const std::string driver = session.context().renderer + " " + session.context().version;
   return {.draw =
               [&session](const std::string& model, const frame::PictureSettings& settings, int repeat) {
@@ -83,9 +105,10 @@ report::SweepTools sweepTools(frame::Session& session, const std::filesystem::pa
               },
           .key =
               [driver](const std::string& model, const frame::PictureSettings& settings) {
-                return programVersion() + " " + programCommit() + "\n" + driver + "\n" +
-                       options::commandLine(settings, model, "picture.exr");
+                return buildId() + "\n" + driver + "\n" + options::commandLine(settings, model, "picture.exr") +
+                       contentsOf(model) + contentsOf(settings.sources.environment);
               },
+          .origin = origin,
           .folder = folder,
           .progress = [](const std::string& what) { log::info(what); }};
 }
@@ -104,13 +127,16 @@ int runSweep(const SweepArguments& arguments) {
     return exitNoOpenGL;
   }
   const report::SweepTools tools = sweepTools(**session, arguments.output);
-  const auto rows = report::measureSweep(*plan, tools);
-  if (!rows) return badInput(rows.error());
+  const auto measure = report::measureSweep(*plan, tools);
+  if (!measure) return badInput(measure.error());
   Origin origin = originOfProcess();
   origin.renderer = (*session)->context().renderer, origin.driver = (*session)->context().version;
   origin.seed = 0;
-  const Result<void> written = writeReport(arguments.output, report::sweepReport(*plan, *rows), origin);
-  return written ? exitGood : badInput(written.error());
+  const Result<void> written = writeReport(arguments.output, report::sweepReport(*plan, measure->rows), origin);
+  if (!written) return badInput(written.error());
+  int status = exitGood;
+  for (const Error& error : measure->errors) status = badInput(error);
+  return status;
 }
 
 }  // namespace

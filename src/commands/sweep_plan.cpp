@@ -99,6 +99,8 @@ Result<void> readSizes(const Json& list, const Place& place, report::SweepPlan& 
     if (auto set = applyObject(size, {}, place.folder, place.name, "/sizes/" + std::to_string(i), read); !set)
       return set;
     plan.sizes.emplace_back(read.frame.width, read.frame.height);
+    if (std::ranges::count(plan.sizes, plan.sizes.back()) > 1)
+      return fail(place.name, "/sizes/" + std::to_string(i), "is there twice", "name each one once");
   }
   return {};
 }
@@ -159,6 +161,8 @@ Result<report::SweepPlan> parseSweepPlan(const Json& document, const std::string
     const Result<int> samples = wholeAt(whole["samples"][i], 1, 4096, place, "/samples/" + std::to_string(i));
     if (!samples) return tl::unexpected(samples.error());
     plan.samples.push_back(*samples);
+    if (std::ranges::count(plan.samples, *samples) > 1)
+      return fail(name, "/samples/" + std::to_string(i), "is there twice", "name each one once");
   }
   if (auto set = readMethods(whole["methods"], common, place, plan); !set) return tl::unexpected(set.error());
   if (auto set = readReference(whole["reference"], place, plan); !set) return tl::unexpected(set.error());

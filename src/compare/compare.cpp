@@ -69,7 +69,7 @@ constexpr double relativeFloor = 0.01;  // added to what squares are divided by 
 struct Sums {
   glm::dvec3 reference = glm::dvec3(0), error = glm::dvec3(0);
   double squaredRelativeError = 0;
-  std::vector<double> displayErrors = {}, differences = {};  // of each pixel: squared, largest of the channels
+  std::vector<float> displayErrors = {}, differences = {};  // of each pixel: squared, largest of the channels
   double squaredError = 0, squaredDisplayError = 0, squaredAlphaError = 0, ssim = 0;
   double flip = 0, flipLargest = 0;
   double largest = -1;
@@ -97,7 +97,7 @@ void addPixel(Sums& sums, const glm::vec4& reference, const glm::vec4& picture, 
   sums.error += error;
   sums.squaredError += glm::dot(error, error);
   sums.squaredDisplayError += glm::dot(displayError, displayError);
-  sums.displayErrors.push_back(glm::dot(displayError, displayError));
+  sums.displayErrors.push_back(static_cast<float>(glm::dot(displayError, displayError)));
   for (int c = 0; c < 3; ++c) sums.squaredRelativeError += error[c] * error[c] / (r[c] * r[c] + relativeFloor);
   const double alphaError = coverage(picture) - coverage(reference);
   sums.squaredAlphaError += alphaError * alphaError;
@@ -105,7 +105,7 @@ void addPixel(Sums& sums, const glm::vec4& reference, const glm::vec4& picture, 
                                 ? std::max({std::abs(displayError.r), std::abs(displayError.g),
                                             std::abs(displayError.b), std::abs(alphaError)})
                                 : 1;
-  sums.differences.push_back(difference);
+  sums.differences.push_back(static_cast<float>(difference));
   if (difference > sums.largest) sums.largest = difference, sums.largestX = x, sums.largestY = y;
   if (difference > tolerance) ++sums.above;
   ++sums.pixels;
@@ -113,17 +113,20 @@ void addPixel(Sums& sums, const glm::vec4& reference, const glm::vec4& picture, 
 
 // Sorts some of the sums' pixels.
 void setTails(Comparison& result, Sums& sums) {
-  const size_t n = sums.displayErrors.size(), worst = std::max<size_t>(n / 1000, 1);
-  std::vector<double>& errors = sums.displayErrors;
-  std::ranges::nth_element(errors, errors.end() - static_cast<ptrdiff_t>(worst));
+  const size_t n = sums.displayErrors.size(), worst = n / 1000;
+  std::vector<float>& errors = sums.displayErrors;
+  if (worst > 0) std::ranges::nth_element(errors, errors.end() - static_cast<ptrdiff_t>(worst));
   double tail = 0, all = 0;
-  for (size_t i = 0; i < n; ++i) all += errors[i], tail += i >= n - worst ? errors[i] : 0;
+  for (size_t i = 0; i < n; ++i) {
+    all += static_cast<double>(errors[i]);
+    if (i >= n - worst) tail += static_cast<double>(errors[i]);
+  }
   result.worstShare = all > 0 ? tail / all : 0;
   if (n > worst)
     result.trimmedRmse = std::sqrt(std::max(all - tail, 0.0) / (3.0 * static_cast<double>(n - worst))) * 255;
-  const auto at = sums.differences.begin() + static_cast<ptrdiff_t>(static_cast<double>(n - 1) * 0.99);
+  const auto at = sums.differences.begin() + static_cast<ptrdiff_t>((99 * n + 99) / 100 - 1);  // rank ceil(.99 n)
   std::ranges::nth_element(sums.differences, at);
-  result.percentile99 = *at;
+  result.percentile99 = static_cast<double>(*at);
 }
 
 Comparison figures(Sums& sums) {
@@ -224,6 +227,7 @@ Result<Comparison> compareColors(const io::RadianceImage& reference, const io::R
   const std::vector<float> similarity = ssimMap(lumaReference, lumaPicture, reference.width, reference.height);
   const std::vector<float> flip = flipMap(colorsReference, colorsPicture, reference.width, reference.height);
   Sums sums;
+  sums.displayErrors.reserve(width * height), sums.differences.reserve(width * height);
   for (size_t y = 0; y < height; ++y) {
     for (size_t i = y * width; i < (y + 1) * width; ++i) {
       if (!counts(reference.pixels[i], options)) continue;
@@ -233,6 +237,7 @@ Result<Comparison> compareColors(const io::RadianceImage& reference, const io::R
       if (flip[i] > flipJustNoticeable) ++rows[y].noticeable;
     }
     sums.add(rows[y]);
+    rows[y] = {};
   }
   if (sums.pixels == 0) {
     return fail({}, {}, "no pixel of the reference has an alpha above 0.5", "compare without the mask");

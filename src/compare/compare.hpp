@@ -26,7 +26,8 @@ struct Comparison {
   std::array<double, 3> bias = {};  // mean signed linear error / mean of the reference, per channel
   double displayRmse = 0;           // root mean squared display error, in 1/255
   // Where few pixels bear the error: the share of the squared display error that the worst 0.1 % of the pixels hold
-  // (one at least), displayRmse without them, and the display difference that 99 % of the pixels do not exceed, [0, 1].
+  // (0 of less than a thousand), displayRmse without them, and the display difference that 99 % of the pixels do not
+  // exceed, [0, 1].
   double worstShare = 0, trimmedRmse = 0, percentile99 = 0;
   double alphaRmse = 0;             // root mean squared difference of alpha, in 1/255
   double ssim = 1;                  // structural similarity of the display pictures' luma, [-1, 1]

@@ -291,7 +291,8 @@ Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& 
   const float unit = radianceUnit(settings.display, list.features.channel);
   const int rows = std::min(bandRows(settings, list, context, precise), settings.frame.height);
   const bool converges = gathers(settings) && !list.features.difference;
-  const bool contrasts = request.standardError && converges;
+  // Of a comparison the fitted model's share has another error.
+  const bool contrasts = request.standardError && converges && !list.compared;
   const bool estimate = asked.quality.maxError || (request.estimate && converges) || contrasts;
   Targets targets = pictureTargets(settings, context, rows, list.features.difference, estimate, contrasts, precise);
   prepareBehind(targets, list);

@@ -174,6 +174,8 @@ Result<void> drawDisplay(const FrameInput& in, const Targets& targets, const Gat
   return showPicture(in, targets, meanScale(gathering), shown, programs);
 }
 
+bool isContrast(int done, int draws) { return 2 * done >= draws; }
+
 int nextEstimate(int done, int draws) { return 3 * done > draws ? draws : 2 * done; }
 
 void markBefore(const Targets& targets, Gathering& gathering) {
@@ -271,7 +273,7 @@ Result<FrameStatistics> drawFrame(const FrameInput& in, const Targets& targets, 
     const Result<PartDifference> part = partDifference(in, targets, gathering, programs);
     if (!part) return tl::unexpected(part.error());
     parts.push_back(*part);
-    if (!targets.contrasts) continue;
+    if (!targets.contrasts || !isContrast(gathering.done, gathering.draws())) continue;
     if (Result<void> added = addContrast(targets, gathering, programs); !added) return tl::unexpected(added.error());
   }
   FrameStatistics& statistics = gathering.statistics;

@@ -62,6 +62,10 @@ struct ErrorSums {
 // part of few draws would say little: the last two estimates are put together then.
 int nextEstimate(int done, int draws);
 
+// Whether the parts of so many draws tell of the error of all: draws get evener the more there are, and what few of
+// them differ by is too much.
+bool isContrast(int done, int draws);
+
 // Remembers the draws that are done as the first part.
 void markBefore(const Targets& targets, Gathering& gathering);
 

@@ -121,7 +121,8 @@ io::RadianceImage readRadiance(const Targets& targets, float unit) {
 io::RadianceImage readStandardError(const Targets& targets, int draws, float unit) {
   io::RadianceImage out = readPixels(targets, targets.contrasts, 1);
   int contrasts = 0;
-  for (int done = 1; done < draws; done = nextEstimate(done, draws)) ++contrasts;
+  for (int done = 1; done < draws; done = nextEstimate(done, draws))
+    contrasts += isContrast(nextEstimate(done, draws), draws) ? 1 : 0;
   const float factor = 1 / (static_cast<float>(std::max(contrasts, 1)) * static_cast<float>(draws));
   for (glm::vec4& p : out.pixels) p = glm::vec4(unit, unit, unit, 1) * glm::sqrt(p * factor);
   return out;

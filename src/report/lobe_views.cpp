@@ -43,7 +43,10 @@ std::string_view trimmed(std::string_view text) {
 
 std::vector<std::string_view> wordsOf(std::string_view line) {
   std::vector<std::string_view> words = split(line, ',');
-  for (std::string_view& word : words) word = trimmed(word);
+  for (std::string_view& word : words) {
+    word = trimmed(word);
+    if (word.size() > 1 && word.front() == '"' && word.back() == '"') word = word.substr(1, word.size() - 2);
+  }
   return words;
 }
 
@@ -60,6 +63,7 @@ Result<EvalPoint> parseEvalPoint(std::string_view text) {
 Result<std::vector<EvalPoint>> parseEvalPoints(std::string_view text, const std::string& name) {
   std::vector<EvalPoint> points;
   std::vector<size_t> columns;
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);  // as spreadsheets begin UTF-8
   size_t number = 0;
   for (const std::string_view line : split(text, '\n')) {
     ++number;
@@ -70,8 +74,8 @@ Result<std::vector<EvalPoint>> parseEvalPoints(std::string_view text, const std:
       for (const std::string_view word : words)
         columns.push_back(static_cast<size_t>(std::ranges::find(evalColumns, word) - std::begin(evalColumns)));
       for (size_t i = 0; i < 3; ++i)
-        if (std::ranges::find(columns, i) == columns.end())
-          return fail(name, place, std::string("there is no column ") + evalColumns[i],
+        if (std::ranges::count(columns, i) != 1)
+          return fail(name, place, std::string("there is not one column ") + evalColumns[i],
                       "name the columns thetaV, thetaL and phi");
       continue;
     }

@@ -54,7 +54,17 @@ struct SweepReference {
 Result<compare::Comparison> against(const RadianceImage& reference, RadianceImage picture) {
   if (picture.pixels.size() == reference.pixels.size())
     for (size_t i = 0; i < picture.pixels.size(); ++i) picture.pixels[i].a = reference.pixels[i].a;
-  return compare::comparePictures(reference, picture, {.maskFromAlpha = true});
+  Result<compare::Comparison> compared = compare::comparePictures(reference, picture, {.maskFromAlpha = true});
+  if (!compared) return fail({}, {}, "the model does not cover the middle of any pixel", "choose another view");
+  if (!compared->finite())
+    return fail({}, {},
+                std::to_string(compared->nonFiniteReference + compared->nonFinitePicture) + " pixels are not finite",
+                "find out why by facet render --stats");
+  return compared;
+}
+
+bool finite(const glm::vec4& p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && std::isfinite(p.w);
 }
 
 Result<RadianceImage> referencePart(const SweepPlan& plan, const SweepTools& tools, const SweepPlace& place, int part) {
@@ -63,12 +73,16 @@ Result<RadianceImage> referencePart(const SweepPlan& plan, const SweepTools& too
   const std::filesystem::path file = tools.folder / "references" / (nameOf(tools.key(place.model, settings)) + ".exr");
   std::error_code ignored;
   if (std::filesystem::exists(file, ignored))
-    if (Result<RadianceImage> kept = io::readRadiance(file); kept) return kept;
+    if (Result<RadianceImage> kept = io::readRadiance(file); kept && kept->width == place.size.x &&
+                                                             kept->height == place.size.y &&
+                                                             std::ranges::all_of(kept->pixels, finite))
+      return kept;
   tools.progress("reference of " + place.model + " under " + place.environment + ", part " + std::to_string(part + 1) +
                  " of " + std::to_string(plan.referenceSamples / referenceBlock));
   Result<Picture> picture = tools.draw(place.model, settings, 0);
   if (!picture) return tl::unexpected(picture.error());
-  if (Result<void> written = io::writeExr(file, picture->radiance); !written) return tl::unexpected(written.error());
+  if (Result<void> written = io::writeExr(file, picture->radiance, tools.origin); !written)
+    return tl::unexpected(written.error());
   return std::move(picture->radiance);
 }
 
@@ -93,7 +107,9 @@ Result<SweepReference> sweepReference(const SweepPlan& plan, const SweepTools& t
   }
   const Result<compare::Comparison> apart = against(halves[0], halves[1]);
   if (!apart) return tl::unexpected(apart.error());
-  out.floor = apart->displayRmse / 2;  // of the mean of both; each half is off by 1 / sqrt(2) of how they differ
+  // Of the mean of both: halves of n and m parts differ by sqrt(1 / n + 1 / m) of one, the mean is off by 1 / sqrt(n +
+  // m).
+  out.floor = apart->displayRmse * std::sqrt(1.0 / parts / (1 / counts[0] + 1 / counts[1]));
   return out;
 }
 
@@ -105,7 +121,9 @@ nlohmann::json rowJson(const SweepRow& row) {
           {"ms", row.milliseconds}, {"spread", row.spread},       {"rays", row.raysPerPixel}};
 }
 
-bool readRow(const std::filesystem::path& file, SweepRow& row) {
+// The row's figures, if the file holds all of them.
+bool readRow(const std::filesystem::path& file, SweepRow& into) {
+  SweepRow row = into;
   std::ifstream stream(file);
   if (!stream) return false;
   const nlohmann::json kept = nlohmann::json::parse(stream, nullptr, false);
@@ -117,13 +135,14 @@ bool readRow(const std::filesystem::path& file, SweepRow& row) {
     if (!kept.is_object() || !kept.contains(name) || !kept[name].is_number()) return false;
     *value = kept[name].get<double>();
   }
+  into = std::move(row);
   return true;
 }
 
 void setTimes(SweepRow& row, std::vector<double> times) {
   if (times.size() > 1) times.erase(times.begin());  // it may have waited for programs
   std::ranges::sort(times);
-  row.milliseconds = times[times.size() / 2];
+  row.milliseconds = (times[(times.size() - 1) / 2] + times[times.size() / 2]) / 2;
   if (row.milliseconds > 0) row.spread = (times.back() - times.front()) / row.milliseconds;
 }
 
@@ -180,20 +199,22 @@ Result<void> measurePlace(const SweepPlan& plan, const SweepTools& tools, const 
 
 }  // namespace
 
-Result<std::vector<SweepRow>> measureSweep(const SweepPlan& plan, const SweepTools& tools) {
+Result<SweepMeasure> measureSweep(const SweepPlan& plan, const SweepTools& tools) {
   for (const char* name : {"references", "rows"}) {
     std::error_code error;
     std::filesystem::create_directories(tools.folder / name, error);
     if (error)
       return fail((tools.folder / name).string(), {}, "cannot be made: " + error.message(), "choose another folder");
   }
-  std::vector<SweepRow> rows;
+  SweepMeasure out;
   for (const std::string& model : plan.models)
     for (const std::string& environment : plan.environments)
       for (const glm::ivec2& size : plan.sizes)
-        if (Result<void> r = measurePlace(plan, tools, {model, environment, size}, rows); !r)
-          return tl::unexpected(r.error());
-  return rows;
+        if (Result<void> r = measurePlace(plan, tools, {model, environment, size}, out.rows); !r) {
+          if (r.error().file.empty()) r.error().file = model + " under " + environment;
+          out.errors.push_back(r.error());
+        }
+  return out;
 }
 
 // ---- The report -----------------------------------------------------------------------------------------------------
@@ -221,7 +242,7 @@ Plot sweepPlot(const std::vector<const SweepRow*>& rows, const SweepPlan& plan, 
     }
     char slope[32];
     std::snprintf(slope, sizeof slope, ", slope %.2f", logSlope(series));
-    if (series.x.size() > 1 && !time) series.name += slope;
+    if (std::isfinite(logSlope(series)) && !time) series.name += slope;
     plot.series.push_back(std::move(series));
   }
   return plot;

@@ -48,12 +48,19 @@ struct SweepTools {
       draw;
   // Tells whatever changes a picture's figures apart, and is the same from run to run.
   std::function<std::string(const std::string& model, const frame::PictureSettings& settings)> key;
+  Origin origin = {};            // of references; without a date
   std::filesystem::path folder;  // exists; "references" and "rows" in it are made
   std::function<void(const std::string&)> progress = [](const std::string&) {};
 };
 
-// In the plan's order. Errors: a picture cannot be drawn, a file of the folder not be written.
-Result<std::vector<SweepRow>> measureSweep(const SweepPlan& plan, const SweepTools& tools);
+// In the plan's order. errors: of each place (a model under an environment in a size) that could not be measured whole,
+// the first one.
+struct SweepMeasure {
+  std::vector<SweepRow> rows;
+  std::vector<Error> errors;
+};
+// Errors: the folder cannot be written.
+Result<SweepMeasure> measureSweep(const SweepPlan& plan, const SweepTools& tools);
 
 // One tidy table; for each model, environment and size error against samples and against time, with slopes, the Pareto
 // front ringed.

@@ -25,10 +25,16 @@ std::string cellText(const Cell& cell, const char* format) {
 }
 
 std::string csvField(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);
   return quoted + "\"";
+}
+
+std::string markdownCell(const std::string& text) {
+  std::string out;
+  for (const char c : text) out += c == '|' ? "\\|" : c == '\n' || c == '\r' ? " " : std::string(1, c);
+  return out;
 }
 
 // Columns padded, so that the text reads as a table too.
@@ -42,7 +48,7 @@ void addMarkdown(const Table& table, std::string& out) {
   for (const std::vector<Cell>& row : table.rows) {
     assert(row.size() == table.columns.size());
     std::vector<std::string>& line = lines.emplace_back();
-    for (const Cell& cell : row) line.push_back(cellText(cell, "%.4g"));
+    for (const Cell& cell : row) line.push_back(markdownCell(cellText(cell, "%.4g")));
   }
   std::vector<size_t> widths(table.columns.size(), 3);
   for (const auto& line : lines)
@@ -73,7 +79,9 @@ std::string markdown(const std::vector<Table>& tables, const Origin& origin) {
 
 std::string csv(const Table& table, const Origin& origin) {
   std::string out, names, values;
-  for (const auto& [name, value] : originFields(origin)) names += "," + name, values += "," + csvField(value);
+  for (const auto& [name, value] : originFields(origin))
+    if (std::ranges::find(table.columns, name) == table.columns.end())
+      names += "," + name, values += "," + csvField(value);
   const auto addLine = [&](const auto& fields, const std::string& last, auto text) {
     for (size_t i = 0; i < fields.size(); ++i) out.append(i == 0 ? "" : ",").append(csvField(text(fields[i])));
     out += last + "\n";
@@ -89,8 +97,8 @@ std::string csv(const Table& table, const Origin& origin) {
 
 std::string unitOf(const std::string& column) {
   constexpr std::pair<std::string_view, const char*> units[] = {
-      {"%", "%"},         {"ms", "ms"},      {"degrees", "deg"}, {"[degrees]", "deg"},
-      {"dRMSE", "1/255"}, {"dRMS", "1/255"}, {"bytes", "B"}};
+      {"%", "%"},        {"ms", "ms"},       {"degrees", "deg"},   {"[degrees]", "deg"}, {"dRMSE", "1/255"},
+      {"dRMS", "1/255"}, {"drmse", "1/255"}, {"trimmed", "1/255"}, {"bytes", "B"}};
   const std::string_view last = std::string_view(column).substr(column.rfind(' ') + 1);  // npos + 1: the whole
   const auto unit = std::ranges::find(units, last, [](const auto& row) { return row.first; });
   return unit == std::end(units) ? "" : unit->second;

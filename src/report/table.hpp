@@ -25,7 +25,7 @@ struct Table {
 // Four significant digits; the origin is the last paragraph.
 std::string markdown(const std::vector<Table>& tables, const Origin& origin);
 // One table, as RFC 4180 has it, numbers as short as they read back the same; what is not finite is nan, inf, -inf. The
-// origin's fields are the last columns, the same in every row.
+// origin's fields are the last columns, the same in every row, but for those that the table has columns of its own for.
 std::string csv(const Table& table, const Origin& origin);
 // As resources/schema/report.schema.json has it: {"origin": {...}, "tables": [{"name", "title", "note", "sources",
 // "columns", "units": {column: unit}, "rows": [{column: value}]}]}; a number that is not finite is null.

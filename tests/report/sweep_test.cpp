@@ -2,10 +2,12 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <random>
 
 #include "commands/sweep_plan.hpp"
+#include "io/radiance.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace facet;
@@ -63,9 +65,9 @@ TEST_CASE("sweep: errors are those of the noise, the reference's taken out, and 
   FakeRenderer renderer;
   const auto rows = report::measureSweep(planOf(256), renderer.tools(folder.path()));
   REQUIRE(rows.has_value());
-  REQUIRE(rows->size() == 4);
+  REQUIRE(rows->rows.size() == 4);
   CHECK(renderer.drawn == 2 * (2 + 2 * 3));  // two parts of the reference, three seeds of two rows each
-  for (const SweepRow& row : *rows) {
+  for (const SweepRow& row : rows->rows) {
     CHECK(row.error == Approx(255 * sigma / std::sqrt(row.samples)).epsilon(0.02));
     CHECK(row.floor == Approx(255 * sigma / std::sqrt(256)).epsilon(0.03));
     CHECK(row.deviation < 0.02 * row.error);
@@ -77,12 +79,12 @@ TEST_CASE("sweep: errors are those of the noise, the reference's taken out, and 
   const auto again = report::measureSweep(planOf(256), renderer.tools(folder.path()));
   REQUIRE(again.has_value());
   CHECK(renderer.drawn == 0);
-  CHECK((*again)[3].error == (*rows)[3].error);
+  CHECK(again->rows[3].error == rows->rows[3].error);
   // A reference of twice the samples is extended by its other half.
   const auto longer = report::measureSweep(planOf(512), renderer.tools(folder.path()));
   REQUIRE(longer.has_value());
   CHECK(renderer.drawn == 2 * (2 + 2 * 3));
-  CHECK((*longer)[0].floor == Approx(255 * sigma / std::sqrt(512)).epsilon(0.03));
+  CHECK(longer->rows[0].floor == Approx(255 * sigma / std::sqrt(512)).epsilon(0.03));
   // A file that was damaged is measured anew.
   renderer.drawn = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "rows"))
@@ -91,13 +93,47 @@ TEST_CASE("sweep: errors are those of the noise, the reference's taken out, and 
   CHECK(renderer.drawn == 2 * 2 * 3);
 }
 
+TEST_CASE(
+    "sweep: half a row is none, a reference of another size is drawn again, and what fails is told beside the rest") {
+  test::TemporaryFolder folder;
+  FakeRenderer renderer;
+  SweepPlan plan = planOf(256);
+  plan.models = {"a"};
+  const auto first = report::measureSweep(plan, renderer.tools(folder.path()));
+  REQUIRE(first.has_value());
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "rows")) {
+    std::ifstream file(entry.path());
+    nlohmann::json row = nlohmann::json::parse(file);
+    row.erase("rays");
+    std::ofstream(entry.path()) << row;
+  }
+  const auto entry = std::filesystem::directory_iterator(folder.path() / "references")->path();
+  REQUIRE(io::writeExr(entry, {4, 4, std::vector<glm::vec4>(16, glm::vec4(1))}).has_value());
+  renderer.drawn = 0;
+  const auto again = report::measureSweep(plan, renderer.tools(folder.path()));
+  REQUIRE(again.has_value());
+  CHECK(renderer.drawn == 1 + 2 * 3);
+  for (size_t i = 0; i < 2; ++i) CHECK(again->rows[i].error == first->rows[i].error);
+  // One model cannot be drawn: the other's figures are there.
+  plan.models = {"broken", "a"};
+  report::SweepTools tools = renderer.tools(folder.path());
+  tools.draw = [draw = tools.draw](const std::string& model, const frame::PictureSettings& settings, int repeat) {
+    return model == "broken" ? Result<frame::Picture>(fail({}, {}, "broken")) : draw(model, settings, repeat);
+  };
+  const auto some = report::measureSweep(plan, tools);
+  REQUIRE(some.has_value());
+  CHECK(some->rows.size() == 2);
+  REQUIRE(some->errors.size() == 1);
+  CHECK(some->errors[0].file == "broken under e");
+}
+
 TEST_CASE("sweep: one tidy table, plots with slopes") {
   test::TemporaryFolder folder;
   FakeRenderer renderer;
   const SweepPlan plan = planOf(256);
   const auto rows = report::measureSweep(plan, renderer.tools(folder.path()));
   REQUIRE(rows.has_value());
-  const report::Report made = report::sweepReport(plan, *rows);
+  const report::Report made = report::sweepReport(plan, rows->rows);
   REQUIRE(made.tables.size() == 1);
   CHECK(made.tables[0].rows.size() == 4);
   for (const auto& row : made.tables[0].rows) CHECK(row.size() == made.tables[0].columns.size());
