@@ -88,7 +88,7 @@ std::string userCacheProblem() {
   const bool foreign = status.st_uid != geteuid(), open = (status.st_mode & S_IWOTH) != 0;
   if (!foreign && !open) return {};
   return folder.string() + (foreign ? ": belongs to another user" : ": everybody may write to it") +
-         ", so that no cache is used; set XDG_CACHE_HOME to a folder of your own, or give --no-cache.";
+         ", so that no cache is used; set XDG_CACHE_HOME to a folder of your own.";
 }
 
 std::filesystem::path userCacheFolder() { return userCacheProblem().empty() ? wantedFolder() : fs::path(); }

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "base/log.hpp"
+#include "base/origin.hpp"
 #include "commands/commands.hpp"
 #include "support/command.hpp"
 
@@ -98,7 +99,7 @@ TEST_CASE("the program's own words and exit status") {
     std::string text;
   };
   const Row row = GENERATE(values<Row>({
-      {{"--version"}, 0, "facet 0.1.0\n"},
+      {{"--version"}, 0, "facet " + programVersion() + ", commit " + programCommit() + "\n"},
       {{"comapre", "a", "b"}, 2, "facet: error: 'comapre': neither a command nor a file; perhaps compare is meant.\n"},
       {{"compare"}, 2, "facet: error: REF is required; see facet compare --help.\n"},
       {{"compare", "a", "b", "c"}, 2, "facet: error: 'c': one argument too many; see facet compare --help.\n"},
