@@ -1,8 +1,10 @@
 #include <avif/avif.h>
+#include <dlfcn.h>
 
 #include <cstring>
 #include <memory>
 #include <new>
+#include <optional>
 
 #include "io/image_formats.hpp"
 
@@ -13,22 +15,63 @@ namespace {
 // Beyond, the header says what no picture needs; image.cpp has the limits that count.
 constexpr uint32_t mostAvifPixels = 16384 * 16384;
 
+// What is called of libavif, which no start without an AVIF waits for.
+struct AvifLibrary {
+  decltype(&avifDecoderCreate) decoderCreate = nullptr;
+  decltype(&avifDecoderDestroy) decoderDestroy = nullptr;
+  decltype(&avifCodecName) codecName = nullptr;
+  decltype(&avifDecoderSetIOMemory) decoderSetIOMemory = nullptr;
+  decltype(&avifDecoderParse) decoderParse = nullptr;
+  decltype(&avifDecoderNextImage) decoderNextImage = nullptr;
+  decltype(&avifResultToString) resultToString = nullptr;
+  decltype(&avifRGBImageSetDefaults) rgbSetDefaults = nullptr;
+  decltype(&avifImageYUVToRGB) yuvToRGB = nullptr;
+};
+
+template <class Function>
+bool find(void* library, const char* name, Function& function) {
+  return (function = reinterpret_cast<Function>(dlsym(library, name))) != nullptr;
+}
+
+// Null: it is not installed. It stays loaded.
+const AvifLibrary* avif() {
+  static const std::optional<AvifLibrary> loaded = []() -> std::optional<AvifLibrary> {
+    void* library = dlopen(FACET_AVIF_LIBRARY, RTLD_LAZY | RTLD_LOCAL);
+    AvifLibrary f;
+    const bool whole =
+        library && find(library, "avifDecoderCreate", f.decoderCreate) &&
+        find(library, "avifDecoderDestroy", f.decoderDestroy) && find(library, "avifCodecName", f.codecName) &&
+        find(library, "avifDecoderSetIOMemory", f.decoderSetIOMemory) &&
+        find(library, "avifDecoderParse", f.decoderParse) &&
+        find(library, "avifDecoderNextImage", f.decoderNextImage) &&
+        find(library, "avifResultToString", f.resultToString) &&
+        find(library, "avifRGBImageSetDefaults", f.rgbSetDefaults) && find(library, "avifImageYUVToRGB", f.yuvToRGB);
+    return whole ? std::optional(f) : std::nullopt;
+  }();
+  return loaded ? &*loaded : nullptr;
+}
+
+tl::unexpected<Error> noAvif() {
+  return fail({}, {}, "this is AVIF, and " FACET_AVIF_LIBRARY " is not installed", "install it, or make it a PNG");
+}
+
 struct FreeAvif {
-  void operator()(avifDecoder* decoder) const { avifDecoderDestroy(decoder); }
+  void operator()(avifDecoder* decoder) const { avif()->decoderDestroy(decoder); }
 };
 using AvifDecoder = std::unique_ptr<avifDecoder, FreeAvif>;
 
 // Reads all but the picture's data. What the strict flags refuse are lacks that no picture shows.
 AvifDecoder openAvif(std::span<const uint8_t> bytes, avifResult& result) {
-  AvifDecoder decoder(avifDecoderCreate());
+  AvifDecoder decoder(avif()->decoderCreate());
   if (!decoder) throw std::bad_alloc();
   decoder->ignoreExif = decoder->ignoreXMP = AVIF_TRUE;
   // dav1d, which would be taken first, prints what it finds wrong.
-  if (avifCodecName(AVIF_CODEC_CHOICE_AOM, AVIF_CODEC_FLAG_CAN_DECODE)) decoder->codecChoice = AVIF_CODEC_CHOICE_AOM;
+  if (avif()->codecName(AVIF_CODEC_CHOICE_AOM, AVIF_CODEC_FLAG_CAN_DECODE))
+    decoder->codecChoice = AVIF_CODEC_CHOICE_AOM;
   decoder->imageSizeLimit = mostAvifPixels;
   decoder->strictFlags = AVIF_STRICT_DISABLED;
-  result = avifDecoderSetIOMemory(decoder.get(), bytes.data(), bytes.size());
-  if (result == AVIF_RESULT_OK) result = avifDecoderParse(decoder.get());
+  result = avif()->decoderSetIOMemory(decoder.get(), bytes.data(), bytes.size());
+  if (result == AVIF_RESULT_OK) result = avif()->decoderParse(decoder.get());
   return decoder;
 }
 
@@ -54,6 +97,7 @@ bool isAvif(std::span<const uint8_t> bytes) {
 }
 
 Result<ImageHeader> readAvifHeader(std::span<const uint8_t> bytes) {
+  if (!avif()) return noAvif();
   avifResult result = AVIF_RESULT_OK;
   const AvifDecoder decoder = openAvif(bytes, result);
   if (result != AVIF_RESULT_OK || decoder->image->width == 0 || decoder->image->height == 0) return damagedHeader();
@@ -64,10 +108,11 @@ Result<ImageHeader> readAvifHeader(std::span<const uint8_t> bytes) {
 }
 
 Result<Pixels> decodeAvif(std::span<const uint8_t> bytes, const ImageHeader& header) {
+  if (!avif()) return noAvif();
   avifResult result = AVIF_RESULT_OK;
   const AvifDecoder decoder = openAvif(bytes, result);
-  if (result == AVIF_RESULT_OK) result = avifDecoderNextImage(decoder.get());
-  if (result != AVIF_RESULT_OK) return damagedImage(std::string("its AVIF data: ") + avifResultToString(result));
+  if (result == AVIF_RESULT_OK) result = avif()->decoderNextImage(decoder.get());
+  if (result != AVIF_RESULT_OK) return damagedImage(std::string("its AVIF data: ") + avif()->resultToString(result));
   Pixels pixels;
   pixels.width = header.width;
   pixels.height = header.height;
@@ -81,13 +126,13 @@ Result<Pixels> decodeAvif(std::span<const uint8_t> bytes, const ImageHeader& hea
     return damagedImage("its size is not that of its header");
   pixels.remarks = remarksOn(*decoder->image);
   avifRGBImage rgb;
-  avifRGBImageSetDefaults(&rgb, decoder->image);
+  avif()->rgbSetDefaults(&rgb, decoder->image);
   rgb.format = header.channels == 4 ? AVIF_RGB_FORMAT_RGBA : AVIF_RGB_FORMAT_RGB;
   rgb.depth = header.bytesPerSample == 2 ? 16 : 8;
   rgb.pixels = pixels.data.data();
   rgb.rowBytes = static_cast<uint32_t>(rowBytes);
-  result = avifImageYUVToRGB(decoder->image, &rgb);
-  if (result != AVIF_RESULT_OK) return damagedImage(std::string("its AVIF data: ") + avifResultToString(result));
+  result = avif()->yuvToRGB(decoder->image, &rgb);
+  if (result != AVIF_RESULT_OK) return damagedImage(std::string("its AVIF data: ") + avif()->resultToString(result));
   return pixels;
 }
 

@@ -279,7 +279,7 @@ TEST_CASE("faults: with little memory there is a picture or a sentence", "[gl]")
   const test::TemporaryFolder folder;
   const std::string png = folder.file("a.png");
   size_t pictures = 0, sentences = 0;
-  for (const int megabytes : {40, 150, 300, 380, 500, 650, 4000}) {
+  for (const int megabytes : {60, 150, 300, 380, 500, 650, 4000}) {
     fs::remove(png);
     const Outcome outcome = facetAfter("ulimit -c 0; ulimit -v " + std::to_string(megabytes * 1024) + ";",
                                        "render builtin:metals" + small + "-o " + png);
