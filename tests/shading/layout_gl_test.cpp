@@ -59,6 +59,7 @@ const gl::Program& fullProgram(shading::ProgramStore& store) {
     if (row.role != shading::FeatureRole::measured && row.feature != shading::Feature::unlit &&
         row.feature != shading::Feature::paths)
       key.features |= shading::bitOf(row.feature);
+  key.diffuse = static_cast<uint8_t>(optics::DiffuseModel::eon);  // which reads a roughness of its own
   const auto program = store.render("passes/mesh.vert.glsl", "passes/mesh.frag.glsl", shading::variantDefines(key));
   REQUIRE(program);
   return **program;
