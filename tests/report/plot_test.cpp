@@ -208,5 +208,5 @@ TEST_CASE("plot: a map of cells with its scale, and where the figures come from"
 TEST_CASE("plot: the slope of a power is its exponent") {
   Series series;
   for (const double n : {1.0, 4.0, 16.0, 64.0}) series.x.push_back(n), series.y.push_back(3 / std::sqrt(n));
-  CHECK(report::logSlope(series) == Approx(-0.5).epsilon(1e-12));
+  CHECK(logSlope(series) == Approx(-0.5).epsilon(1e-12));
 }
