@@ -75,7 +75,8 @@ TEST_CASE("lobe views: a mirror-like lobe points at the mirror direction, a Lamb
   for (size_t i = 0; i < sharp.x.size(); ++i)
     if (length(sharp, i) > length(sharp, farthest)) farthest = i;
   CHECK(std::atan2(sharp.x[farthest], sharp.y[farthest]) == Approx(optics::pi / 4).margin(0.03));
-  for (const report::Series& series : report::lobePlots(*lambert)[0].series)
+  const report::Plot circles = report::lobePlots(*lambert)[0];
+  for (const report::Series& series : circles.series)
     for (size_t i = 0; i < series.x.size(); i += 20)  // f NoL = cos: r = y / r
       CHECK(series.x[i] * series.x[i] + series.y[i] * series.y[i] == Approx(series.y[i]).margin(0.01));
 }
