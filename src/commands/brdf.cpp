@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <iterator>
@@ -143,12 +144,22 @@ void addDecodings(report::Table& table, const std::string& file) {
   }
 }
 
+// "; two GGX come within 1.2 %", of the shape whose albedo is off least.
+std::string closerShape(const std::vector<optics::BrdfFit>& shapes) {
+  const auto least = std::ranges::min_element(shapes, {}, &optics::BrdfFit::albedoError);
+  if (least == shapes.begin()) return {};
+  char text[80];
+  std::snprintf(text, sizeof text, "; %s comes within %.2g %%",
+                std::string(rowOf(optics::lobeShapes, least->model.shape).label).c_str(), 100 * least->albedoError);
+  return text;
+}
+
 // One BRDF after the other, so that a folder of them takes no more memory than one.
 int describeAll(const BrdfArguments& arguments, const Choices& choices, const std::vector<std::string>& files) {
   report::Table contents = report::measuredContents({}), albedo = report::albedoTable(),
                 reciprocity = report::reciprocityTable(), proxies = report::proxyTable(), grid = report::gridTable(),
-                fits = report::fitTable(choices.metric), fitAlbedo = report::fitAlbedoTable(),
-                eval = report::evalTable();
+                fits = report::fitTable(choices.metric), shapes = report::fitShapesTable(choices.metric),
+                fitAlbedo = report::fitAlbedoTable(), eval = report::evalTable();
   std::vector<report::Plot> lobes;
   report::Table decodings{.name = "utia-decoding",
                           .title = "Albedo at 30 degrees by the way of reading UTIA's values (--utia-decode)",
@@ -185,15 +196,19 @@ int describeAll(const BrdfArguments& arguments, const Choices& choices, const st
     if (chosen) {
       report::addFitRows(fits, *brdf, fitted);
       report::addFitAlbedoRows(fitAlbedo, *brdf, *chosen);
+      const std::vector<optics::BrdfFit> shaped = optics::fitShapes(*brdf, *chosen, choices.metric);
+      report::addFitShapeRows(shapes, *brdf, shaped);
       if (const std::string remark = optics::albedoRemark(*chosen); !remark.empty())
-        log::warning(file + ": of the best fit " + remark + ": GGX with Schlick's Fresnel term is not its shape");
+        log::warning(file + ": of the best fit " + remark + ": GGX with Schlick's Fresnel term is not its shape" +
+                     closerShape(shaped));
     }
     report::addEvalRows(eval, *brdf, choices.eval);
     if (!arguments.lobes.empty()) std::ranges::move(report::lobePlots(*brdf), std::back_inserter(lobes));
     if (!arguments.plot.empty() || arguments.slices) report::addSlices(slices, *brdf, files.size() == 1, chosen);
   }
   std::vector<report::Table> tables;
-  for (report::Table* table : {&contents, &albedo, &decodings, &reciprocity, &proxies, &grid, &fits, &fitAlbedo, &eval})
+  for (report::Table* table :
+       {&contents, &albedo, &decodings, &reciprocity, &proxies, &grid, &fits, &shapes, &fitAlbedo, &eval})
     if (!table->rows.empty()) tables.push_back(std::move(*table));
   if (tables.empty()) return status;
   if (arguments.slices) tables.push_back(report::sliceTable(slices));
@@ -238,7 +253,7 @@ std::function<int()> addBrdf(CLI::App& app) {
          "MERL .binary or UTIA .bin files, folders of them, names of found databases, builtin:NAME; none: lists "
          "what is found")
       ->type_name("FILE|builtin:NAME");
-  app.add_flag("--fit", arguments->fit, "fit GGX over each diffuse model");
+  app.add_flag("--fit", arguments->fit, "fit GGX over each diffuse model, and other lobes over the best");
   app.add_option("--metric", arguments->metric, "of the fit (log)")->type_name(alternatives(metricNames));
   app.add_option("--plot", arguments->plot, "write slices by theta_h, theta_d and in the plane of view")
       ->type_name("D.svg");

@@ -46,6 +46,13 @@ constexpr Command commandTable[] = {
      "  facet brdf gold-metallic-paint.binary --eval 30,45,180 --eval 30,30,180 --table eval --lobes gold.svg\n"
      "  facet brdf --synthesize utia-brushed -o brushed.bin",
      addBrdf},
+    {"materials", "metals and dielectrics by name with their indices of refraction, and what else needs no file",
+     "  facet materials\n"
+     "  facet materials --table metals --format csv > metals.csv\n"
+     "  facet materials --list",
+     addMaterials},
+    {"tables", "an environment's tables as pictures: DFG, prefiltered radiance, irradiance",
+     "  facet tables --env studio.hdr -o tables", addTables},
     {"report", "how far each approximate formula is from its truth, as tables",
      "  facet report fresnel\n"
      "  facet report diffuse -o diffuse.csv\n"

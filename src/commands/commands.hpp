@@ -48,12 +48,14 @@ std::function<int()> addCompare(CLI::App& app);
 std::function<int()> addComplete(CLI::App& app);
 std::function<int()> addInspect(CLI::App& app);
 std::function<int()> addManual(CLI::App& app);
+std::function<int()> addMaterials(CLI::App& app);
 std::function<int()> addNormalMap(CLI::App& app);
 std::function<int()> addRegress(CLI::App& app);
 std::function<int()> addRender(CLI::App& app);
 std::function<int()> addReport(CLI::App& app);
 std::function<int()> addSelftest(CLI::App& app);
 std::function<int()> addSweep(CLI::App& app);
+std::function<int()> addTables(CLI::App& app);
 std::function<int()> addThumbnail(CLI::App& app);
 std::function<int()> addWindow(CLI::App& app);
 

@@ -16,6 +16,7 @@
 #include "base/text.hpp"
 #include "commands/commands.hpp"
 #include "commands/write_tables.hpp"
+#include "compare/legend.hpp"
 #include "compare/metrics.hpp"
 
 namespace facet::commands {
@@ -140,7 +141,8 @@ Result<Comparison> comparePair(const Pair& pair, const Task& task, const Compare
   }
   if (!settings.diff.empty()) {
     const Result<io::Pixels> map = compare::heatMap(*reference, *picture, task.options);
-    const Result<void> written = map ? io::writePng(settings.diff, *map) : tl::unexpected(map.error());
+    const Result<void> written =
+        map ? io::writePng(settings.diff, compare::withLegend(*map)) : tl::unexpected(map.error());
     if (!written) return tl::unexpected(written.error());
   }
   if (!settings.maps.empty()) {
@@ -269,7 +271,7 @@ std::function<int()> addCompare(CLI::App& app) {
   app.add_flag("--mask-from-alpha", settings->maskFromAlpha, "judge only where the reference's alpha is above 0.5");
   app.add_option("--diff", settings->diff,
                  "write a heat map of the display differences:\n"
-                 "0 black, 1/16 blue, 1/4 red, 9/16 yellow, 1 white; not finite magenta")
+                 "0 black, 1/16 blue, 1/4 red, 9/16 yellow, 1 white, with the scale below; not finite magenta")
       ->type_name("D.png");
   app.add_option("--maps", settings->maps,
                  "write signed linear differences, and those relative to the reference as the layer \"relative\"")

@@ -51,15 +51,13 @@ double steadyFrameMs(const std::vector<double>& frameMs) {
 
 // The same for the same picture: without a date, and wherever it is written to.
 Origin pictureOrigin(const Job& job, const frame::Session& session, bool errorLayer = false) {
-  return {.version = programVersion(),
-          .commit = programCommit(),
-          .renderer = session.context().renderer,
-          .driver = session.context().version,
-          .command = options::commandLine(job.settings, job.model, "picture" + job.output.extension().string()) +
-                     (errorLayer ? " --error-layer" : ""),
-          .environment = session.environmentName(),
-          .model = job.model,
-          .seed = job.settings.quality.seed};
+  Origin origin = gl::originOn(session.context());
+  origin.date.clear();
+  origin.command = options::commandLine(job.settings, job.model, "picture" + job.output.extension().string()) +
+                   (errorLayer ? " --error-layer" : "");
+  origin.environment = session.environmentName(), origin.model = job.model;
+  origin.seed = job.settings.quality.seed;
+  return origin;
 }
 
 nlohmann::ordered_json statsJson(const Job& job, const frame::Session& session, const frame::Picture& picture,

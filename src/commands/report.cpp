@@ -38,6 +38,20 @@ Result<std::vector<const report::Topic*>> chosenTopics(const std::string& wanted
   return fail({}, inQuotes(wanted), "there is no such topic", suggestion(wanted, names));
 }
 
+// Those of them that make the table; told before anything is measured.
+Result<std::vector<const report::Topic*>> topicsOfTable(std::vector<const report::Topic*> topics,
+                                                        const std::string& table) {
+  std::vector<const report::Topic*> makers;
+  std::vector<std::string_view> names;
+  for (const report::Topic* topic : topics) {
+    if (report::makesTable(*topic, table)) makers.push_back(topic);
+    for (const std::string_view name : split(topic->tables, ' ')) names.push_back(name);
+  }
+  if (table.empty()) return topics;
+  if (makers.empty()) return fail({}, "--table", "there is no table " + inQuotes(table), suggestion(table, names));
+  return makers;
+}
+
 // Of what goes to the terminal or into one file: by --format, else by the file's ending. Nothing: -o is a folder,
 // because it is one, or ends in a slash, or has no ending.
 Result<std::optional<TableFormat>> chosenFormat(const ReportArguments& arguments) {
@@ -59,9 +73,8 @@ Result<std::optional<TableFormat>> chosenFormat(const ReportArguments& arguments
 }
 
 Origin originOf(const report::ReportInput& input, const std::vector<const report::Topic*>& topics) {
-  Origin origin = originOfProcess();
-  if (!input.session) return origin;
-  origin.renderer = input.session->context().renderer, origin.driver = input.session->context().version;
+  if (!input.session) return originOfProcess();
+  Origin origin = gl::originOn(input.session->context());
   origin.environment = input.environment;
   origin.model = input.model.empty() && topics.size() == 1 ? std::string(topics.front()->usualModel) : input.model;
   origin.seed = 0;
@@ -69,7 +82,9 @@ Origin originOf(const report::ReportInput& input, const std::vector<const report
 }
 
 int runReport(const ReportArguments& arguments) {
-  const auto topics = chosenTopics(arguments.topic);
+  const auto asked = chosenTopics(arguments.topic);
+  if (!asked) return badInput(asked.error());
+  const auto topics = topicsOfTable(*asked, arguments.table);
   if (!topics) return badInput(topics.error());
   const Result<std::optional<TableFormat>> format = chosenFormat(arguments);
   if (!format) return badInput(format.error());

@@ -56,10 +56,8 @@ void printJson(const gl::ContextInfo& context, const std::vector<CheckResult>& r
     function[entry.check.empty() ? "reason" : "through"] =
         entry.check.empty() ? Json(entry.reason) : Json(entry.through);
   }
-  Origin origin = originOfProcess();
-  origin.renderer = context.renderer, origin.driver = context.version;
   const Json out = {
-      {"origin", originJson(origin)},
+      {"origin", originJson(gl::originOn(context))},
       {"opengl", {{"platform", context.platform}, {"renderer", context.renderer}, {"version", context.version}}},
       {"passed", passed},
       {"checks", checks},

@@ -94,8 +94,8 @@ std::string contentsOf(const std::string& source) {
 }
 
 report::SweepTools sweepTools(frame::Session& session, const std::filesystem::path& folder) {
-  Origin origin = originOfProcess();
-  origin.renderer = session.context().renderer, origin.driver = session.context().version, origin.date = {};
+  Origin origin = gl::originOn(session.context());
+  origin.date.clear();
   const std::string driver = session.context().renderer + " " + session.context().version;
   return {.draw =
               [&session](const std::string& model, const frame::PictureSettings& settings, int repeat) {
@@ -129,8 +129,7 @@ int runSweep(const SweepArguments& arguments) {
   const report::SweepTools tools = sweepTools(**session, arguments.output);
   const auto measure = report::measureSweep(*plan, tools);
   if (!measure) return badInput(measure.error());
-  Origin origin = originOfProcess();
-  origin.renderer = (*session)->context().renderer, origin.driver = (*session)->context().version;
+  Origin origin = gl::originOn((*session)->context());
   origin.seed = 0;
   const Result<void> written = writeReport(arguments.output, report::sweepReport(*plan, measure->rows), origin);
   if (!written) return badInput(written.error());

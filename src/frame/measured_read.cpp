@@ -102,6 +102,12 @@ optics::MeasuredBrdf unpackMeasured(const std::vector<glm::uvec2>& cells, const 
 
 MeasuredSource measuredSource(const Sources& sources) { return {sources.brdf, sources.brdfDir, sources.utiaDecode}; }
 
+Result<optics::MeasuredBrdf> readMeasuredTable(const MeasuredSource& source) {
+  const Result<std::string> path = io::resolveMeasured(source.name, source.folder);
+  if (!path) return tl::unexpected(path.error());
+  return io::readMeasured(*path, {.utiaDecode = source.decode});
+}
+
 Result<MeasuredBytes> readMeasuredBytes(const MeasuredSource& source) {
   Clock clock;
   const Result<std::string> path = io::resolveMeasured(source.name, source.folder);
@@ -118,9 +124,7 @@ Result<MeasuredBytes> readMeasuredBytes(const MeasuredSource& source) {
 
 Result<FittedBrdf> fitMeasured(const MeasuredSource& source, optics::DiffuseModel diffuse) {
   Clock clock;
-  const Result<std::string> path = io::resolveMeasured(source.name, source.folder);
-  if (!path) return tl::unexpected(path.error());
-  const Result<optics::MeasuredBrdf> brdf = io::readMeasured(*path, {.utiaDecode = source.decode});
+  const Result<optics::MeasuredBrdf> brdf = readMeasuredTable(source);
   if (!brdf) return tl::unexpected(brdf.error());
   FittedBrdf fitted{.source = source, .name = brdf->name, .kind = brdf->kind, .fit = {}};
   fitted.readMs = clock.lap();

@@ -61,6 +61,7 @@ struct MeasuredBytes {
 size_t measuredBytes(const optics::MeasuredBrdf& brdf);  // their size
 MeasuredBytes packedBytes(const optics::MeasuredBrdf& brdf);
 // Errors: as io::resolveMeasured and io::readMeasured have them.
+Result<optics::MeasuredBrdf> readMeasuredTable(const MeasuredSource& source);
 Result<MeasuredBytes> readMeasuredBytes(const MeasuredSource& source);
 
 // GGX over one diffuse model, by the least mean square of ln(1 + f NoL).

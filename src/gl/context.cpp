@@ -126,6 +126,12 @@ Result<ContextInfo> adoptCurrentContext(const std::string& platform, bool debug)
   return info;
 }
 
+Origin originOn(const ContextInfo& info) {
+  Origin origin = originOfProcess();
+  origin.renderer = info.renderer, origin.driver = info.version;
+  return origin;
+}
+
 bool drawsBySoftware() {
   const std::string renderer = glString(GL_RENDERER);
   constexpr const char* names[] = {"llvmpipe", "softpipe", "Software Rasterizer", "SwiftShader", "Basic Render", "SWR"};

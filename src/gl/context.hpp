@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "base/error.hpp"
+#include "base/origin.hpp"
 
 struct GLFWwindow;
 
@@ -26,6 +27,9 @@ struct ContextInfo {
   float maxAnisotropy = 1;
   bool programBinaries = false;
 };
+
+// Of what is made now by this process on it.
+Origin originOn(const ContextInfo& info);
 
 // 4.6 core, or 4.5 core with the extensions in use; otherwise the error names what is missing.
 // Call once with the new context current: sets the state that the whole program relies on (clip control 0..1, seamless

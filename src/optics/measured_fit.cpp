@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "base/parallel.hpp"
-#include "optics/anisotropy.hpp"
+#include "optics/downhill.hpp"
 #include "optics/fresnel.hpp"
 #include "optics/models.hpp"
 
@@ -32,21 +32,13 @@ struct Basis {
   std::vector<double> facing, grazing, diffuse;  // diffuse: for albedo 1
 };
 
-double lobeValue(const AnalyticBrdf& model, const FitSample& sample) {
-  const Angles& a = sample.angles;
-  if (model.alpha.t == model.alpha.b)
-    return D_GGX(a, model.alpha.t) * V_SmithGGXCorrelated(a.NoV, a.NoL, model.alpha.t);
-  return D_GGXAnisotropic(turned(a.H, model.phi), model.alpha) *
-         V_GGXAnisotropic(turned(sample.V, model.phi), turned(sample.L, model.phi), model.alpha);
-}
-
 DiffuseAngles diffuseAngles(const FitSample& sample) { return {sample.angles.NoV, sample.angles.NoL, sample.VoL}; }
 
 Basis basisOf(const AnalyticBrdf& model, const std::vector<FitSample>& samples) {
   Basis basis;
   const double roughness = roughnessOf(model);
   for (const FitSample& sample : samples) {
-    const double lobe = lobeValue(model, sample), Fc = schlickWeight(sample.angles.VoH);
+    const double lobe = analyticLobe(model, sample.angles, sample.V, sample.L), Fc = schlickWeight(sample.angles.VoH);
     basis.facing.push_back(lobe * (1 - Fc));
     basis.grazing.push_back(lobe * Fc);
     basis.diffuse.push_back(
@@ -217,53 +209,6 @@ double solveColors(AnalyticBrdf& model, const Target& target, FitMetric metric) 
   return (now[0].squares + now[1].squares + now[2].squares) / static_cast<double>(3 * target.samples.size());
 }
 
-// Nelder and Mead 1965 with the usual factors (1, 2, 1/2, 1/2); stops where the simplex is smaller than `tolerance`.
-std::vector<double> downhill(std::vector<std::vector<double>> simplex, double tolerance, int most,
-                             const std::function<double(const std::vector<double>&)>& f) {
-  const size_t n = simplex.size() - 1;
-  std::vector<std::pair<double, std::vector<double>>> points;
-  for (auto& point : simplex) {
-    const double value = f(point);
-    points.emplace_back(value, std::move(point));
-  }
-  for (int evaluations = 0; evaluations < most;) {
-    std::sort(points.begin(), points.end());
-    double size = 0;
-    for (size_t i = 1; i <= n; ++i)
-      for (size_t k = 0; k < n; ++k) size = std::max(size, std::abs(points[i].second[k] - points[0].second[k]));
-    if (size < tolerance) break;
-    std::vector<double> centre(n, 0.0);
-    for (size_t i = 0; i < n; ++i)
-      for (size_t k = 0; k < n; ++k) centre[k] += points[i].second[k] / static_cast<double>(n);
-    const auto tryAt = [&](double factor) {
-      std::vector<double> point(n);
-      for (size_t k = 0; k < n; ++k) point[k] = centre[k] + factor * (points[n].second[k] - centre[k]);
-      ++evaluations;
-      const double value = f(point);
-      return std::pair(value, std::move(point));
-    };
-    auto reflected = tryAt(-1);
-    if (reflected.first < points[0].first) {
-      auto expanded = tryAt(-2);
-      points[n] = expanded.first < reflected.first ? expanded : reflected;
-    } else if (reflected.first < points[n - 1].first && n > 1) {
-      points[n] = reflected;
-    } else {
-      auto contracted = tryAt(reflected.first < points[n].first ? -0.5 : 0.5);
-      if (contracted.first < std::min(reflected.first, points[n].first)) {
-        points[n] = contracted;
-        continue;
-      }
-      for (size_t i = 1; i <= n; ++i) {
-        for (size_t k = 0; k < n; ++k) points[i].second[k] = (points[i].second[k] + points[0].second[k]) / 2;
-        points[i].first = f(points[i].second);
-        ++evaluations;
-      }
-    }
-  }
-  return std::min_element(points.begin(), points.end())->second;
-}
-
 double alphaOfLog(double value) { return std::clamp(std::exp(value), smallestFitAlpha, 1.0); }
 
 // alpha.t the larger one, its azimuth in [0, pi).
@@ -336,33 +281,61 @@ void compareAlbedo(BrdfFit& fit, const MeasuredBrdf& brdf, const MeasuredProxy& 
 
 }  // namespace
 
+namespace {
+
+// What the simplex moves: the logarithms of alpha, or of both and their azimuth, then what the shape has of its own.
+struct Unknowns {
+  LobeShape shape;
+  bool turned;  // two alphas
+  std::vector<double> startAt(const MeasuredProxy& proxy) const {
+    std::vector<double> x{std::log(proxy.alpha.t)};
+    if (turned) x.insert(x.end(), {std::log(proxy.alpha.b), proxy.phi});
+    if (shape == LobeShape::gtr) x.push_back(std::log(2.0));
+    if (shape == LobeShape::twoGgx) x.insert(x.end(), {std::log(4.0), 0.3});
+    return x;
+  }
+  void put(AnalyticBrdf& model, const std::vector<double>& x) const {
+    model.alpha = {alphaOfLog(x[0]), alphaOfLog(x[turned ? 1 : 0])};
+    model.phi = turned ? x[2] : 0;
+    const double* own = x.data() + (turned ? 3 : 1);
+    if (shape == LobeShape::gtr) model.exponent = std::clamp(std::exp(own[0]), 0.2, 20.0);
+    if (shape != LobeShape::twoGgx) return;
+    model.widening = std::clamp(std::exp(own[0]), 1.0, 1 / smallestFitAlpha);
+    model.wideShare = std::clamp(own[1], 0.0, 1.0);
+  }
+};
+
+// The error can have two valleys (a sharp lobe, or a broad one for the diffuse part): the deepest of a few places.
+std::vector<double> deepest(std::vector<double> x, const std::function<double(const std::vector<double>&)>& f) {
+  std::vector<double> best = x;
+  double least = f(x);
+  for (double place = std::log(0.004); place < 0.1; place += std::log(2.0)) {
+    x[0] = place;
+    if (const double value = f(x); value < least) least = value, best = x;
+  }
+  return best;
+}
+
+}  // namespace
+
 BrdfFit fitAnalytic(const MeasuredBrdf& brdf, const std::vector<FitSample>& samples, const MeasuredProxy& proxy,
-                    DiffuseModel diffuse, FitMetric metric) {
-  BrdfFit fit{.model = {.f0 = glm::dvec3(0.2), .albedo = proxy.diffuse, .diffuse = diffuse}};
+                    DiffuseModel diffuse, FitMetric metric, LobeShape shape) {
+  BrdfFit fit{.model = {.f0 = glm::dvec3(0.2), .albedo = proxy.diffuse, .diffuse = diffuse, .shape = shape}};
   if (samples.empty()) return fit;
   Target target{samples, ringsOf(samples)};
   for (FitSample& sample : target.samples)
     for (int c = 0; c < 3; ++c) sample.value[c] = compressed(sample.value[c] * sample.angles.NoL, metric);
+  const Unknowns unknowns{shape, brdf.kind == MeasuredKind::utia && shape != LobeShape::gtr};
   AnalyticBrdf warm = fit.model;
   const auto meanSquare = [&](const std::vector<double>& x) {
-    warm.alpha = {alphaOfLog(x[0]), alphaOfLog(x[x.size() > 1 ? 1 : 0])};
-    warm.phi = x.size() > 1 ? x[2] : 0;
+    unknowns.put(warm, x);
     return solveColors(warm, target, metric);
   };
-  std::vector<std::vector<double>> simplex;
-  if (brdf.kind == MeasuredKind::merl) {
-    // The error can have two valleys (a sharp lobe, or a broad one for the diffuse part): the deepest of a few places.
-    double start = std::log(proxy.alpha.t), least = meanSquare({start});
-    for (double place = std::log(0.004); place < 0.1; place += std::log(2.0)) {
-      if (const double value = meanSquare({place}); value < least) least = value, start = place;
-    }
-    simplex = {{start}, {start - 0.3}};
-  } else {
-    const std::vector<double> start = {std::log(proxy.alpha.t), std::log(proxy.alpha.b), proxy.phi};
-    simplex = {start, start, start, start};
-    simplex[1][0] -= 0.3, simplex[2][1] -= 0.3, simplex[3][2] += 0.3;
-  }
-  const std::vector<double> best = downhill(simplex, 1e-4, 150, meanSquare);
+  std::vector<double> start = unknowns.startAt(proxy);
+  if (!unknowns.turned) start = deepest(start, meanSquare);
+  std::vector<std::vector<double>> simplex(start.size() + 1, start);
+  for (size_t k = 0; k < start.size(); ++k) simplex[k + 1][k] += unknowns.turned && k == 2 ? 0.3 : -0.3;
+  const std::vector<double> best = downhill(simplex, 1e-4, start.size() > 3 ? 400 : 150, meanSquare);
   fit.misfit = std::sqrt(meanSquare(best));
   fit.model = warm;
   normalise(fit.model);
@@ -377,6 +350,16 @@ std::vector<BrdfFit> fitAll(const MeasuredBrdf& brdf, FitMetric metric) {
   std::vector<BrdfFit> fits(std::size(diffuseModels));
   parallelFor(fits.size(),
               [&](size_t i) { fits[i] = fitAnalytic(brdf, samples, proxy, diffuseModels[i].value, metric); });
+  return fits;
+}
+
+std::vector<BrdfFit> fitShapes(const MeasuredBrdf& brdf, const BrdfFit& ggx, FitMetric metric) {
+  const std::vector<FitSample> samples = fitSamples(brdf);
+  const MeasuredProxy proxy = fitProxy(brdf);
+  std::vector<BrdfFit> fits(std::size(lobeShapes), ggx);
+  parallelFor(fits.size() - 1, [&](size_t i) {
+    fits[i + 1] = fitAnalytic(brdf, samples, proxy, ggx.model.diffuse, metric, lobeShapes[i + 1].value);
+  });
   return fits;
 }
 

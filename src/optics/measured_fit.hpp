@@ -1,6 +1,7 @@
 #pragma once
 
-// The analytic model that comes closest to a measured BRDF: GGX with Schlick's Fresnel term over a diffuse model.
+// The analytic model that comes closest to a measured BRDF: GGX, or another lobe, with Schlick's Fresnel term over a
+// diffuse model.
 //
 // Ngan, Durand, Matusik 2005, "Experimental Analysis of BRDF Models"; Loew, Kronander, Ynnerman, Unger 2012, "BRDF
 // Models for Accurate and Efficient Rendering of Glossy Surfaces" (TOG 31(1)).
@@ -10,10 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "optics/analytic_brdf.hpp"
 #include "optics/measured.hpp"
 #include "optics/measured_proxy.hpp"
 #include "optics/microfacet.hpp"
-#include "optics/synthetic_brdf.hpp"
 
 namespace facet::optics {
 
@@ -59,12 +60,15 @@ struct BrdfFit {
 // mean square of the relative error of what is reflected of five rings of 15 degrees, per channel. Without that term a
 // metric of compressed values puts up with any energy: a Ward table's blue got an albedo of 0.28 for 0.14. f0 and
 // albedo per channel, within [0, 1], by Gauss-Newton steps for each roughness that a downhill simplex (Nelder and Mead
-// 1965) tries; alpha in [1e-4, 1]; MERL isotropic, UTIA both alphas and their azimuth, starting at the proxy. Of a
-// synthetic table of the same model the parameters come back (1e-3 and better). Less than a second each.
+// 1965) tries; alpha in [1e-4, 1]; MERL isotropic, UTIA both alphas and their azimuth (GTR one), starting at the proxy;
+// what a shape has of its own besides. Of a synthetic table of the same model the parameters come back (1e-3 and
+// better). Less than a second each.
 BrdfFit fitAnalytic(const MeasuredBrdf& brdf, const std::vector<FitSample>& samples, const MeasuredProxy& proxy,
-                    DiffuseModel diffuse, FitMetric metric);
-// All diffuse models, in the enumeration's order.
+                    DiffuseModel diffuse, FitMetric metric, LobeShape shape = LobeShape::ggx);
+// All diffuse models with GGX, in the enumeration's order.
 std::vector<BrdfFit> fitAll(const MeasuredBrdf& brdf, FitMetric metric);
+// All shapes of the lobe, in the enumeration's order, over the diffuse model of a fit with GGX, which is the first.
+std::vector<BrdfFit> fitShapes(const MeasuredBrdf& brdf, const BrdfFit& ggx, FitMetric metric);
 // Those whose misfit is the least but for what two fits of the same function differ by: 1 % of it, or 3e-5. Of fits at
 // least one; of a table without diffuse light all.
 std::vector<bool> bestFits(const std::vector<BrdfFit>& fits);

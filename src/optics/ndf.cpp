@@ -67,6 +67,33 @@ double V_BeckmannCorrelated(double NoV, double NoL, double alpha) {
   return 1 / (4 * (v * l + (l * cosineLambdaBeckmann(v, alpha) + v * cosineLambdaBeckmann(l, alpha))));
 }
 
+double D_BeckmannAnisotropic(const glm::dvec3& H, const AnisotropicAlpha& alpha) {
+  const double t = std::max(alpha.t, smallestAlpha), b = std::max(alpha.b, smallestAlpha);
+  if (!(H.z > 0)) return 0;
+  const double slopeT = H.x / (H.z * t), slopeB = H.y / (H.z * b), cos2 = H.z * H.z;
+  return std::exp(-(slopeT * slopeT + slopeB * slopeB)) / (pi * t * b * cos2 * cos2);
+}
+
+double V_BeckmannAnisotropic(const glm::dvec3& V, const glm::dvec3& L, const AnisotropicAlpha& alpha) {
+  if (V.z < 0 || L.z < 0) return 0;
+  const auto alphaTowards = [&](const glm::dvec3& d) {
+    const double sine2 = d.x * d.x + d.y * d.y, x = d.x * alpha.t, y = d.y * alpha.b;
+    return sine2 > 0 ? std::sqrt((x * x + y * y) / sine2) : alpha.t;
+  };
+  const double v = floored(V.z), l = floored(L.z);
+  return 1 /
+         (4 * (v * l + l * cosineLambdaBeckmann(v, alphaTowards(V)) + v * cosineLambdaBeckmann(l, alphaTowards(L))));
+}
+
+double D_GTR(double NoH, double alpha, double exponent) {
+  if (!(NoH > 0) || alpha < smallestAlpha) return 0;
+  // c = (exponent - 1) (alpha^2 - 1) / (pi (1 - alpha^(2 - 2 exponent))); at exponent 1 and alpha 1 its limits.
+  const double log2 = 2 * std::log(alpha), above = exponent - 1;
+  if (log2 == 0) return 1 / pi;
+  const double tail = std::abs(above) < 1e-9 ? log2 : -std::expm1(-above * log2) / above;
+  return std::expm1(log2) / (pi * tail) * std::pow(sin2FromCos(NoH) + alpha * alpha * NoH * NoH, -exponent);
+}
+
 double G1_BeckmannRational(double cosine, double alpha) {
   if (cosine < 0) return 0;
   const double sine = std::sqrt(sin2FromCos(cosine));

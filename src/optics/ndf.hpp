@@ -6,6 +6,7 @@
 
 #include <functional>
 
+#include "optics/anisotropy.hpp"
 #include "optics/microfacet.hpp"
 
 namespace facet::optics {
@@ -22,11 +23,19 @@ double Lambda_Beckmann(double cosine, double alpha);
 double G1_Beckmann(double cosine, double alpha);
 double G2_Beckmann(double NoV, double NoL, double alpha);           // height-correlated, Heitz 2014 eq. 99
 double V_BeckmannCorrelated(double NoV, double NoL, double alpha);  // / (4 NoV NoL); finite unless both are 0
+// With a width along x and one along y, as in anisotropy.hpp: Heitz 2014, section 5.3 (D of slopes over their widths,
+// and the width in a direction's azimuth).
+double D_BeckmannAnisotropic(const glm::dvec3& H, const AnisotropicAlpha& alpha);
+double V_BeckmannAnisotropic(const glm::dvec3& V, const glm::dvec3& L, const AnisotropicAlpha& alpha);
 // Walter et al. 2007 eq. 27: a rational function of a, 1 from a = 1.6 on. Error against G1_Beckmann: 3.1e-3 at most.
 double G1_BeckmannRational(double cosine, double alpha);
 double V_BeckmannRational(double NoV, double NoL, double alpha);  // product of both over 4 NoV NoL; finite at 0
 // Blinn's has no closed form; Walter et al. take this one for it, too: off by 0.0025 (alpha 0.1), 0.038 (0.5),
 // 0.22 (1, where Blinn's normals are all alike). Exact by quadrature: G1_Smith.
+
+// GTR, Burley 2012, appendix B.2: c / (1 + (alpha^2 - 1) NoH^2)^exponent; exponent > 0: 2 is GGX, less has longer
+// tails. D(1) is not 1 / (pi alpha^2) unless it is 2.
+double D_GTR(double NoH, double alpha, double exponent);
 
 // Smith's G1 of any isotropic distribution D(sin^2): NoV / int max(VoH, 0) D dH (Heitz 2014 eq. 12: what is visible
 // adds up to the projected area), by quadrature to about 1e-6. NoV > 0.

@@ -4,9 +4,7 @@
 #include <cmath>
 
 #include "base/parallel.hpp"
-#include "optics/fresnel.hpp"
 #include "optics/measured_holes.hpp"
-#include "optics/models.hpp"
 
 namespace facet::optics {
 
@@ -60,26 +58,6 @@ glm::dvec3 merlCell(const AnalyticBrdf& formula, int x, int y, int z) {
 }
 
 }  // namespace
-
-double roughnessOf(const AnalyticBrdf& brdf) { return std::min(std::pow(brdf.alpha.t * brdf.alpha.b, 0.25), 1.0); }
-
-glm::dvec3 analyticBrdf(const AnalyticBrdf& brdf, const glm::dvec3& V, const glm::dvec3& L) {
-  if (!(V.z > 0 && L.z > 0)) return glm::dvec3(0);
-  const Angles angles = anglesBetween({0, 0, 1}, V, L);
-  glm::dvec3 result{0};
-  if (brdf.albedo != glm::dvec3(0))
-    result = diffuseTerm(brdf.diffuse, {angles.NoV, angles.NoL, glm::dot(V, L)}, roughnessOf(brdf), brdf.albedo);
-  if (brdf.f0 == glm::dvec3(0) && brdf.f90 == glm::dvec3(0)) return result;
-  const glm::dvec3 F = glm::mix(brdf.f0, brdf.f90, schlickWeight(angles.VoH));
-  if (brdf.alpha.t == brdf.alpha.b) {
-    const double alpha = brdf.alpha.t;
-    return result + F * (D_GGX(angles, alpha) * V_SmithGGXCorrelated(angles.NoV, angles.NoL, alpha));
-  }
-  const double c = std::cos(brdf.phi), s = std::sin(brdf.phi);
-  const auto turned = [&](const glm::dvec3& d) { return glm::dvec3(c * d.x + s * d.y, c * d.y - s * d.x, d.z); };
-  return result +
-         F * (D_GGXAnisotropic(turned(angles.H), brdf.alpha) * V_GGXAnisotropic(turned(V), turned(L), brdf.alpha));
-}
 
 std::span<const SyntheticBrdf> syntheticBrdfs() { return table; }
 

@@ -6,23 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "optics/anisotropy.hpp"
-#include "optics/diffuse.hpp"
+#include "optics/analytic_brdf.hpp"
 #include "optics/measured.hpp"
 
 namespace facet::optics {
-
-// GGX with Schlick's Fresnel term over a diffuse model: D V F + albedo Fd [1/sr].
-struct AnalyticBrdf {
-  glm::dvec3 f0{0.04}, f90{1};  // reflectance facing and grazing, by channel
-  glm::dvec3 albedo{0};
-  AnisotropicAlpha alpha = {};
-  double phi = 0;  // of the direction of alpha.t, from the tangent [rad]
-  DiffuseModel diffuse = DiffuseModel::lambert;
-};
-// perceptualRoughness = alpha^(1/2), of the geometric mean: what the diffuse models take.
-double roughnessOf(const AnalyticBrdf& brdf);
-glm::dvec3 analyticBrdf(const AnalyticBrdf& brdf, const glm::dvec3& V, const glm::dvec3& L);
 
 struct SyntheticBrdf {
   std::string_view name, summary;

@@ -5,6 +5,7 @@
 
 #include "base/text.hpp"
 #include "optics/color.hpp"
+#include "optics/plane_lobe.hpp"
 
 namespace facet::report {
 
@@ -135,13 +136,6 @@ double lobe(const MeasuredBrdf& brdf, double thetaV, double thetaL, double phi) 
   return optics::luminance(optics::measuredBrdf(brdf, V, L, LookUp::interpolated)) * std::max(L.z, 0.0);
 }
 
-// Dense about the mirror direction, where the lobe is narrow.
-std::vector<double> planeAngles(double mirror) {
-  std::vector<double> angles;
-  for (double x = -89.5; x <= 89.5; x += std::abs(x - mirror) < 10 ? 0.1 : 0.5) angles.push_back(x);
-  return angles;
-}
-
 Plot planeLobes(const MeasuredBrdf& brdf) {
   Plot plot{.title = brdf.name + ": lobes in the plane of view, relative to their largest",
             .x = {.label = "V on the left, the mirror direction on the right", .from = -1, .to = 1},
@@ -149,13 +143,15 @@ Plot planeLobes(const MeasuredBrdf& brdf) {
             .height = 460};
   for (const double thetaV : {15.0, 45.0, 75.0}) {
     Series series{.name = "V at " + tickText(thetaV) + " degrees"};
-    std::vector<double> angles = planeAngles(thetaV), values;
-    for (const double x : angles)
-      values.push_back(lobe(brdf, thetaV * radian, std::abs(x) * radian, x < 0 ? 0 : optics::pi));
+    const optics::PlaneLobe lobe = optics::planeLobe(
+        [&](const glm::dvec3& V, const glm::dvec3& L) { return measuredBrdf(brdf, V, L, LookUp::interpolated); },
+        thetaV * radian, 0);
+    std::vector<double> values;
+    for (const glm::dvec3& value : lobe.values) values.push_back(optics::luminance(value));
     const double most = std::max(*std::ranges::max_element(values), 1e-300);
-    for (size_t i = 0; i < angles.size(); ++i) {
-      series.x.push_back(values[i] / most * std::sin(angles[i] * radian));
-      series.y.push_back(values[i] / most * std::cos(angles[i] * radian));
+    for (size_t i = 0; i < values.size(); ++i) {
+      series.x.push_back(values[i] / most * std::sin(lobe.angles[i]));
+      series.y.push_back(values[i] / most * std::cos(lobe.angles[i]));
     }
     plot.series.push_back(std::move(series));
   }

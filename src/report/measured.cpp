@@ -185,26 +185,36 @@ void addGridRow(Table& table, const MeasuredBrdf& brdf, const optics::AnalyticBr
   table.rows.push_back({brdf.name, nearest.relative, nearest.lobe, interpolated.relative, interpolated.lobe});
 }
 
+namespace {
+
+std::string fitNote(optics::FitMetric metric) {
+  return std::string("Error: root mean square of the difference of ") +
+         (metric == optics::FitMetric::log ? "ln(1 + f NoL)" : "the cube roots of f NoL") +
+         " over samples of the grid and channels, both directions within 75 degrees; what a ring of directions "
+         "reflects weighs besides. Albedo error: the largest of the directional albedo, relative (to 0.01 at "
+         "least), over 0 to 75 degrees and channels. ";
+}
+
+std::string verdict(const std::vector<bool>& best, size_t i) {
+  return !best[i] ? "" : std::ranges::count(best, true) > 1 ? "equally good" : "best";
+}
+
+}  // namespace
+
 Table fitTable(optics::FitMetric metric) {
-  const bool log = metric == optics::FitMetric::log;
-  return {
-      .name = "fit",
-      .title = "GGX with Schlick's Fresnel term over each diffuse model, fitted",
-      .note = std::string("Error: root mean square of the difference of ") +
-              (log ? "ln(1 + f NoL)" : "the cube roots of f NoL") +
-              " over samples of the grid and channels, both directions within 75 degrees; what a ring of directions "
-              "reflects weighs besides. Albedo error: the largest of the directional albedo, relative (to 0.01 at "
-              "least), over 0 to 75 degrees and channels. Roughness is glTF's perceptual one of the smaller alpha, "
-              "anisotropy KHR_materials_anisotropy's strength.",
-      .columns = {"name", "diffuse model", "error", "albedo error", "roughness", "anisotropy", "azimuth [degrees]",
-                  "f0 red", "f0 green", "f0 blue", "f90 red", "f90 green", "f90 blue", "albedo red", "albedo green",
-                  "albedo blue", "best"},
-      .rows = {}};
+  return {.name = "fit",
+          .title = "GGX with Schlick's Fresnel term over each diffuse model, fitted",
+          .note = fitNote(metric) +
+                  "Roughness is glTF's perceptual one of the smaller alpha, anisotropy KHR_materials_anisotropy's "
+                  "strength.",
+          .columns = {"name", "diffuse model", "error", "albedo error", "roughness", "anisotropy", "azimuth [degrees]",
+                      "f0 red", "f0 green", "f0 blue", "f90 red", "f90 green", "f90 blue", "albedo red", "albedo green",
+                      "albedo blue", "best"},
+          .rows = {}};
 }
 
 void addFitRows(Table& table, const MeasuredBrdf& brdf, const std::vector<optics::BrdfFit>& fits) {
   const std::vector<bool> best = optics::bestFits(fits);
-  const bool equals = std::ranges::count(best, true) > 1;
   for (size_t i = 0; i < fits.size(); ++i) {
     const optics::BrdfFit& fit = fits[i];
     const optics::AnalyticBrdf& m = fit.model;
@@ -212,9 +222,54 @@ void addFitRows(Table& table, const MeasuredBrdf& brdf, const std::vector<optics
     table.rows.push_back({brdf.name, std::string(rowOf(optics::diffuseModels, m.diffuse).word), fit.error,
                           fit.albedoError, std::sqrt(m.alpha.b), strength, strength > 0 ? m.phi / degree : 0, m.f0.x,
                           m.f0.y, m.f0.z, m.f90.x, m.f90.y, m.f90.z, m.albedo.x, m.albedo.y, m.albedo.z,
-                          std::string(!best[i] ? ""
-                                      : equals ? "equally good"
-                                               : "best")});
+                          verdict(best, i)});
+  }
+}
+
+Table fitShapesTable(optics::FitMetric metric) {
+  return {
+      .name = "fit-shapes",
+      .title = "Lobes of other shapes with Schlick's Fresnel term over the best diffuse model, fitted",
+      .note = fitNote(metric) +
+              "Alpha along and across the azimuth (GTR has one). GTR: D to the power of its exponent (2 is GGX) with "
+              "GGX's masking; two GGX: the second is wider by the factor and has the share. Pictures are drawn with "
+              "GGX alone.",
+      .columns = {"name",         "lobe",         "diffuse model",  "error",
+                  "albedo error", "alpha along",  "alpha across",   "azimuth [degrees]",
+                  "exponent",     "second wider", "second's share", "f0 red",
+                  "f0 green",     "f0 blue",      "f90 red",        "f90 green",
+                  "f90 blue",     "albedo red",   "albedo green",   "albedo blue",
+                  "best"},
+      .rows = {}};
+}
+
+void addFitShapeRows(Table& table, const MeasuredBrdf& brdf, const std::vector<optics::BrdfFit>& shapes) {
+  const std::vector<bool> best = optics::bestFits(shapes);
+  for (size_t i = 0; i < shapes.size(); ++i) {
+    const optics::AnalyticBrdf& m = shapes[i].model;
+    const bool two = m.shape == optics::LobeShape::twoGgx;
+    const auto only = [](bool has, double value) { return has ? Cell(value) : Cell(std::string()); };
+    table.rows.push_back({brdf.name,
+                          std::string(rowOf(optics::lobeShapes, m.shape).word),
+                          std::string(rowOf(optics::diffuseModels, m.diffuse).word),
+                          shapes[i].error,
+                          shapes[i].albedoError,
+                          m.alpha.t,
+                          m.alpha.b,
+                          m.alpha.t > m.alpha.b ? m.phi / degree : 0,
+                          only(m.shape == optics::LobeShape::gtr, m.exponent),
+                          only(two, m.widening),
+                          only(two, m.wideShare),
+                          m.f0.x,
+                          m.f0.y,
+                          m.f0.z,
+                          m.f90.x,
+                          m.f90.y,
+                          m.f90.z,
+                          m.albedo.x,
+                          m.albedo.y,
+                          m.albedo.z,
+                          verdict(best, i)});
   }
 }
 

@@ -33,6 +33,10 @@ void addGridRow(Table& table, const optics::MeasuredBrdf& brdf, const optics::An
 Table fitTable(optics::FitMetric metric);
 void addFitRows(Table& table, const optics::MeasuredBrdf& brdf, const std::vector<optics::BrdfFit>& fits);
 
+// The other lobes over the best diffuse model: optics::fitShapes.
+Table fitShapesTable(optics::FitMetric metric);
+void addFitShapeRows(Table& table, const optics::MeasuredBrdf& brdf, const std::vector<optics::BrdfFit>& shapes);
+
 // Directional albedo of a fit beside the table's.
 Table fitAlbedoTable();
 void addFitAlbedoRows(Table& table, const optics::MeasuredBrdf& brdf, const optics::BrdfFit& fit);

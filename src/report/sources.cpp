@@ -33,6 +33,13 @@ constexpr optics::Sources sources[] = {
     {"sweep", "Andersson2020"},
     // compare
     {"compare", "Andersson2020 Wang2004 Rousselle2011"},
+    // tables, materials
+    {"tables", "Karis2013 Heitz2018 Krivanek2008"},
+    {"metals", "Johnson1972 Johnson1974 Rakic1995 Rakic1998 Querry1985 Kutz2021"},
+    {"dielectrics", ""},
+    {"scenes", ""},
+    {"environments", ""},
+    {"brdfs", ""},
     // report measured, brdf
     {"measured-look-ups", "Matusik2003 Rusinkiewicz1998 Filip2014"},
     {"measured-formats", "Matusik2003 Filip2014"},
@@ -47,6 +54,7 @@ constexpr optics::Sources sources[] = {
     {"proxy", "Dupuy2015"},
     {"grid", "Matusik2003 Rusinkiewicz1998 Filip2014"},
     {"fit", "Ngan2005 Loew2012 Nelder1965 Walter2007 Schlick1994"},
+    {"fit-shapes", "Walter2007 Ward1992 Burley2012 Heitz2014 Ngan2005 Loew2012 Nelder1965 Schlick1994"},
     {"fit-albedo", "Ngan2005 Loew2012 Nelder1965 Walter2007 Schlick1994"},
 };
 

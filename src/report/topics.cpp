@@ -1,8 +1,10 @@
 #include "report/topics.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <iterator>
 
+#include "base/text.hpp"
 #include "report/energy.hpp"
 #include "report/estimate.hpp"
 #include "report/frame_cost.hpp"
@@ -26,20 +28,24 @@ constexpr const char* spheres = "builtin:spheres";
 
 constexpr Topic topics[] = {
     {"fresnel", "Schlick's approximation and F82-tint against Fresnel's equations", false,
-     computed<fresnelTables, fresnelPlots>},
-    {"diffuse", "energy of the diffuse models", false, computed<diffuseTables, diffusePlots>},
+     computed<fresnelTables, fresnelPlots>, "fresnel-dielectric fresnel-metal"},
+    {"diffuse", "energy of the diffuse models", false, computed<diffuseTables, diffusePlots>, "diffuse"},
     {"energy", "what rough lobes return: models of further bounces, for environment and lights", true, energyReport,
-     spheres},
+     "energy-furnace energy-metal energy-pictures", spheres},
     {"estimate", "--max-error: what it states against true errors, its samples against the fewest that do", true,
-     estimateReport, spheres},
-    {"frame", "a frame: error and time of each way of reading slanted textures", true, frameReport, "builtin:marbles"},
-    {"light", "image-based light: error against run time under --env", true, lightReport, spheres},
+     estimateReport, "estimate estimate-samples", spheres},
+    {"frame", "a frame: error and time of each way of reading slanted textures", true, frameReport, "frame-textures",
+     "builtin:marbles"},
+    {"light", "image-based light: error against run time under --env", true, lightReport,
+     "light-cube light-irradiance light-ld light-spacing light-dfg light-lobes light-pictures", spheres},
     {"measured", "measured BRDFs: error against run time of samples and formats, look-ups against formulas", true,
-     measuredReport},
-    {"methods", "what --max-error chooses from: error and cost of each table's methods", true, methodsReport},
-    {"ndf", "shadowing terms and energy of GGX, Beckmann and Blinn", false, computed<ndfTables, ndfPlots>},
+     measuredReport, "measured-look-ups measured-formats measured-samples"},
+    {"methods", "what --max-error chooses from: error and cost of each table's methods", true, methodsReport,
+     "methods"},
+    {"ndf", "shadowing terms and energy of GGX, Beckmann and Blinn", false, computed<ndfTables, ndfPlots>,
+     "masking lobes"},
     {"visibility", "shadows and interreflection: each way of light against converged paths", true, visibilityReport,
-     "builtin:poster"},
+     "visibility", "builtin:poster"},
 };
 
 }  // namespace
@@ -59,6 +65,10 @@ Result<Report> joined(std::span<const ReportPart> parts, const ReportInput& inpu
   return report;
 }
 
+bool makesTable(const Topic& topic, std::string_view table) {
+  return std::ranges::count(split(topic.tables, ' '), table) == 1;
+}
+
 Result<Report> reportOf(std::span<const Topic* const> topics, const ReportInput& input) {
   Report report;
   for (const Topic* topic : topics) {
@@ -66,6 +76,7 @@ Result<Report> reportOf(std::span<const Topic* const> topics, const ReportInput&
     if (own.model.empty()) own.model = topic->usualModel;
     Result<Report> made = topic->make(own);
     if (!made) return made;
+    for ([[maybe_unused]] const Table& table : made->tables) assert(makesTable(*topic, table.name));
     append(report, std::move(*made));
   }
   return report;

@@ -50,8 +50,10 @@ struct Topic {
   std::string_view summary;
   bool needsOpenGL = false;
   ReportPart make;
+  std::string_view tables;           // that it makes, by spaces: a wrong name is told before anything is measured
   std::string_view usualModel = {};  // of its pictures; empty: it draws none
 };
+bool makesTable(const Topic& topic, std::string_view table);
 // Of the topics in their order, each of its usual model where input names none.
 Result<Report> reportOf(std::span<const Topic* const> topics, const ReportInput& input);
 

@@ -238,6 +238,7 @@ void takeMeasured(Viewport& viewport, ViewerState& state, MeasuredLoaded loaded)
     return;
   }
   viewport.measured.files[loaded.read->facts.path] = std::move(loaded.watch);
+  if (loaded.source == state.lobe.source) state.lobe.source = {};  // the file has changed
   frame::keepMeasured(viewport.measured.store, frame::uploadMeasured(std::move(*loaded.read)));
   viewport.plan.failed.reset();
 }

@@ -9,13 +9,13 @@ namespace facet::view {
 
 namespace {
 
-double millisecondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
 std::string rounded(double milliseconds) { return std::to_string(std::lround(milliseconds)) + " ms"; }
 
 }  // namespace
+
+double millisecondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
 
 void noteGap(LoadTime& load, bool loading) {
   const double gap = millisecondsSince(load.frame);

@@ -8,6 +8,8 @@
 
 namespace facet::view {
 
+double millisecondsSince(std::chrono::steady_clock::time_point start);
+
 struct LoadTime {
   bool running = false;
   std::chrono::steady_clock::time_point frame;  // the last one on the screen

@@ -74,6 +74,16 @@ FitMade makeFit(const frame::MeasuredSource& source, optics::DiffuseModel diffus
   }
 }
 
+TableRead readTable(const frame::MeasuredSource& source) {
+  try {
+    Result<optics::MeasuredBrdf> table = frame::readMeasuredTable(source);
+    if (!table) return {source, tl::unexpected(table.error())};
+    return {source, std::make_shared<const optics::MeasuredBrdf>(std::move(*table))};
+  } catch (const std::bad_alloc&) {
+    return {source, tooLarge(source.name)};
+  }
+}
+
 ImagesDecoded decodeImages(const std::shared_ptr<const io::LoadedModel>& model, const std::vector<bool>& wanted) {
   ImagesDecoded out{model, {}, {}};
   try {
@@ -102,6 +112,10 @@ void startMeasured(Loader& loader, const frame::MeasuredSource& source, bool aga
 
 void startFit(Loader& loader, const frame::MeasuredSource& source, optics::DiffuseModel diffuse) {
   loader.fit.start([source, diffuse] { return makeFit(source, diffuse); });
+}
+
+void startTable(Loader& loader, const frame::MeasuredSource& source) {
+  loader.table.start([source] { return readTable(source); });
 }
 
 void startImages(Loader& loader, std::shared_ptr<const io::LoadedModel> model, std::vector<bool> wanted) {

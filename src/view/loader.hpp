@@ -57,6 +57,12 @@ struct FitMade {
   Result<frame::FittedBrdf> fit;
 };
 
+// A table to look values up in.
+struct TableRead {
+  frame::MeasuredSource source;
+  Result<std::shared_ptr<const optics::MeasuredBrdf>> table;
+};
+
 struct ImagesDecoded {
   std::shared_ptr<const io::LoadedModel> model;
   Result<std::vector<io::Pixels>> pixels;
@@ -74,13 +80,15 @@ struct Loader {
   Latest<EnvironmentLoaded> environment;
   Latest<MeasuredLoaded> measured;
   Latest<FitMade> fit;
+  Latest<TableRead> table;
   Latest<ImagesDecoded> images;
   Latest<FileChecked> fileCheck;
   ImagesAsked imagesAsked;   // the newest request for them
   std::string allowOutside;  // of models (frame::Sources)
 
   bool running() const {
-    return model.running() || environment.running() || measured.running() || fit.running() || images.running();
+    return model.running() || environment.running() || measured.running() || fit.running() || table.running() ||
+           images.running();
   }
 };
 
@@ -88,6 +96,7 @@ void startModel(Loader& loader, const std::string& source, Opening opening = Ope
 void startEnvironment(Loader& loader, const std::string& source, bool again = false);
 void startMeasured(Loader& loader, const frame::MeasuredSource& source, bool again = false);
 void startFit(Loader& loader, const frame::MeasuredSource& source, optics::DiffuseModel diffuse);
+void startTable(Loader& loader, const frame::MeasuredSource& source);
 void startImages(Loader& loader, std::shared_ptr<const io::LoadedModel> model, std::vector<bool> wanted);
 // All of these are on their way.
 bool decodes(const Loader& loader, const std::shared_ptr<const io::LoadedModel>& model,

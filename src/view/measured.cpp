@@ -28,4 +28,23 @@ std::shared_ptr<const frame::FittedOnGpu> findOrFit(MeasuredView& measured, cons
   return nullptr;
 }
 
+void followLobe(ViewerState& state, Loader& loader) {
+  LobeView& lobe = state.lobe;
+  if (!lobe.open || !state.shown.measured) {
+    lobe.table.reset(), lobe.source = {};
+    loader.table.forget();
+    return;
+  }
+  if (lobe.source == state.shown.measured->source) return;
+  lobe.source = state.shown.measured->source;
+  lobe.table.reset();
+  startTable(loader, lobe.source);
+}
+
+void takeTable(ViewerState& state, TableRead read) {
+  if (!(read.source == state.lobe.source)) return;
+  if (!read.table) return complain(state, read.table.error());
+  state.lobe.table = *read.table;
+}
+
 }  // namespace facet::view

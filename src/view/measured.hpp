@@ -10,6 +10,7 @@
 #include "frame/plan.hpp"
 #include "view/file_watch.hpp"
 #include "view/loader.hpp"
+#include "view/viewer_state.hpp"
 
 namespace facet::view {
 
@@ -44,5 +45,9 @@ std::shared_ptr<const frame::MeasuredOnGpu> findOrRead(MeasuredView& measured, c
 // The same for the model that is fitted to it; until then the measured BRDF is shown.
 std::shared_ptr<const frame::FittedOnGpu> findOrFit(MeasuredView& measured, const frame::MeasuredSource& source,
                                                     optics::DiffuseModel diffuse, Loader& loader);
+
+// The table behind the lobe is read beside the window where the lobe is looked at, and let go where it is not.
+void followLobe(ViewerState& state, Loader& loader);
+void takeTable(ViewerState& state, TableRead read);
 
 }  // namespace facet::view

@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "optics/synthetic_brdf.hpp"
+#include "view/lobe_panel.hpp"
 #include "view/settings_panel.hpp"
 #include "view/statistics_panel.hpp"
 #include "view/style.hpp"
@@ -171,6 +172,7 @@ void measuredChoice(ViewerState& state) {
        milliseconds(t.packMs) + ", all beside the window; uploaded " + milliseconds(t.uploadMs));
   ImGui::EndTable();
   fitTable(state.shown);
+  lobeSection(state);
 }
 
 }  // namespace facet::view

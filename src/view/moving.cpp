@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "view/load_time.hpp"
 #include "view/viewport.hpp"
 
 namespace facet::view {
@@ -17,10 +18,6 @@ constexpr int mostReduction = 16;
 constexpr int64_t fewestSliceRows = 8;
 constexpr double wholeOverSmall = 1.5;    // of a pixel: with four coverage samples over with one
 constexpr int64_t manyCorners = 1 << 20;  // of triangles, lines and points
-
-double millisecondsSince(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 int64_t cornerCount(const Viewport& viewport) {
   int64_t corners = 0;

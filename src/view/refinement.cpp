@@ -83,6 +83,7 @@ Result<void> begin(Viewport& viewport, ViewerState& state, const scene::View& vi
   r.gathering = frame::beginGathering(frameInput(viewport, view), r.targets);
   r.estimateAt = 1;
   r.parts.clear();
+  beginErrorView(viewport);
   state.refinement.wanted = s.quality.samples;
   state.refinement.softened = viewport.shown.list.features.paths && s.quality.caustics == frame::Caustics::soft;
   // A guess from the cheap frame: a sampled draw takes about as long per coverage sample. The steps adapt.
@@ -145,6 +146,7 @@ Result<void> estimate(Viewport& viewport, const frame::FrameInput& in) {
     Result<frame::ErrorSums> errors = frame::sumErrors(in, r.targets, gathering, viewport.targets, viewport.programs);
     if (!errors) return tl::unexpected(errors.error());
     r.errors = std::move(*errors);
+    if (Result<void> added = addToErrorView(viewport, in); !added) return added;
   }
   if (!gathering.complete()) frame::markBefore(r.targets, gathering);
   r.estimateAt = frame::nextEstimate(gathering.done, gathering.draws());
@@ -180,7 +182,7 @@ void stopRefinement(Viewport& viewport, ViewerState& state) {
   Refinement& r = viewport.refinement;
   r.gathering.reset();
   r.errors.reset();
-  r.pending = r.ended = r.shown = false;
+  r.pending = r.ended = r.shown = viewport.errorView.shown = false;
   r.since = Clock::now();
   if (r.movingFeatures) frame::setFeatures(viewport.shown.list, *r.movingFeatures);
   r.movingFeatures.reset();

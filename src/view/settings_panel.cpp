@@ -11,6 +11,7 @@
 #include "io/sources.hpp"
 #include "optics/presets.hpp"
 #include "shading/features.hpp"
+#include "view/error_view.hpp"
 #include "view/measured_panel.hpp"
 #include "view/playback.hpp"
 #include "view/statistics_panel.hpp"
@@ -209,6 +210,7 @@ void presetChoice(MaterialChoice& material) {
 void materialSection(ViewerState& state) {
   MaterialChoice& material = state.settings.look.material;
   MaterialSource source = materialSource(state.settings);
+  state.lobe.open = false;  // until its section says otherwise
   if (!section(state.layout, "Material", source != MaterialSource::file || !state.shown.variants.empty())) return;
   variantChoice(state);
   static constexpr Choice<MaterialSource> sources[] = {
@@ -316,10 +318,43 @@ void seedChoice(frame::PictureSettings& settings) {
   seed = std::clamp(seed, 0, frame::largestSeed);
 }
 
+// Each pixel's error, and what its colours mean.
+void errorChoice(ViewerState& state) {
+  ImGui::Checkbox("show each pixel's error", &state.errorsShown);
+  hint(
+      "its standard error on the screen, of the colour channel that is off most, as far as the samples tell it: in "
+      "colours over the picture, never in screenshots");
+  if (!state.errorsShown) return;
+  if (!frame::converges(state.settings)) return ImGui::TextDisabled("known with more than 4 samples");
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
+  constexpr int steps = layout::errorStopCount - 1;
+  for (int i = 0; i < steps; ++i) {
+    const auto color = [](int stop) {
+      const glm::vec4& c = errorStops[stop];
+      return ImGui::GetColorU32(ImVec4(c.r, c.g, c.b, 1));
+    };
+    const float left = corner.x + width * static_cast<float>(i) / steps, right = left + width / steps;
+    ImGui::GetWindowDrawList()->AddRectFilledMultiColor({left, corner.y}, {right, corner.y + height}, color(i),
+                                                        color(i + 1), color(i + 1), color(i));
+  }
+  ImGui::Dummy({width, height});
+  for (int i = 0; i <= steps; ++i) {
+    char text[16];
+    std::snprintf(text, sizeof text, "%.2g", leastError * std::pow(largestError / leastError, double(i) / steps));
+    const float wide = textWidth(text), middle = width * static_cast<float>(i) / steps - wide / 2;
+    if (i > 0) ImGui::SameLine();
+    ImGui::SetCursorScreenPos({corner.x + std::clamp(middle, 0.0f, width - wide), ImGui::GetCursorScreenPos().y});
+    ImGui::TextUnformatted(text);
+  }
+  ImGui::TextDisabled("of 255");
+}
+
 void accuracySection(ViewerState& state) {
   if (!section(state.layout, "Accuracy")) return;
   budgetChoice(state.settings);
   if (frame::converges(state.settings)) seedChoice(state.settings);
+  errorChoice(state);
   if (!beginDetails("accuracy")) return;
   const RefinementStatus& r = state.refinement;
   const bool shows = r.shown > 0;

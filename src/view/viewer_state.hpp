@@ -86,6 +86,14 @@ struct RefinementStatus {
 // "light is a preview"; "37 of 256 samples, error up to 1.2/255"; empty where there is nothing to say.
 std::string refinementText(const RefinementStatus& status);
 
+// The shown BRDF's lobe, drawn for light from a direction that one moves.
+struct LobeView {
+  bool open = false;                                  // its section is
+  float theta = 45, phi = 0;                          // of the light, from the normal and the tangent [degrees]
+  frame::MeasuredSource source;                       // of `table`, or of what is being read
+  std::shared_ptr<const optics::MeasuredBrdf> table;  // while it is open; null: being read
+};
+
 struct Turntable {
   bool on = false;
   double degreesPerSecond = 24;  // about +Y through the target; negative: the other way
@@ -159,8 +167,9 @@ struct ViewerState {
   std::vector<std::string> environments;  // that are offered: the built-in ones, those that were given, "none"
   std::vector<Entry> databases;           // of measured BRDFs, as the browser has found them
   bool fitting = false;                   // a model is being fitted to the measured BRDF
-  std::string lastBrdf;                   // that was chosen, for returning to it
-  std::string brdfFilter;                 // of the databases
+  LobeView lobe;
+  std::string lastBrdf;    // that was chosen, for returning to it
+  std::string brdfFilter;  // of the databases
 
   ShownScene shown;
   Status status;
@@ -175,6 +184,7 @@ struct ViewerState {
   bool messagesAsked = false;    // the list of messages is to open
   bool screenshotAsked = false;  // as soon as a whole picture is there
   bool screenshotWaits = false;  // for the picture to converge
+  bool errorsShown = false;      // each pixel's, in colours over the picture
   bool panelVisible = true;      // the panels that are chosen to be shown; one key hides all
   bool browserVisible = true, settingsVisible = true, timelineVisible = true;
 };

@@ -11,6 +11,7 @@
 #include "gl/context.hpp"
 #include "view/comparison.hpp"
 #include "view/environments.hpp"
+#include "view/error_view.hpp"
 #include "view/frame_clock.hpp"
 #include "view/loader.hpp"
 #include "view/measured.hpp"
@@ -35,6 +36,7 @@ struct DrawnFrame {
   frame::FrameSettings frame;
   frame::Display display;
   frame::Quality quality;
+  bool errors;  // ErrorView::wanted
 
   bool operator==(const DrawnFrame&) const = default;
 };
@@ -62,6 +64,7 @@ struct Viewport {
   Refinement refinement;
   Trees trees;
   Outline outline;
+  ErrorView errorView;
   // Of what comes up, so much goes on the GPU in one turn: the window answers in between.
   std::chrono::milliseconds slice{20};
   bool comingUp = false;       // there is more of it

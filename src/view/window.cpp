@@ -150,6 +150,7 @@ void takeLoaded(Viewport& viewport, ViewerState& state, Loader& loader) {
   if (auto environment = loader.environment.take()) takeEnvironment(viewport, state, std::move(*environment));
   if (auto measured = loader.measured.take()) takeMeasured(viewport, state, std::move(*measured));
   if (auto fit = loader.fit.take()) takeFit(viewport, state, std::move(*fit));
+  if (auto table = loader.table.take()) takeTable(state, std::move(*table));
   if (auto images = loader.images.take()) takeImages(viewport, state, std::move(*images));
   if (auto checked = loader.fileCheck.take()) takeFileCheck(state, std::move(*checked));
 }
@@ -252,6 +253,7 @@ bool turn(Loop& loop, ImGuiSession& imgui, Viewport& viewport, ViewerState& stat
   if (reloaded) reloadShaders(viewport, state);
   followFiles(loop, viewport, loader);
   followFileCheck(state, loader);
+  followLobe(state, loader);
   tellBrowser(loop, state);
   const bool collected = collect(loop.browser);
   if (const std::string only = takeDropped(loop.browser, state); !only.empty()) actions.model = only;

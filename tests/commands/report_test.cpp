@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -25,6 +26,13 @@ TEST_CASE("facet report: a topic as Markdown, CSV, JSON, to a file, what is wron
   const test::Outcome unknown = test::runFacet({"report", "fresnel", "--table", "fresnel-dielektric"});
   CHECK(unknown.status == 2);
   CHECK(unknown.text.find("fresnel-dielectric") != std::string::npos);
+  // A table's wrong name costs no measurement, its right one those of its topic alone.
+  const test::Outcome mistyped = test::runFacet({"report", "--table", "visibilty"});
+  CHECK(mistyped.status == 2);
+  CHECK(mistyped.text.find("there is no table 'visibilty'") != std::string::npos);
+  CHECK(mistyped.text.find("visibility") != std::string::npos);
+  CHECK(mistyped.text.find("OpenGL") == std::string::npos);
+  CHECK(test::runFacet({"report", "--table", "masking"}).text.find("### Approximations of Smith's masking G1") == 0);
   test::TemporaryFolder folder;
   const std::string file = folder.file("fresnel.json");
   const test::Outcome json = test::runFacet({"report", "fresnel", "--format", "json", "-o", file});
@@ -59,6 +67,26 @@ TEST_CASE("facet report: a topic as Markdown, CSV, JSON, to a file, what is wron
   CHECK(topic.text.find("fresnel") != std::string::npos);
   CHECK(test::runFacet({"report", "fresnel", "--format", "xls"}).status == 2);
   CHECK(test::runFacet({"report", "fresnel", "-o", "/nowhere/at/all.md"}).status == 2);
+}
+
+TEST_CASE("facet materials: presets with their indices, what is built in, what is wrong is told") {
+  const test::Outcome metals = test::runFacet({"materials", "--table", "metals", "--format", "json"});
+  REQUIRE(metals.status == 0);
+  const auto table = nlohmann::json::parse(metals.text)["tables"][0];
+  const auto row = std::ranges::find_if(table["rows"], [](const auto& r) { return r["name"] == "gold"; });
+  REQUIRE(row != table["rows"].end());
+  const double eta = (*row)["eta red"], k = (*row)["k red"], f0 = (*row)["f0 red"];
+  CHECK(f0 == Approx(((eta - 1) * (eta - 1) + k * k) / ((eta + 1) * (eta + 1) + k * k)));
+  CHECK(f0 > 0.9);
+  const test::Outcome both = test::runFacet({"materials"});
+  CHECK(both.text.find("| diamond ") != std::string::npos);
+  const test::Outcome builtin = test::runFacet({"materials", "--list"});
+  CHECK(builtin.status == 0);
+  for (const char* name : {"builtin:spheres", "builtin:poster", "builtin:studio", "builtin:utia-brushed"})
+    CHECK(builtin.text.find(std::string("| ") + name + " ") != std::string::npos);
+  const test::Outcome wrong = test::runFacet({"materials", "--table", "metal"});
+  CHECK(wrong.status == 2);
+  CHECK(wrong.text.find("metals") != std::string::npos);
 }
 
 TEST_CASE("facet normalmap: a flat picture becomes a level normal map, what is wrong is told") {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/srgb.hpp"
+#include "compare/legend.hpp"
 #include "support/not_a_number.hpp"
 
 using namespace facet;
@@ -300,4 +301,36 @@ TEST_CASE("compare: of few pixels none is trimmed, and a percentile is not excee
   CHECK(c->trimmedRmse == Approx(c->displayRmse).epsilon(1e-6));
   CHECK(c->percentile99 == 1);
   CHECK(c->worstShare == 0);
+}
+
+TEST_CASE("withLegend: below the map the scale of its colours, which stays as it is, none where it is too narrow") {
+  io::Pixels map{.width = 200, .height = 10, .channels = 3, .data = std::vector<uint8_t>(200 * 10 * 3, 77)};
+  const io::Pixels with = compare::withLegend(map);
+  CHECK(with.width == 200);
+  REQUIRE(with.height > 30);
+  CHECK(std::equal(map.data.begin(), map.data.end(), with.data.begin()));
+  const auto at = [&](int x, int y) {
+    const uint8_t* p = &with.data[static_cast<size_t>((y * with.width + x) * 3)];
+    return std::array<uint8_t, 3>{p[0], p[1], p[2]};
+  };
+  // In the middle of the bar a quarter, at its ends nothing and all.
+  const auto near = [](const std::array<uint8_t, 3>& a, const std::array<uint8_t, 3>& b) {
+    for (size_t c = 0; c < 3; ++c)
+      if (std::abs(int(a[c]) - int(b[c])) > 8) return false;
+    return true;
+  };
+  CHECK(near(at(100, 18), compare::heatColor(0.25)));
+  CHECK(near(at(4, 18), compare::heatColor(0)));
+  CHECK(near(at(195, 18), compare::heatColor(1)));
+  // Letters below it: "1/4" about the middle, none between the numbers.
+  const auto lit = [&](int left, int right) {
+    int count = 0;
+    for (int y = 26; y < 38; ++y)
+      for (int x = left; x < right; ++x) count += at(x, y)[0] > 200 ? 1 : 0;
+    return count;
+  };
+  CHECK(lit(88, 112) > 15);
+  CHECK(lit(70, 85) == 0);
+  map.width = 20, map.height = 100;
+  CHECK(compare::withLegend(map).height == 100);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "optics/microfacet.hpp"
+#include "optics/synthetic_brdf.hpp"
 
 using namespace facet::optics;
 
@@ -87,6 +88,76 @@ TEST_CASE("fit of a measured BRDF: energy weighs, and what it is off by is told"
     CHECK(fit.albedoErrorAngle == 75);
     CHECK(fit.albedoError == fit.albedo.back().off());
     CHECK(albedoRemark(fit).find("% at 75 degrees") != std::string::npos);
+
+    // Of its own shape the parameters come back, and no other is as good.
+    const std::vector<BrdfFit> shapes = fitShapes(ward, fit, metric);
+    REQUIRE(shapes.size() == std::size(lobeShapes));
+    const BrdfFit& own = shapes[static_cast<size_t>(LobeShape::ward)];
+    INFO(own.model.alpha.t << " f0 " << own.model.f0.x << " f90 " << own.model.f90.x << " albedo " << own.albedoError);
+    CHECK(own.model.alpha.t == Approx(0.15).epsilon(2e-3));
+    for (int c = 0; c < 3; ++c) {
+      CHECK(own.model.f0[c] == Approx(specular[c]).margin(2e-3));
+      CHECK(own.model.f90[c] == Approx(specular[c]).margin(5e-3));
+      CHECK(own.model.albedo[c] == Approx(diffuse[c]).margin(2e-3));
+    }
+    CHECK(own.albedoError < 0.02);
+    CHECK(albedoRemark(own).empty());
+    for (const BrdfFit& other : shapes) CHECK((&other == &own || other.error > 5 * own.error));
+  }
+}
+
+TEST_CASE("fit of a measured BRDF: a table of each shape of lobe gives its parameters back") {
+  const AnalyticBrdf truths[] = {
+      {.f0 = {0.9, 0.6, 0.3}, .albedo = glm::dvec3(0.05), .alpha = {0.12, 0.12}, .shape = LobeShape::beckmann},
+      {.f0 = {0.9, 0.6, 0.3},
+       .albedo = glm::dvec3(0.05),
+       .alpha = {0.1, 0.1},
+       .shape = LobeShape::gtr,
+       .exponent = 1.4},
+      {.f0 = {0.9, 0.6, 0.3}, .albedo = glm::dvec3(0.05), .alpha = {0.1, 0.1}, .shape = LobeShape::gtr, .exponent = 4},
+      {.f0 = {0.9, 0.6, 0.3},
+       .albedo = glm::dvec3(0.05),
+       .alpha = {0.06, 0.06},
+       .shape = LobeShape::twoGgx,
+       .widening = 6,
+       .wideShare = 0.3}};
+  for (const AnalyticBrdf& truth : truths) {
+    const MeasuredBrdf brdf = makeMeasured(truth, MeasuredKind::merl, "shape");
+    const BrdfFit fit =
+        fitAnalytic(brdf, fitSamples(brdf), fitProxy(brdf), DiffuseModel::lambert, FitMetric::log, truth.shape);
+    const BrdfFit ggx = fitOf(brdf, DiffuseModel::lambert, FitMetric::log);
+    INFO(rowOf(lobeShapes, truth.shape).word << ": alpha " << fit.model.alpha.t << " exponent " << fit.model.exponent
+                                             << " wider " << fit.model.widening << " share " << fit.model.wideShare
+                                             << " error " << fit.error << " of GGX " << ggx.error);
+    CHECK(fit.model.alpha.t == Approx(truth.alpha.t).epsilon(5e-3));
+    CHECK(fit.model.exponent == Approx(truth.exponent).epsilon(5e-3));
+    CHECK(fit.model.widening == Approx(truth.widening).epsilon(1e-2));
+    CHECK(fit.model.wideShare == Approx(truth.wideShare).margin(5e-3));
+    for (int c = 0; c < 3; ++c) CHECK(fit.model.f0[c] == Approx(truth.f0[c]).epsilon(5e-3));
+    CHECK(fit.error < 1e-3);
+    CHECK(ggx.error > 5 * fit.error);
+  }
+}
+
+TEST_CASE("fit of a measured BRDF: two alphas of Beckmann's and Ward's lobes too, and of two") {
+  for (const LobeShape shape : {LobeShape::beckmann, LobeShape::ward, LobeShape::twoGgx}) {
+    const AnalyticBrdf truth{.f0 = glm::dvec3(0.7),
+                             .f90 = glm::dvec3(0.7),
+                             .alpha = {0.5, 0.25},
+                             .phi = pi / 5,
+                             .shape = shape,
+                             .widening = shape == LobeShape::twoGgx ? 2.0 : 1.0,
+                             .wideShare = shape == LobeShape::twoGgx ? 0.4 : 0.0};
+    const MeasuredBrdf brdf = makeMeasured(truth, MeasuredKind::utia, "shape");
+    const BrdfFit fit =
+        fitAnalytic(brdf, fitSamples(brdf), fitProxy(brdf), DiffuseModel::lambert, FitMetric::log, shape);
+    INFO(rowOf(lobeShapes, shape).word << ": alpha " << fit.model.alpha.t << " " << fit.model.alpha.b << " phi "
+                                       << fit.model.phi << " wider " << fit.model.widening << " share "
+                                       << fit.model.wideShare << " error " << fit.error);
+    CHECK(fit.model.alpha.t == Approx(0.5).epsilon(0.02));
+    CHECK(fit.model.alpha.b == Approx(0.25).epsilon(0.02));
+    CHECK(fit.model.phi == Approx(pi / 5).margin(0.01));
+    CHECK(fit.error < 2e-3);
   }
 }
 

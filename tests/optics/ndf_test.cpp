@@ -40,6 +40,39 @@ TEST_CASE("Beckmann and Blinn: known values, the projected area of all facets is
   CHECK(D_BlinnFromSin2(1, 1) == Approx(1 / pi));
 }
 
+TEST_CASE("GTR: GGX at exponent 2, the projected area of all facets is one at every other") {
+  for (double alpha : {0.01, 0.1, 0.5, 0.999, 1.0}) {
+    for (double exponent : {0.5, 1.0, 1.0 + 1e-10, 1.3, 2.0, 3.0, 8.0}) {
+      INFO("alpha " << alpha << " exponent " << exponent);
+      const auto D = [&](double s) { return D_GTR(std::sqrt(1 - s), alpha, exponent); };
+      CHECK(projectedArea(D, alpha) == Approx(1).margin(2e-5));  // an exponent of 0.5 has a long tail
+    }
+    for (double NoH : {0.1, 0.7, 0.999}) CHECK(D_GTR(NoH, alpha, 2) == Approx(D_GGX(NoH, alpha)).epsilon(1e-9));
+  }
+  CHECK(D_GTR(1, 1e-6, 2) == Approx(D_GGX(1, 1e-6)));
+  CHECK(D_GTR(-0.1, 0.5, 2) == 0);
+}
+
+TEST_CASE("Beckmann with two widths: the isotropic one where they are equal, the projected area is one, reciprocal") {
+  for (double alpha : {0.05, 0.4, 1.0}) {
+    const glm::dvec3 V = direction(0.3, 0.4), L = direction(0.8, 2), H = glm::normalize(V + L);
+    CHECK(D_BeckmannAnisotropic(H, {alpha, alpha}) == Approx(D_Beckmann(H.z, alpha)));
+    CHECK(V_BeckmannAnisotropic(V, L, {alpha, alpha}) == Approx(V_BeckmannCorrelated(V.z, L.z, alpha)));
+    const AnisotropicAlpha two{alpha, 0.3};
+    CHECK(V_BeckmannAnisotropic(V, L, two) == Approx(V_BeckmannAnisotropic(L, V, two)));
+    // D cos dH over slopes t x, b y: exp(-x^2 - y^2) / pi.
+    double area = 0;
+    constexpr int n = 200;
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) {
+        const double x = 12.0 * (i + 0.5) / n - 6, y = 12.0 * (j + 0.5) / n - 6;
+        const glm::dvec3 h = glm::normalize(glm::dvec3(two.t * x, two.b * y, 1));
+        area += D_BeckmannAnisotropic(h, two) * std::pow(h.z, 4) * two.t * two.b * 144 / (n * n);
+      }
+    CHECK(area == Approx(1).margin(1e-9));
+  }
+}
+
 TEST_CASE("Smith's G1 is what the visible normals ask for") {
   for (double alpha : {0.1, 0.5, 1.0})
     for (double NoV : {0.02, 0.1, 0.5, 0.9, 1.0}) {

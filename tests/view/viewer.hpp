@@ -32,7 +32,9 @@ struct Viewer {
       if (auto brdf = loader.measured.take()) view::takeMeasured(viewport, state, std::move(*brdf));
       if (auto fit = loader.fit.take()) view::takeFit(viewport, state, std::move(*fit));
       if (auto images = loader.images.take()) view::takeImages(viewport, state, std::move(*images));
+      if (auto table = loader.table.take()) view::takeTable(state, std::move(*table));
       view::bringUp(viewport, state, loader);
+      view::followLobe(state, loader);
       view::followFileCheck(state, loader);
       if (auto checked = loader.fileCheck.take(state.fileCheck.wanted)) view::takeFileCheck(state, std::move(*checked));
       if (!loader.running() && !viewport.comingUp) break;

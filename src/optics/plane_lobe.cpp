@@ -1,0 +1,25 @@
+#include "optics/plane_lobe.hpp"
+
+#include <cmath>
+
+#include "optics/microfacet.hpp"
+
+namespace facet::optics {
+
+PlaneLobe planeLobe(const std::function<glm::dvec3(const glm::dvec3& V, const glm::dvec3& L)>& f, double theta,
+                    double phi) {
+  const auto at = [phi](double angle) {  // V's own side is negative
+    return glm::dvec3(-std::sin(angle) * std::cos(phi), -std::sin(angle) * std::sin(phi), std::cos(angle));
+  };
+  constexpr double tenth = pi / 1800;
+  const glm::dvec3 V = at(-theta);
+  PlaneLobe lobe;
+  for (int i = -895; i <= 895; i += std::abs(i * tenth - theta) < 100 * tenth ? 1 : 5) {
+    const glm::dvec3 L = at(i * tenth);
+    lobe.angles.push_back(i * tenth);
+    lobe.values.push_back(f(V, L) * L.z);
+  }
+  return lobe;
+}
+
+}  // namespace facet::optics
