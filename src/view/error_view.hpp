@@ -26,7 +26,7 @@ struct ErrorView {
   int contrasts = 0;    // in the refinement's targets
   gl::Texture picture;  // RGBA8, of the picture's size
   gl::Framebuffer target;
-  bool shown = false;
+  bool shown = false;  // as soon as the gathered picture is, whose errors these are
 };
 
 // Room for it in the refinement's targets, or none; nothing is known yet.

@@ -46,7 +46,7 @@ void present(GLFWwindow* window, const Viewport& viewport, const ViewerState& st
   const bool transparent = state.settings.frame.background == frame::Background::transparent;
   const frame::Targets& shown = viewport.moving.showsSmall ? viewport.moving.small : viewport.targets;
   if (shown.shown && transparent) drawOverChecks(shown);
-  if (viewport.errorView.shown) layOver(viewport.errorView.picture);
+  if (viewport.errorView.shown && viewport.refinement.shown) layOver(viewport.errorView.picture);
   if (viewport.outline.shown) layOver(viewport.outline.line);
   ImGui::Render();
   int width = 0, height = 0;

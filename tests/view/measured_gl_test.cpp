@@ -112,6 +112,41 @@ TEST_CASE("measured BRDF in the window: the newest of several is shown, the last
   viewer.checkMiddle(green);
 }
 
+TEST_CASE("measured BRDF in the window: the table of the lobe is there while it is looked at, and of what is shown",
+          "[gl]") {
+  Furnace viewer;
+  const std::string source = viewer.folder.write("a.bin", matte(red));
+  viewer.choose(source);
+  viewer.settle();
+  const auto value = [&] {
+    const std::shared_ptr<const optics::MeasuredBrdf>& table = viewer.state.lobe.table;
+    REQUIRE(table);
+    const glm::dvec3 V(0, 0.6, 0.8);
+    return optics::pi * optics::measuredBrdf(*table, V, V, optics::LookUp::interpolated);
+  };
+  CHECK_FALSE(viewer.state.lobe.table);
+  viewer.state.lobe.open = true;
+  view::followLobe(viewer.state, viewer.loader);
+  viewer.settle();
+  CHECK(value().r == Approx(red.r).epsilon(1e-3));
+  // The file changes: the next look is at what it holds then.
+  viewer.folder.write("a.bin", matte(green));
+  view::startMeasured(viewer.loader, viewer.state.shown.measured->source, true);
+  viewer.settle();
+  view::followLobe(viewer.state, viewer.loader);
+  viewer.settle();
+  CHECK(value().g == Approx(green.g).epsilon(1e-3));
+  viewer.choose("builtin:lambert");
+  viewer.settle();
+  view::followLobe(viewer.state, viewer.loader);
+  viewer.settle();
+  CHECK(value().r == Approx(0.5).epsilon(1e-3));
+  viewer.state.lobe.open = false;
+  view::followLobe(viewer.state, viewer.loader);
+  CHECK_FALSE(viewer.state.lobe.table);
+  CHECK_FALSE(viewer.loader.table.running());
+}
+
 TEST_CASE("measured BRDF in the window: a file that changes is read again, a faulty one leaves what is shown", "[gl]") {
   Furnace viewer;
   const std::string source = viewer.folder.write("a.bin", matte(red));
