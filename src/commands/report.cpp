@@ -73,9 +73,10 @@ Result<std::optional<TableFormat>> chosenFormat(const ReportArguments& arguments
 }
 
 Origin originOf(const report::ReportInput& input, const std::vector<const report::Topic*>& topics) {
-  if (!input.session) return originOfProcess();
-  Origin origin = gl::originOn(input.session->context());
-  origin.environment = input.environment;
+  Origin origin = input.session ? gl::originOn(input.session->context()) : originOfProcess();
+  if (input.session || std::ranges::any_of(topics, &report::Topic::underEnvironment))
+    origin.environment = input.environment;
+  if (!input.session) return origin;
   origin.model = input.model.empty() && topics.size() == 1 ? std::string(topics.front()->usualModel) : input.model;
   origin.seed = 0;
   return origin;

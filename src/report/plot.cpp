@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <limits>
 
+#include "base/text.hpp"
+
 namespace facet::report {
 
 namespace {
@@ -25,7 +27,8 @@ std::string px(double value) {
   return text;
 }
 
-std::string escaped(std::string_view text) {
+std::string escaped(std::string_view raw) {
+  const std::string text = withValidUtf8(raw).value_or(std::string(raw));  // names of files may be anything
   std::string result;
   for (const char c : text) {
     switch (c) {

@@ -29,6 +29,8 @@ constexpr optics::Sources sources[] = {
     {"estimate-samples", "Satterthwaite1946 Wilson1931"},
     {"frame-textures", "Andersson2020"},
     {"methods", "Karis2013 Krivanek2008 Ramamoorthi2001"},
+    {"sampling", "Halton1960 Sobol1967 Owen1995 Burley2020 Cranley1976 Heitz2018"},
+    {"sampling-discrepancy", "Bundschuh1993 Halton1960 Sobol1967 Owen1995 Burley2020"},
     {"visibility", "Jimenez2016 Veach1997 Dammertz2010 Heitz2018Shadows Andersson2020"},
     {"sweep", "Andersson2020"},
     // compare

@@ -24,7 +24,8 @@ std::string cellText(const Cell& cell, const char* format) {
   return value ? numberText(*value, format) : std::get<std::string>(cell);
 }
 
-std::string csvField(const std::string& text) {
+std::string csvField(const std::string& raw) {
+  const std::string text = withValidUtf8(raw).value_or(raw);  // names of files may be anything
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);
@@ -37,13 +38,19 @@ std::string markdownCell(const std::string& text) {
   return out;
 }
 
+std::string sourcesText(const Table& table) {
+  std::string sources;
+  for (const std::string& key : optics::sourcesOf(tableSources(), table.name))
+    sources += (sources.empty() ? "" : " ") + key;
+  return sources;
+}
+
 // Columns padded, so that the text reads as a table too.
 void addMarkdown(const Table& table, std::string& out) {
   out += "### " + table.title + "\n\n";
   if (!table.note.empty()) out += table.note + "\n\n";
-  std::string sources;
-  for (const std::string& key : optics::sourcesOf(tableSources(), table.name)) sources += " " + key;
-  if (!sources.empty()) out += "Sources (src/optics/references.bib):" + sources + "\n\n";
+  if (const std::string sources = sourcesText(table); !sources.empty())
+    out += "Sources (src/optics/references.bib): " + sources + "\n\n";
   std::vector<std::vector<std::string>> lines = {table.columns};
   for (const std::vector<Cell>& row : table.rows) {
     assert(row.size() == table.columns.size());
@@ -82,6 +89,7 @@ std::string csv(const Table& table, const Origin& origin) {
   for (const auto& [name, value] : originFields(origin))
     if (std::ranges::find(table.columns, name) == table.columns.end())
       names += "," + name, values += "," + csvField(value);
+  names += ",sources", values += "," + csvField(sourcesText(table));
   const auto addLine = [&](const auto& fields, const std::string& last, auto text) {
     for (size_t i = 0; i < fields.size(); ++i) out.append(i == 0 ? "" : ",").append(csvField(text(fields[i])));
     out += last + "\n";

@@ -13,6 +13,7 @@
 #include "report/methods.hpp"
 #include "report/model_plots.hpp"
 #include "report/models.hpp"
+#include "report/sampling.hpp"
 #include "report/visibility.hpp"
 
 namespace facet::report {
@@ -44,6 +45,13 @@ constexpr Topic topics[] = {
      "methods"},
     {"ndf", "shadowing terms and energy of GGX, Beckmann and Blinn", false, computed<ndfTables, ndfPlots>,
      "masking lobes"},
+    {"sampling",
+     "integrals by sums over points, from chance to Owen-scrambled: error against samples, discrepancy",
+     false,
+     samplingReport,
+     "sampling sampling-discrepancy",
+     {},
+     true},
     {"visibility", "shadows and interreflection: each way of light against converged paths", true, visibilityReport,
      "visibility", "builtin:poster"},
 };

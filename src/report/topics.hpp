@@ -52,6 +52,7 @@ struct Topic {
   ReportPart make;
   std::string_view tables;           // that it makes, by spaces: a wrong name is told before anything is measured
   std::string_view usualModel = {};  // of its pictures; empty: it draws none
+  bool underEnvironment = false;     // without OpenGL, too
 };
 bool makesTable(const Topic& topic, std::string_view table);
 // Of the topics in their order, each of its usual model where input names none.

@@ -8,6 +8,7 @@
 
 #include "optics/diffuse.hpp"
 #include "optics/energy.hpp"
+#include "report/plot.hpp"
 
 using namespace facet;
 using report::Table;
@@ -100,6 +101,8 @@ TEST_CASE("Tables: their sources") {
   const nlohmann::json json = nlohmann::json::parse(report::json(tables, {}))["tables"];
   CHECK(json[0]["sources"] == nlohmann::json({"Dupuy2015"}));
   CHECK(json[1]["sources"] == nlohmann::json::array());
+  CHECK(report::csv(tables[0], {}).find(",seed,sources\n1,") != std::string::npos);
+  CHECK(report::csv(tables[0], {}).ends_with(",Dupuy2015\n"));
 }
 
 TEST_CASE("Tables: Markdown, CSV, JSON") {
@@ -111,13 +114,20 @@ TEST_CASE("Tables: Markdown, CSV, JSON") {
         "### First one\n\nA note.\n\n| name  | a, b  |\n| ----- | ----- |\n| x \"y\" | 0.125 |\n\n"
         "Made by facet `1.2`, commit `abc`, renderer `a, b`, command `facet x`, seed `7`.\n");
   CHECK(report::csv(tables[0], origin) ==
-        "name,\"a, b\",facet,commit,renderer,driver,date,command,environment,model,seed\n"
-        "\"x \"\"y\"\"\",0.125,1.2,abc,\"a, b\",,,facet x,,,7\n");
+        "name,\"a, b\",facet,commit,renderer,driver,date,command,environment,model,seed,sources\n"
+        "\"x \"\"y\"\"\",0.125,1.2,abc,\"a, b\",,,facet x,,,7,\n");
   const nlohmann::json json = nlohmann::json::parse(report::json(tables, origin));
   CHECK(json["tables"][0]["rows"][0]["a, b"] == 0.125);
   CHECK(json["tables"][0]["rows"][0]["name"] == "x \"y\"");
   CHECK(json["origin"]["seed"] == 7);
   CHECK(json["origin"]["model"].is_null());
+}
+
+TEST_CASE("Tables: names of files that are no UTF-8 are shown as they can be") {
+  const Table table{"t", "T", "", {"model"}, {{std::string("caf\xe9.glb")}}};
+  CHECK(report::csv(table, {}).find("\ncaf\xef\xbf\xbd.glb,") != std::string::npos);
+  const report::Plot plot{.title = "caf\xe9 <1>"};
+  CHECK(report::svg({plot}, {}).find("caf\xef\xbf\xbd &lt;1&gt;") != std::string::npos);
 }
 
 TEST_CASE("Tables: numbers read back to the last bit, what is not there is null, units are those of the columns") {
