@@ -1,18 +1,13 @@
 #include "scene/builtin_marbles.hpp"
 
-#include <spng.h>
-
 #include <array>
 #include <cmath>
-#include <cstdlib>
-#include <memory>
-#include <span>
-#include <stdexcept>
 #include <string>
 
 #include "base/angle.hpp"
 #include "base/parallel.hpp"
 #include "scene/glb_writer.hpp"
+#include "scene/png_writer.hpp"
 #include "scene/shapes.hpp"
 
 namespace facet::scene {
@@ -33,27 +28,10 @@ uint32_t hashed(uint32_t x) {
 // [0, 1)
 double chance(uint32_t of) { return hashed(of) / 4294967296.0; }
 
-std::vector<uint8_t> palettePng(const Texels& texels, const Palette& colors) {
-  const auto close = [](spng_ctx* context) { spng_ctx_free(context); };
-  const std::unique_ptr<spng_ctx, decltype(close)> png(spng_ctx_new(SPNG_CTX_ENCODER), close);
-  spng_ihdr header = {edge, edge, 8, SPNG_COLOR_TYPE_INDEXED, 0, 0, 0};
-  spng_plte palette = {256, {}};
-  for (size_t i = 0; i < colors.size(); ++i) {
-    const glm::dvec3 rounded = glm::clamp(colors[i] * 255.0 + 0.5, 0.0, 255.0);
-    palette.entries[i] = {uint8_t(rounded.r), uint8_t(rounded.g), uint8_t(rounded.b), 0};
-  }
-  spng_set_option(png.get(), SPNG_ENCODE_TO_BUFFER, 1);
-  spng_set_option(png.get(), SPNG_IMG_COMPRESSION_LEVEL, 1);
-  spng_set_option(png.get(), SPNG_FILTER_CHOICE, SPNG_DISABLE_FILTERING);
-  spng_set_ihdr(png.get(), &header);
-  spng_set_plte(png.get(), &palette);
-  int status = spng_encode_image(png.get(), texels.data(), texels.size(), SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE);
-  size_t size = 0;
-  const auto free = [](void* bytes) { std::free(bytes); };
-  const std::unique_ptr<void, decltype(free)> bytes(spng_get_png_buffer(png.get(), &size, &status), free);
-  if (status != 0) throw std::bad_alloc();
-  const auto* first = static_cast<const uint8_t*>(bytes.get());
-  return {first, first + size};
+std::vector<uint8_t> png(const Texels& texels, const Palette& colors) {
+  std::array<glm::u8vec3, 256> rounded;
+  for (size_t i = 0; i < colors.size(); ++i) rounded[i] = glm::u8vec3(glm::clamp(colors[i] * 255.0 + 0.5, 0.0, 255.0));
+  return palettePng(edge, edge, texels, rounded);
 }
 
 // Bricks in courses of 32 texels, mortar between them; a grain of single texels and of eight over all.
@@ -128,11 +106,9 @@ std::vector<uint8_t> marbles() {
   std::array<std::vector<uint8_t>, setCount * kinds> images;
   parallelFor(images.size(), [&](size_t i) {
     const Palettes p = palettes(uint32_t(i / kinds));
-    images[i] = palettePng(drawn.stones, i % kinds == 0   ? p.baseColor
-                                         : i % kinds == 1 ? p.metallicRoughness
-                                                          : p.emissive);
+    images[i] = png(drawn.stones, i % kinds == 0 ? p.baseColor : i % kinds == 1 ? p.metallicRoughness : p.emissive);
   });
-  const std::vector<uint8_t> normals = palettePng(drawn.normals, slopes());
+  const std::vector<uint8_t> normals = png(drawn.normals, slopes());
 
   GlbWriter w = startGlb();
   std::array<std::array<int, kinds + 1>, setCount> textures;

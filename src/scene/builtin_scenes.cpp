@@ -10,6 +10,7 @@
 #include "base/parallel.hpp"
 #include "optics/presets.hpp"
 #include "scene/builtin_marbles.hpp"
+#include "scene/builtin_robot.hpp"
 #include "scene/glb_writer.hpp"
 #include "scene/shapes.hpp"
 
@@ -17,7 +18,7 @@ namespace facet::scene {
 
 namespace {
 
-const std::array<BuiltinScene, 8> scenes = {{
+const std::array<BuiltinScene, 9> scenes = {{
     {"poster", "a golden trefoil among spheres of many materials", "builtin:studio", {-20, 75, 7.3, {0, 0.82, 0}, 35}},
     {"spheres",
      "roughness (to the right) by metallic (upwards) under four point lights",
@@ -33,6 +34,10 @@ const std::array<BuiltinScene, 8> scenes = {{
      "100 textured ellipsoids of small triangles, seen from far, for measuring",
      "builtin:studio",
      {20, 75, 40, {0, 0, 0}, 45}},
+    {"robot",
+     "a robot grown from rules walks through a room into a corridor (animation walk, camera film)",
+     "none",
+     {24, 82, 4.3, {0, 1.0, -4.9}, 42}},
     {"ndf",
      "GGX above, Beckmann, Blinn below; roughness 0.15 to 1 to the right, under one point light",
      "none",
@@ -293,6 +298,7 @@ Result<std::vector<uint8_t>> builtinScene(std::string_view name) {
   if (scene->name == "crowd") return crowd();
   if (scene->name == "palette") return palette();
   if (scene->name == "marbles") return marbles();
+  if (scene->name == "robot") return robot();
   if (scene->name == "ndf") return distributions();
   if (scene->name == "metals") return metals();
   return poster();

@@ -31,6 +31,7 @@ const BuiltinScene* findBuiltinScene(std::string_view name);
 //   metals   a sphere for each metal preset, which it names likewise: --fresnel exact takes its complex index.
 //   poster   a polished trefoil among spheres of many materials on a stone turntable, whose vertex colours hold the
 //            occlusion of the sky by what stands on it.
+//   robot    a robot of sweeps in a room with a corridor, in its walk, with textures from noise: builtin_robot.hpp.
 //   crowd    100,000 nodes in a tree, all drawing one mesh; palette: 1,000 materials; marbles: 100 draws of small
 //   textured
 //            triangles. What large scenes cost.

@@ -10,6 +10,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "glTF is little-endian");
 
 constexpr int floatType = 5126, ushortType = 5123, uintType = 5125;
+constexpr const char* lightsExtension = "KHR_lights_punctual";
 constexpr int arrayBuffer = 34962, elementArrayBuffer = 34963;
 
 template <class T>
@@ -85,16 +86,78 @@ int addMesh(GlbWriter& w, const std::string& name, nlohmann::json primitive, int
                 nlohmann::json{{"name", name}, {"primitives", nlohmann::json::array({std::move(primitive)})}});
 }
 
+int addMesh(GlbWriter& w, const std::string& name, const std::vector<std::pair<nlohmann::json, int>>& parts) {
+  nlohmann::json primitives = nlohmann::json::array();
+  for (const auto& [primitive, material] : parts) {
+    primitives.push_back(primitive);
+    primitives.back()["material"] = material;
+  }
+  return append(w.gltf["meshes"], nlohmann::json{{"name", name}, {"primitives", primitives}});
+}
+
+int addMesh(GlbWriter& w, const std::string& name, const std::vector<std::pair<Shape, int>>& parts) {
+  std::vector<std::pair<nlohmann::json, int>> primitives;
+  for (const auto& [shape, material] : parts) primitives.emplace_back(addShape(w, shape), material);
+  return addMesh(w, name, primitives);
+}
+
+void setGlow(GlbWriter& w, int material, const glm::dvec3& color, double strength) {
+  constexpr const char* extension = "KHR_materials_emissive_strength";
+  useExtension(w, extension);
+  nlohmann::json& m = w.gltf["materials"][size_t(material)];
+  m["emissiveFactor"] = {color.r, color.g, color.b};
+  m["extensions"][extension] = {{"emissiveStrength", strength}};
+}
+
 int addPngTexture(GlbWriter& w, const std::vector<uint8_t>& png) {
   const int image =
       append(w.gltf["images"], nlohmann::json{{"bufferView", addView(w, png)}, {"mimeType", "image/png"}});
   return append(w.gltf["textures"], nlohmann::json{{"source", image}});
 }
 
+nlohmann::json nodeAt(const std::string& name, const glm::dvec3& translation, int mesh) {
+  nlohmann::json node = {{"name", name}, {"translation", {translation.x, translation.y, translation.z}}};
+  if (mesh >= 0) node["mesh"] = mesh;
+  return node;
+}
+
 int addNode(GlbWriter& w, nlohmann::json node) {
   const int index = append(w.gltf["nodes"], std::move(node));
   w.gltf["scenes"][0]["nodes"].push_back(index);
   return index;
+}
+
+int addChild(GlbWriter& w, int parent, nlohmann::json node) {
+  const int index = append(w.gltf["nodes"], std::move(node));
+  w.gltf["nodes"][size_t(parent)]["children"].push_back(index);
+  return index;
+}
+
+void addAnimation(GlbWriter& w, const std::string& name, const std::vector<float>& times,
+                  const std::vector<Track>& tracks) {
+  constexpr const char* types[] = {"", "SCALAR", "VEC2", "VEC3", "VEC4"};
+  constexpr const char* extension = "KHR_animation_pointer";
+  const auto floats = [&](const std::vector<float>& values, int width) {
+    return append(w.gltf["accessors"], nlohmann::json{{"bufferView", addView(w, values)},
+                                                      {"componentType", floatType},
+                                                      {"count", values.size() / size_t(width)},
+                                                      {"type", types[width]}});
+  };
+  const int input = floats(times, 1);
+  w.gltf["accessors"][size_t(input)]["min"] = {times.front()};
+  w.gltf["accessors"][size_t(input)]["max"] = {times.back()};
+  nlohmann::json samplers = nlohmann::json::array(), channels = nlohmann::json::array();
+  for (const Track& track : tracks) {
+    const int sampler =
+        append(samplers, nlohmann::json{{"input", input}, {"output", floats(track.values, track.width)}});
+    nlohmann::json target = {{"node", track.node}, {"path", track.path}};
+    if (track.path.starts_with('/')) {
+      useExtension(w, extension);
+      target = {{"path", "pointer"}, {"extensions", {{extension, {{"pointer", track.path}}}}}};
+    }
+    channels.push_back({{"sampler", sampler}, {"target", target}});
+  }
+  w.gltf["animations"].push_back({{"name", name}, {"samplers", samplers}, {"channels", channels}});
 }
 
 void useExtension(GlbWriter& w, const std::string& name) {
@@ -104,14 +167,17 @@ void useExtension(GlbWriter& w, const std::string& name) {
   used.push_back(name);
 }
 
+int addLight(GlbWriter& w, const std::string& name, double candela) {
+  useExtension(w, lightsExtension);
+  return append(w.gltf["extensions"][lightsExtension]["lights"],
+                nlohmann::json{{"name", name}, {"type", "point"}, {"intensity", candela}});
+}
+
 int addPointLight(GlbWriter& w, const std::string& name, const glm::dvec3& position, double candela) {
-  constexpr const char* extension = "KHR_lights_punctual";
-  useExtension(w, extension);
-  const int light = append(w.gltf["extensions"][extension]["lights"],
-                           nlohmann::json{{"name", name}, {"type", "point"}, {"intensity", candela}});
+  const int light = addLight(w, name, candela);
   addNode(w, {{"name", name},
               {"translation", {position.x, position.y, position.z}},
-              {"extensions", {{extension, {{"light", light}}}}}});
+              {"extensions", {{lightsExtension, {{"light", light}}}}}});
   return light;
 }
 
