@@ -144,13 +144,17 @@ void addDecodings(report::Table& table, const std::string& file) {
   }
 }
 
-// "; two GGX come within 1.2 %", of the shape whose albedo is off least.
+// "; two GGX come within 1.2 %", of the shape whose albedo is off least, where that is much less than GGX' and the rest
+// fits no worse.
 std::string closerShape(const std::vector<optics::BrdfFit>& shapes) {
+  const optics::BrdfFit& ggx = shapes.front();
   const auto least = std::ranges::min_element(shapes, {}, &optics::BrdfFit::albedoError);
-  if (least == shapes.begin()) return {};
+  if (least->albedoError > ggx.albedoError / 2 || least->misfit > ggx.misfit) return {};
+  const bool several = least->model.shape == optics::LobeShape::twoGgx;
   char text[80];
-  std::snprintf(text, sizeof text, "; %s comes within %.2g %%",
-                std::string(rowOf(optics::lobeShapes, least->model.shape).label).c_str(), 100 * least->albedoError);
+  std::snprintf(text, sizeof text, "; %s %s within %.2g %%",
+                std::string(rowOf(optics::lobeShapes, least->model.shape).label).c_str(), several ? "come" : "comes",
+                100 * least->albedoError);
   return text;
 }
 

@@ -53,6 +53,7 @@ constexpr Command commandTable[] = {
      addMaterials},
     {"tables", "an environment's tables as pictures: DFG, prefiltered radiance, irradiance",
      "  facet tables --env studio.hdr -o tables", addTables},
+    {"export", "a built-in scene as a file", "  facet export builtin:robot -o robot.glb", addExport},
     {"report", "how far each approximate formula is from its truth, as tables",
      "  facet report fresnel\n"
      "  facet report diffuse -o diffuse.csv\n"

@@ -46,6 +46,7 @@ int badInput(const Error& error);
 std::function<int()> addBrdf(CLI::App& app);
 std::function<int()> addCompare(CLI::App& app);
 std::function<int()> addComplete(CLI::App& app);
+std::function<int()> addExport(CLI::App& app);
 std::function<int()> addInspect(CLI::App& app);
 std::function<int()> addManual(CLI::App& app);
 std::function<int()> addMaterials(CLI::App& app);

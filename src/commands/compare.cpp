@@ -271,7 +271,8 @@ std::function<int()> addCompare(CLI::App& app) {
   app.add_flag("--mask-from-alpha", settings->maskFromAlpha, "judge only where the reference's alpha is above 0.5");
   app.add_option("--diff", settings->diff,
                  "write a heat map of the display differences:\n"
-                 "0 black, 1/16 blue, 1/4 red, 9/16 yellow, 1 white, with the scale below; not finite magenta")
+                 "0 black, 1/16 blue, 1/4 red, 9/16 yellow, 1 white, with the scale below from 160 pixels of width on; "
+                 "not finite magenta")
       ->type_name("D.png");
   app.add_option("--maps", settings->maps,
                  "write signed linear differences, and those relative to the reference as the layer \"relative\"")

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -95,6 +96,10 @@ int runReport(const ReportArguments& arguments) {
   input.shaderDir = arguments.shaderDir;
   input.size = arguments.size, input.samples = arguments.samples, input.repeat = arguments.repeat;
   input.progress = [](const std::string& what) { log::info(what); };
+  std::set<std::string> told;
+  input.warn = [&](const std::string& what) {
+    if (told.insert(what).second) log::warning(what);
+  };
   std::unique_ptr<frame::Session> session;
   if (std::ranges::any_of(*topics, &report::Topic::needsOpenGL)) {
     Result<std::unique_ptr<frame::Session>> made = frame::Session::create({.shaderDir = arguments.shaderDir});

@@ -228,7 +228,7 @@ Result<void> addContrast(const Targets& targets, const Gathering& gathering, Pro
   glUseProgram((*program)->id());
   glDispatchCompute(static_cast<GLuint>(layout::groupsFor(targets.width, layout::groupSize)),
                     static_cast<GLuint>(layout::groupsFor(targets.height, layout::groupSize)), 1);
-  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
   return {};
 }
 

@@ -211,13 +211,14 @@ double solveColors(AnalyticBrdf& model, const Target& target, FitMetric metric) 
 
 double alphaOfLog(double value) { return std::clamp(std::exp(value), smallestFitAlpha, 1.0); }
 
-// alpha.t the larger one, its azimuth in [0, pi).
+// alpha.t the larger one, its azimuth in [0, pi); the widening what of it acts.
 void normalise(AnalyticBrdf& model) {
   if (model.alpha.t < model.alpha.b) {
     std::swap(model.alpha.t, model.alpha.b);
     model.phi += pi / 2;
   }
   model.phi = std::fmod(std::fmod(model.phi, pi) + pi, pi);
+  model.widening = std::min(model.widening, 1 / model.alpha.b);  // wider than alpha 1 is none
 }
 
 }  // namespace
@@ -298,7 +299,7 @@ struct Unknowns {
     model.alpha = {alphaOfLog(x[0]), alphaOfLog(x[turned ? 1 : 0])};
     model.phi = turned ? x[2] : 0;
     const double* own = x.data() + (turned ? 3 : 1);
-    if (shape == LobeShape::gtr) model.exponent = std::clamp(std::exp(own[0]), 0.2, 20.0);
+    if (shape == LobeShape::gtr) model.exponent = std::clamp(std::exp(own[0]), leastExponent, mostExponent);
     if (shape != LobeShape::twoGgx) return;
     model.widening = std::clamp(std::exp(own[0]), 1.0, 1 / smallestFitAlpha);
     model.wideShare = std::clamp(own[1], 0.0, 1.0);

@@ -13,7 +13,8 @@ struct PlaneLobe {
   std::vector<glm::dvec3> values;  // f_r NoX, linear RGB [1/sr]
 };
 // f(V, L): f_r. theta, phi: of V from the normal and from the tangent [rad]. Steps of half a degree, a tenth within 10
-// degrees of the mirror direction, where lobes are narrow.
+// degrees of the mirror direction, where lobes are narrow; that direction itself, and ever
+// finer steps about it.
 PlaneLobe planeLobe(const std::function<glm::dvec3(const glm::dvec3& V, const glm::dvec3& L)>& f, double theta,
                     double phi);
 

@@ -5,11 +5,11 @@
 
 #include "base/parallel.hpp"
 #include "frame/session.hpp"
-#include "io/sources.hpp"
 #include "optics/lights.hpp"
 #include "optics/microfacet.hpp"
 #include "optics/quadrature.hpp"
 #include "optics/reference.hpp"
+#include "report/environment.hpp"
 #include "report/light.hpp"
 #include "selftest/error_figures.hpp"
 #include "selftest/light_probe.hpp"
@@ -82,8 +82,7 @@ std::vector<Model> lobeModels() {
 }  // namespace
 
 Result<Report> lightLobes(const ReportInput& input) {
-  Notes notes;
-  const Result<scene::Environment> environment = io::loadEnvironmentSource(input.environment, notes);
+  const Result<scene::Environment> environment = environmentOf(input);
   if (!environment) return tl::unexpected(environment.error());
   input.progress("lobes: the integrals");
   const std::vector<Case> list = cases(*environment);

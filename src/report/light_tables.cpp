@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/sources.hpp"
 #include "optics/color.hpp"
 #include "optics/reference.hpp"
+#include "report/environment.hpp"
 #include "report/light.hpp"
 #include "report/light_measures.hpp"
 #include "report/plot.hpp"
@@ -290,8 +290,7 @@ Result<void> addDfg(const Measured& m, Report& report) {
 }  // namespace
 
 Result<Report> lightTables(const ReportInput& input) {
-  Notes notes;
-  const Result<scene::Environment> environment = io::loadEnvironmentSource(input.environment, notes);
+  const Result<scene::Environment> environment = environmentOf(input);
   if (!environment) return tl::unexpected(environment.error());
   shading::ProgramStore programs(shading::shaderReader(input.shaderDir), {}, {});
   const Measured m = lookAt(input, *environment, programs);

@@ -230,10 +230,12 @@ Table fitShapesTable(optics::FitMetric metric) {
   return {
       .name = "fit-shapes",
       .title = "Lobes of other shapes with Schlick's Fresnel term over the best diffuse model, fitted",
-      .note = fitNote(metric) +
-              "Alpha along and across the azimuth (GTR has one). GTR: D to the power of its exponent (2 is GGX) with "
-              "GGX's masking; two GGX: the second is wider by the factor and has the share. Pictures are drawn with "
-              "GGX alone.",
+      .note =
+          fitNote(metric) +
+          "Alpha along and across the azimuth (GTR has one). GTR: D to the power of its exponent (2 is GGX; 0.2 to 20 "
+          "are "
+          "tried; at alpha 1 all are the same) with GGX's masking. Two GGX: the second is wider by the factor, up to "
+          "alpha 1, and has the share. Pictures are drawn with GGX alone.",
       .columns = {"name",         "lobe",         "diffuse model",  "error",
                   "albedo error", "alpha along",  "alpha across",   "azimuth [degrees]",
                   "exponent",     "second wider", "second's share", "f0 red",

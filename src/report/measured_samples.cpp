@@ -9,10 +9,10 @@
 #include "frame/session.hpp"
 #include "frame/settings.hpp"
 #include "gl/buffer.hpp"
-#include "io/sources.hpp"
 #include "layout.h"
 #include "optics/reference.hpp"
 #include "optics/synthetic_brdf.hpp"
+#include "report/environment.hpp"
 #include "report/measured_cost.hpp"
 #include "report/plot.hpp"
 #include "scene/builtin_environments.hpp"
@@ -85,8 +85,7 @@ struct Light {
 };
 
 Result<Light> lightOf(const ReportInput& input, shading::ProgramStore& programs) {
-  Notes notes;
-  Result<scene::Environment> environment = io::loadEnvironmentSource(input.environment, notes);
+  Result<scene::Environment> environment = environmentOf(input);
   if (!environment) return tl::unexpected(environment.error());
   Light light;
   if (std::optional<scene::FoundSun> found = scene::findSun(*environment)) {

@@ -5,12 +5,12 @@
 #include <string>
 
 #include "base/parallel.hpp"
-#include "io/sources.hpp"
 #include "optics/color.hpp"
 #include "optics/fresnel.hpp"
 #include "optics/microfacet.hpp"
 #include "optics/point_sets.hpp"
 #include "optics/reference.hpp"
+#include "report/environment.hpp"
 
 namespace facet::report {
 
@@ -149,9 +149,13 @@ void addDiscrepancies(Report& report) {
 }  // namespace
 
 Result<Report> samplingReport(const ReportInput& input) {
-  Notes notes;
-  const Result<scene::Environment> environment = io::loadEnvironmentSource(input.environment, notes);
+  const Result<scene::Environment> environment = environmentOf(input);
   if (!environment) return tl::unexpected(environment.error());
+  const std::vector<Integrand> all = integrands(*environment);
+  if (!(all.back().truth > 0))
+    return fail(input.environment, {},
+                "sends no light to the pixel that is summed: errors would be relative to nothing",
+                "choose another environment");
   Report report;
   Table table{
       .name = "sampling",
@@ -164,7 +168,7 @@ Result<Report> samplingReport(const ReportInput& input) {
           "texels.",
       .columns = {"integral", "points", "error of 16", "of 256", "of 4096", "slope"},
       .rows = {}};
-  for (const Integrand& integrand : integrands(*environment)) {
+  for (const Integrand& integrand : all) {
     input.progress("sampling: " + integrand.title);
     addErrors(integrand, table, report);
   }

@@ -38,7 +38,7 @@ constexpr optics::Sources sources[] = {
     // tables, materials
     {"tables", "Karis2013 Heitz2018 Krivanek2008"},
     {"metals", "Johnson1972 Johnson1974 Rakic1995 Rakic1998 Querry1985 Kutz2021"},
-    {"dielectrics", ""},
+    {"dielectrics", "Malitson1965 Malitson1972 Daimon2007 Warren2008"},
     {"scenes", ""},
     {"environments", ""},
     {"brdfs", ""},

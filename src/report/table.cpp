@@ -81,7 +81,8 @@ std::string markdown(const std::vector<Table>& tables, const Origin& origin) {
   std::string line;
   for (const auto& [name, value] : originFields(origin))
     if (!value.empty()) line += (line.empty() ? "" : ", ") + name + " `" + value + "`";
-  return out + "Made by " + line + ".\n";
+  out += "Made by " + line + ".\n";
+  return withValidUtf8(out).value_or(out);
 }
 
 std::string csv(const Table& table, const Origin& origin) {

@@ -35,38 +35,42 @@ Result<std::vector<TableImage>> tableImages(const scene::Environment& environmen
   const ibl::Needs all{.dfg = true, .irradiance = true, .layers = true, .cube = true, .sheen = true};
   if (Result<void> r = ibl::computeTables(tables, &environment, all, programs); !r) return tl::unexpected(r.error());
   const float scale = tables.radianceScale;
+  const std::string half = "halves, a power of two of the map's as unit", single = "32-bit floats";
   std::vector<TableImage> images;
   images.push_back({"dfg",
                     "red A, green B of F0 A + F90 B, blue the sine of the lobe's mean direction over the mirror's; "
                     "columns (NoV)^(1/2), rows perceptual roughness, both from 0 to 1 at texel centres",
-                    readBack(tables.dfg, 0, 0, 1, 1)});
+                    half, readBack(tables.dfg, 0, 0, 1, 1)});
   images.push_back(
       {"sheen",
        "red the sheen's directional albedo; columns (NoV)^(1/2), rows sheen roughness, both from 0 to 1 at "
        "texel centres",
-       readBack(tables.sheen, 0, 0, 1, 1)});
+       single, readBack(tables.sheen, 0, 0, 1, 1)});
   images.push_back(
-      {"irradiance", "irradiance / pi, by normal; six faces", readBack(tables.irradiance, 0, 0, 6, scale)});
+      {"irradiance", "irradiance / pi, by normal; six faces", single, readBack(tables.irradiance, 0, 0, 6, scale)});
   for (const ibl::Layer& layer : ibl::layers)
     images.push_back(
         {layerName(layer.perceptualRoughness),
-         "prefiltered radiance of that perceptual roughness, by mirror direction; six faces",
+         "prefiltered radiance of that perceptual roughness, by mirror direction; six faces", half,
          readBack(layer.mirror ? tables.mirrorLayers : tables.roughLayers, layer.level, 6 * layer.cube, 6, scale)});
-  images.push_back({"environment", "radiance, by direction; six faces", readBack(tables.cube, 0, 0, 6, scale)});
+  images.push_back({"environment", "radiance, by direction; six faces", single, readBack(tables.cube, 0, 0, 6, scale)});
   return images;
 }
 
 Table tableImagesTable(const std::vector<TableImage>& images) {
-  Table table{.name = "tables",
-              .title = "Tables of the environment",
-              .note =
-                  "32-bit floats, linear Rec. 709. Six faces: +X, -X, +Y, -Y, +Z, -Z below each other, each as OpenGL "
-                  "has it.",
-              .columns = {"file", "width", "height", "holds"},
-              .rows = {}};
+  Table table{
+      .name = "tables",
+      .title = "Tables of the environment",
+      .note =
+          "As the shaders read them, linear Rec. 709; how wrong each is by which method: facet report light. Halves "
+          "have "
+          "11 bits, which drivers round towards zero. Six faces: +X, -X, +Y, -Y, +Z, -Z below each other, each as "
+          "OpenGL has it.",
+      .columns = {"file", "width", "height", "holds", "stored as"},
+      .rows = {}};
   for (const TableImage& image : images)
     table.rows.push_back({image.name + ".exr", static_cast<double>(image.image.width),
-                          static_cast<double>(image.image.height), image.holds});
+                          static_cast<double>(image.image.height), image.holds, image.storedAs});
   return table;
 }
 

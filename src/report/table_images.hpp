@@ -15,7 +15,7 @@ namespace facet::report {
 
 struct TableImage {
   std::string name;  // "dfg", "sheen", "irradiance", "ld-0.30" (perceptual roughness), "environment"
-  std::string holds;
+  std::string holds, storedAs;
   io::RadianceImage image;
 };
 // All that a frame may read, by the usual methods, as the shaders read them but for the power of two that half floats

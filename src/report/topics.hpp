@@ -38,6 +38,7 @@ struct ReportInput {
   frame::Session* session = nullptr;                                             // of topics that need OpenGL
   std::string shaderDir;                                                         // empty: the embedded shaders
   std::function<void(const std::string&)> progress = [](const std::string&) {};  // what is measured now
+  std::function<void(const std::string&)> warn = [](const std::string&) {};      // perhaps the same several times
 };
 
 using ReportPart = Result<Report> (*)(const ReportInput& input);

@@ -66,6 +66,7 @@ void measureMemory(const Viewport& viewport, ViewerStatistics& statistics) {
   statistics.tableBytes = viewport.environments.shown->tables.bytes();
   statistics.targetBytes = frame::targetBytes(viewport.targets) + frame::targetBytes(viewport.moving.small) +
                            frame::targetBytes(viewport.refinement.targets);
+  if (viewport.errorView.picture) statistics.targetBytes += viewport.errorView.picture.bytes();
   statistics.measuredBytes = 0;
   for (const auto& kept : viewport.measured.store.kept) statistics.measuredBytes += kept->buffer.bytes();
   statistics.programsCompiled = viewport.programs.statistics().compiled;

@@ -1,5 +1,6 @@
 #include "view/error_view.hpp"
 
+#include "frame/choose.hpp"
 #include "frame/display_pass.hpp"
 #include "view/viewport.hpp"
 
@@ -31,6 +32,15 @@ Result<void> draw(Viewport& viewport, const frame::FrameInput& in) {
 }
 
 }  // namespace
+
+void followErrorView(Viewport& viewport, const ViewerState& state) {
+  ErrorView& view = viewport.errorView;
+  if (view.wanted == state.errorsShown) return;
+  view = {};
+  view.wanted = state.errorsShown;
+  viewport.refinement.targets.contrasts = {};
+  if (view.wanted && frame::converges(state.settings) && !viewport.shown.list.compared) viewport.drawn.reset();
+}
 
 void beginErrorView(Viewport& viewport) {
   viewport.errorView.contrasts = 0;

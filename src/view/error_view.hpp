@@ -12,6 +12,7 @@
 namespace facet::view {
 
 struct Viewport;
+struct ViewerState;
 
 // From the least error to the largest, evenly by the logarithm.
 inline constexpr double leastError = 0.1, largestError = 25.6;  // in 1/255 of what is on the screen
@@ -29,6 +30,8 @@ struct ErrorView {
   bool shown = false;  // as soon as the gathered picture is, whose errors these are
 };
 
+// As the state wants it: the picture is gathered anew for it where it can have errors, and stays where it is put away.
+void followErrorView(Viewport& viewport, const ViewerState& state);
 // Room for it in the refinement's targets, or none; nothing is known yet.
 void beginErrorView(Viewport& viewport);
 // An estimate is due: what the draws before the mark and those after it differ by. Nothing where it is not wanted.

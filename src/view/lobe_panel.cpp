@@ -57,8 +57,8 @@ void drawLobe(const Drawing& d, const optics::PlaneLobe& lobe, double most, bool
 
 // Of the curve's point that is nearest to the pointer's direction.
 std::string valueThere(const optics::PlaneLobe& lobe, double angle) {
-  const auto found = std::ranges::lower_bound(lobe.angles, angle);
-  const size_t i = std::min(static_cast<size_t>(found - lobe.angles.begin()), lobe.angles.size() - 1);
+  const auto nearest = std::ranges::min_element(lobe.angles, {}, [angle](double a) { return std::abs(a - angle); });
+  const auto i = static_cast<size_t>(nearest - lobe.angles.begin());
   const glm::dvec3 f = lobe.values[i] / std::cos(lobe.angles[i]);
   char text[120];
   std::snprintf(text, sizeof text, "at %.1f degrees: f_r %.4g  %.4g  %.4g per steradian", lobe.angles[i] / radian, f.x,
@@ -113,7 +113,7 @@ void lobeSection(ViewerState& state) {
   if (state.shown.measured->kind == optics::MeasuredKind::utia)
     slider("azimuth", view.phi, 0, 360, "%.0f\xc2\xb0", 0, "of the light, from the tangent");
   if (!view.table)
-    ImGui::TextDisabled("reading ...");
+    ImGui::TextDisabled("%s", view.failed ? "its table could not be read again" : "reading ...");
   else
     drawing(view, state.shown.fit ? &state.shown.fit->fit.model : nullptr);
 }

@@ -32,17 +32,20 @@ void followLobe(ViewerState& state, Loader& loader) {
   LobeView& lobe = state.lobe;
   if (!lobe.open || !state.shown.measured) {
     lobe.table.reset(), lobe.source = {};
+    lobe.failed = false;
     loader.table.forget();
     return;
   }
   if (lobe.source == state.shown.measured->source) return;
   lobe.source = state.shown.measured->source;
   lobe.table.reset();
+  lobe.failed = false;
   startTable(loader, lobe.source);
 }
 
 void takeTable(ViewerState& state, TableRead read) {
   if (!(read.source == state.lobe.source)) return;
+  state.lobe.failed = !read.table;
   if (!read.table) return complain(state, read.table.error());
   state.lobe.table = *read.table;
 }

@@ -174,6 +174,7 @@ Area windowArea() {
 
 void drawPanel(ViewerState& state, PanelResult& result) {
   noteProblem(state);
+  state.lobe.open = false;  // until its section says otherwise
   // Escape closes what has opened last, a list or a picker, as a click beside it does.
   if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel) &&
       ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false))

@@ -210,7 +210,6 @@ void presetChoice(MaterialChoice& material) {
 void materialSection(ViewerState& state) {
   MaterialChoice& material = state.settings.look.material;
   MaterialSource source = materialSource(state.settings);
-  state.lobe.open = false;  // until its section says otherwise
   if (!section(state.layout, "Material", source != MaterialSource::file || !state.shown.variants.empty())) return;
   variantChoice(state);
   static constexpr Choice<MaterialSource> sources[] = {
@@ -326,6 +325,7 @@ void errorChoice(ViewerState& state) {
       "colours over the picture, never in screenshots");
   if (!state.errorsShown) return;
   if (!frame::converges(state.settings)) return ImGui::TextDisabled("known with more than 4 samples");
+  if (state.shown.compared) return ImGui::TextDisabled("not while two pictures are compared");
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
   constexpr int steps = layout::errorStopCount - 1;

@@ -92,6 +92,7 @@ struct LobeView {
   float theta = 45, phi = 0;                          // of the light, from the normal and the tangent [degrees]
   frame::MeasuredSource source;                       // of `table`, or of what is being read
   std::shared_ptr<const optics::MeasuredBrdf> table;  // while it is open; null: being read
+  bool failed = false;                                // it could not be read
 };
 
 struct Turntable {

@@ -66,7 +66,7 @@ namespace {
 // drawn anew.
 DrawnFrame wantedFrame(const Viewport& viewport, const ViewerState& state) {
   const frame::PictureSettings& s = state.settings;
-  return {viewport.listNumber, state.camera, s.viewpoint, s.frame, s.display, s.quality, state.errorsShown};
+  return {viewport.listNumber, state.camera, s.viewpoint, s.frame, s.display, s.quality};
 }
 
 // A little more of the light on the floor; what of it is done is drawn.
@@ -104,7 +104,7 @@ bool drawViewport(Viewport& viewport, ViewerState& state) {
   const std::optional<scene::View> view = currentView(viewport, state);
   if (!view || viewport.shadersBroken) return false;
   const DrawnFrame wanted = wantedFrame(viewport, state);
-  viewport.errorView.wanted = state.errorsShown;
+  followErrorView(viewport, state);
   goOnWithGround(viewport, state, *view);
   const bool same = viewport.drawn == wanted;
   if (same && !viewport.moving.underWay) {

@@ -36,7 +36,6 @@ struct DrawnFrame {
   frame::FrameSettings frame;
   frame::Display display;
   frame::Quality quality;
-  bool errors;  // ErrorView::wanted
 
   bool operator==(const DrawnFrame&) const = default;
 };

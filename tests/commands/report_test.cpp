@@ -89,6 +89,20 @@ TEST_CASE("facet materials: presets with their indices, what is built in, what i
   CHECK(wrong.text.find("metals") != std::string::npos);
 }
 
+TEST_CASE("facet export: a built-in scene as a file that is what it was, what is wrong is told") {
+  test::TemporaryFolder folder;
+  const std::string file = folder.file("robot.glb");
+  CHECK(test::runFacet({"export", "builtin:robot", "-o", file}).status == 0);
+  const test::Outcome inspected = test::runFacet({"inspect", file, "--json"});
+  CHECK(inspected.status == 0);
+  const auto json = nlohmann::json::parse(inspected.text);
+  CHECK(json["validation"]["errors"] == 0);
+  CHECK(json["counts"]["lights"] == 8);
+  CHECK(test::runFacet({"export", "robot", "-o", file}).text.find("builtin:NAME") != std::string::npos);
+  CHECK(test::runFacet({"export", "builtin:robt", "-o", file}).text.find("robot") != std::string::npos);
+  CHECK(test::runFacet({"export", "builtin:robot", "-o", folder.file("a.gltf")}).status == 2);
+}
+
 TEST_CASE("facet normalmap: a flat picture becomes a level normal map, what is wrong is told") {
   test::TemporaryFolder folder;
   const std::string grey = folder.file("grey.png"), normal = folder.file("normal.png");

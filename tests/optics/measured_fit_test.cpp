@@ -139,6 +139,16 @@ TEST_CASE("fit of a measured BRDF: a table of each shape of lobe gives its param
   }
 }
 
+TEST_CASE("fit of a measured BRDF: a second lobe is said to be as wide as it acts") {
+  AnalyticBrdf truth{.f0 = {0.9, 0.6, 0.3}, .alpha = {0.4, 0.4}, .shape = LobeShape::twoGgx};
+  truth.widening = 5, truth.wideShare = 0.4;  // alpha 1 is the widest
+  const MeasuredBrdf brdf = makeMeasured(truth, MeasuredKind::merl, "wide");
+  const BrdfFit fit =
+      fitAnalytic(brdf, fitSamples(brdf), fitProxy(brdf), DiffuseModel::lambert, FitMetric::log, LobeShape::twoGgx);
+  CHECK(fit.model.widening * fit.model.alpha.t <= 1 + 1e-12);
+  CHECK(fit.model.widening == Approx(2.5).epsilon(0.05));
+}
+
 TEST_CASE("fit of a measured BRDF: two alphas of Beckmann's and Ward's lobes too, and of two") {
   for (const LobeShape shape : {LobeShape::beckmann, LobeShape::ward, LobeShape::twoGgx}) {
     const AnalyticBrdf truth{.f0 = glm::dvec3(0.7),

@@ -126,6 +126,7 @@ TEST_CASE("Tables: Markdown, CSV, JSON") {
 TEST_CASE("Tables: names of files that are no UTF-8 are shown as they can be") {
   const Table table{"t", "T", "", {"model"}, {{std::string("caf\xe9.glb")}}};
   CHECK(report::csv(table, {}).find("\ncaf\xef\xbf\xbd.glb,") != std::string::npos);
+  CHECK(report::markdown({table}, {}).find("| caf\xef\xbf\xbd.glb ") != std::string::npos);
   const report::Plot plot{.title = "caf\xe9 <1>"};
   CHECK(report::svg({plot}, {}).find("caf\xef\xbf\xbd &lt;1&gt;") != std::string::npos);
 }

@@ -3,6 +3,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "io/radiance.hpp"
+#include "support/temporary_folder.hpp"
+
 using namespace facet;
 
 TEST_CASE("report sampling: slopes are those of theory, even points are better than chance on all integrals") {
@@ -34,4 +37,23 @@ TEST_CASE("report sampling: slopes are those of theory, even points are better t
   CHECK(made->plots[4].plots.size() == 6);
   CHECK(number(made->tables[1].rows[1][5]) == Approx(-0.5).margin(0.15));  // chance
   CHECK(number(made->tables[1].rows[4][5]) < -0.8);                        // Sobol
+}
+
+TEST_CASE("report sampling: an environment without light is refused, what is mended of one is told") {
+  const test::TemporaryFolder folder;
+  io::RadianceImage black{.width = 16, .height = 8, .pixels = std::vector<glm::vec4>(128, glm::vec4(0, 0, 0, 1))};
+  const std::string dark = folder.file("dark.exr");
+  REQUIRE(io::writeExr(dark, black));
+  report::ReportInput input;
+  input.environment = dark;
+  const Result<report::Report> refused = report::samplingReport(input);
+  REQUIRE_FALSE(refused);
+  CHECK(describe(refused.error()).find("sends no light") != std::string::npos);
+  for (glm::vec4& p : black.pixels) p = glm::vec4(1, 1, 1, 1);
+  black.pixels[5].x = -1;
+  REQUIRE(io::writeExr(dark, black));
+  std::string warned;
+  input.warn = [&](const std::string& text) { warned += text; };
+  CHECK(report::samplingReport(input));
+  CHECK(warned.find("dark.exr: ") == folder.file("").size());
 }

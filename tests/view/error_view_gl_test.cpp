@@ -111,7 +111,11 @@ TEST_CASE("error view: nothing of it where the picture does not converge or two 
   viewer.settle();
   viewer.converge();
   CHECK(viewer.viewport.errorView.shown);
+  // Put away, it leaves the picture that has converged.
   viewer.state.errorsShown = false;
+  CHECK_FALSE(view::drawViewport(viewer.viewport, viewer.state));
+  CHECK(viewer.viewport.refinement.ended);
+  CHECK_FALSE(viewer.viewport.errorView.picture);
   viewer.converge();
   CHECK_FALSE(viewer.viewport.errorView.shown);
   CHECK_FALSE(viewer.viewport.refinement.targets.contrasts);

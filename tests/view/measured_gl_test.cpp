@@ -141,6 +141,17 @@ TEST_CASE("measured BRDF in the window: the table of the lobe is there while it 
   view::followLobe(viewer.state, viewer.loader);
   viewer.settle();
   CHECK(value().r == Approx(0.5).epsilon(1e-3));
+  // What cannot be read again is said so.
+  viewer.state.lobe.open = false;
+  view::followLobe(viewer.state, viewer.loader);
+  viewer.choose(source);
+  viewer.folder.write("a.bin", std::string("gone"));
+  viewer.state.lobe.open = true;
+  view::followLobe(viewer.state, viewer.loader);
+  viewer.settle();
+  CHECK(viewer.state.lobe.failed);
+  CHECK_FALSE(viewer.state.lobe.table);
+  CHECK(viewer.state.status.isError);
   viewer.state.lobe.open = false;
   view::followLobe(viewer.state, viewer.loader);
   CHECK_FALSE(viewer.state.lobe.table);
