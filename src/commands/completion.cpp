@@ -59,6 +59,7 @@ constexpr ValueKind valueKinds[] = {
     {"OUT.png", "png", true},
     {"HEIGHT.png", "png", true},
     {"NORMAL.png", "png", true},
+    {"OUT.glb", "glb", true},
     {"D.png", "png", true},
     {"D.exr", "exr", true},
     {"D.svg", "svg", true},
