@@ -6,6 +6,7 @@
 #include <linux/seccomp.h>
 #include <sched.h>
 #include <sys/prctl.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -38,7 +39,7 @@ constexpr uint64_t writeFile = 1 << 1, readFile = 1 << 2, readFolder = 1 << 3, r
                    makeFile = 1 << 8, truncateFile = 1 << 14, allOfFirst = (1 << 13) - 1;
 constexpr uint64_t network = 1 | 2;  // bind, connect
 
-constexpr uint64_t reading = readFile | readFolder;
+constexpr uint64_t execute = 1 << 0, reading = readFile | readFolder;
 constexpr uint64_t writing = reading | writeFile | removeFile | makeFolder | makeFile | truncateFile;
 constexpr uint64_t ofFiles = readFile | writeFile | truncateFile;
 
@@ -56,14 +57,18 @@ void allow(int ruleset, const fs::path& path, uint64_t rights) {
 std::string confineFiles(const Needed& needed) {
   const long version = syscall(createRuleset, nullptr, 0, askVersion);
   if (version < 1) return "no: the kernel has no landlock";
-  const uint64_t handled = version >= 3 ? allOfFirst | truncateFile : allOfFirst;
+  uint64_t handled = version >= 3 ? allOfFirst | truncateFile : allOfFirst;
+  if (needed.window) handled &= ~(reading | execute);
   const RulesetAttributes attributes{handled, network};
   const int ruleset = static_cast<int>(
       syscall(createRuleset, &attributes, version >= 4 ? sizeof attributes : sizeof attributes.files, 0));
   if (ruleset < 0) return std::string("no: ") + std::strerror(errno);
-  for (const char* folder : {"/usr", "/lib", "/lib64", "/sys", "/proc/self"}) allow(ruleset, folder, reading & handled);
+  if (!needed.window)
+    for (const char* folder : {"/usr", "/lib", "/lib64", "/sys", "/proc/self"})
+      allow(ruleset, folder, reading & handled);
   allow(ruleset, "/dev", (reading | writeFile | truncateFile) & handled);
-  for (const fs::path& path : needed.read) allow(ruleset, path, reading & handled);
+  if (!needed.window)
+    for (const fs::path& path : needed.read) allow(ruleset, path, reading & handled);
   for (const fs::path& path : needed.written) allow(ruleset, path, writing & handled);
   const long done = syscall(restrictSelf, ruleset, 0);
   const int problem = errno;
@@ -81,15 +86,10 @@ constexpr uint32_t architecture = AUDIT_ARCH_AARCH64;
 
 #if (defined(__x86_64__) || defined(__aarch64__)) && !defined(__SANITIZE_ADDRESS__)
 
+constexpr uint32_t sockets[] = {
+    __NR_socket, __NR_socketpair, __NR_connect, __NR_bind, __NR_listen, __NR_accept, __NR_accept4,
+};
 constexpr uint32_t refused[] = {
-    // network and other sockets
-    __NR_socket,
-    __NR_socketpair,
-    __NR_connect,
-    __NR_bind,
-    __NR_listen,
-    __NR_accept,
-    __NR_accept4,
     // other programs and processes
     __NR_execve,
     __NR_execveat,
@@ -154,7 +154,7 @@ constexpr uint32_t refused[] = {
 
 class Filter {
  public:
-  Filter() {
+  explicit Filter(bool localSockets) {
     load(offsetof(seccomp_data, arch));
     add(BPF_JMP | BPF_JEQ | BPF_K, architecture, 1, 0);
     add(BPF_RET | BPF_K, error(EPERM));
@@ -164,6 +164,10 @@ class Filter {
     add(BPF_RET | BPF_K, error(EPERM));
 #endif
     for (const uint32_t call : refused) answer(call, error(EPERM));
+    if (localSockets)
+      refuseOtherSockets();
+    else
+      for (const uint32_t call : sockets) answer(call, error(EPERM));
     answer(435, error(ENOSYS));  // clone3, whose flags cannot be looked at: the C library then calls clone
     add(BPF_JMP | BPF_JEQ | BPF_K, __NR_clone, 0, 3);
     load(offsetof(seccomp_data, args));
@@ -191,6 +195,14 @@ class Filter {
     code_.push_back({static_cast<uint16_t>(code), ifTrue, ifFalse, value});
   }
   void load(size_t offset) { add(BPF_LD | BPF_W | BPF_ABS, static_cast<uint32_t>(offset)); }
+  // Whatever is connected or bound was made by this call.
+  void refuseOtherSockets() {
+    add(BPF_JMP | BPF_JEQ | BPF_K, __NR_socket, 0, 4);
+    load(offsetof(seccomp_data, args));
+    add(BPF_JMP | BPF_JEQ | BPF_K, AF_UNIX, 1, 0);
+    add(BPF_RET | BPF_K, error(EPERM));
+    load(offsetof(seccomp_data, nr));
+  }
   void answer(uint32_t call, uint32_t result) {
     add(BPF_JMP | BPF_JEQ | BPF_K, call, 0, 1);
     add(BPF_RET | BPF_K, result);
@@ -199,14 +211,14 @@ class Filter {
   std::vector<sock_filter> code_;
 };
 
-std::string confineCalls() {
-  const int problem = Filter().install();
+std::string confineCalls(const Needed& needed) {
+  const int problem = Filter(needed.window).install();
   return problem == 0 ? "seccomp" : std::string("no: ") + std::strerror(problem);
 }
 
 #else
 
-std::string confineCalls() { return "no: not on this architecture, nor with sanitizers"; }
+std::string confineCalls(const Needed&) { return "no: not on this architecture, nor with sanitizers"; }
 
 #endif
 
@@ -216,7 +228,7 @@ Confined confineProcess(const Needed& needed) {
   if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return {"no: the kernel refuses", "no: the kernel refuses"};
   Confined out;
   out.files = confineFiles(needed);
-  out.calls = confineCalls();
+  out.calls = confineCalls(needed);
   return out;
 }
 

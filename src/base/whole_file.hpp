@@ -13,8 +13,10 @@ namespace facet {
 
 // Written beside (.facet.PROCESS.CHANCE.part), then renamed; through a link into what it names. What is no regular file
 // (a pipe, /dev/stdout) is written to as it is, and so is a file in a folder where none can be made. SIGINT, SIGTERM
-// and SIGHUP wait for its end; what is killed leaves at most the part beside. Errors: it cannot be written, with the
-// system's reason; a file of this name then stays as it was.
+// and SIGHUP wait for its end; what is killed leaves at most the part beside. The bytes
+// are on the disk before the name is theirs (fsync): after power is lost the name holds the former file or this one,
+// whole; that it is this one is certain a few seconds later, when the system has written the folder. Errors: it cannot
+// be written, with the system's reason; a file of this name then stays as it was.
 Result<void> writeWholeFile(const std::filesystem::path& path, std::span<const std::byte> bytes);
 Result<void> writeWholeFile(const std::filesystem::path& path, std::string_view text);
 

@@ -12,6 +12,7 @@
 #include "base/nearest.hpp"
 #include "base/text.hpp"
 #include "commands/commands.hpp"
+#include "commands/confine.hpp"
 #include "commands/json_file.hpp"
 #include "commands/write_tables.hpp"
 #include "io/measured.hpp"
@@ -28,7 +29,7 @@ namespace fs = std::filesystem;
 struct BrdfArguments {
   std::vector<std::string> files, eval;
   std::string brdfDir, format, table, plot, metric = "log", utiaDecode = "raw", synthesize, output, evalFrom, lobes;
-  bool fit = false, slices = false;
+  bool fit = false, slices = false, noSandbox = false;
 };
 
 constexpr std::string_view metricNames[] = {"log", "cuberoot"};
@@ -229,7 +230,17 @@ int describeAll(const BrdfArguments& arguments, const Choices& choices, const st
   return shown == exitGood ? status : shown;
 }
 
+void confineTo(const BrdfArguments& arguments) {
+  Needed needed;
+  needMeasured(needed, {}, arguments.brdfDir);
+  for (const std::string& file : arguments.files) needMeasured(needed, file, {});
+  needFiles(needed, arguments.evalFrom);
+  for (const std::string& file : {arguments.plot, arguments.lobes, arguments.output}) needOutput(needed, file);
+  confine(std::move(needed), false);
+}
+
 int runBrdf(const BrdfArguments& arguments) {
+  if (!arguments.noSandbox) confineTo(arguments);
   const Result<Choices> choices = choicesOf(arguments);
   if (!choices) return badInput(choices.error());
   if (!arguments.synthesize.empty()) return synthesize(arguments);
@@ -281,6 +292,7 @@ std::function<int()> addBrdf(CLI::App& app) {
   app.add_option("--table", arguments->table, "only that one of its tables (all)")->type_name("TABLE");
   app.add_option("--format", arguments->format, "how tables are written (markdown)")
       ->type_name(alternatives(tableFormatNames()));
+  addNoSandbox(app, arguments->noSandbox);
   return [arguments] { return runBrdf(*arguments); };
 }
 

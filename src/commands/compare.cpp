@@ -15,6 +15,7 @@
 #include "base/origin_json.hpp"
 #include "base/text.hpp"
 #include "commands/commands.hpp"
+#include "commands/confine.hpp"
 #include "commands/write_tables.hpp"
 #include "compare/legend.hpp"
 #include "compare/metrics.hpp"
@@ -32,7 +33,7 @@ struct CompareSettings {
   std::string metric = "drmse";
   std::string maxError, tolerance;
   bool maskFromAlpha = false;
-  bool json = false, csv = false;
+  bool json = false, csv = false, noSandbox = false;
 };
 
 // What is to be measured, checked; the error names the option.
@@ -243,6 +244,12 @@ int runCompare(const CompareSettings& settings) {
                      {},
                      "is no folder, and the other is one",
                      "name two pictures, or two folders"});
+  if (!settings.noSandbox) {
+    Needed needed;
+    needFiles(needed, settings.reference), needFiles(needed, settings.picture);
+    needOutput(needed, settings.diff), needOutput(needed, settings.maps);
+    confine(std::move(needed), false);
+  }
   if (folder) return compareFolders(settings, *task);
   if (settings.csv) return badInput({{}, "--csv", "is for folders", "use --json for one pair"});
   const Result<Comparison> comparison = comparePair({settings.reference, settings.picture}, *task, settings);
@@ -279,6 +286,7 @@ std::function<int()> addCompare(CLI::App& app) {
       ->type_name("D.exr");
   app.add_flag("--json", settings->json, "print the figures as JSON");
   app.add_flag("--csv", settings->csv, "of folders: print the figures as CSV");
+  addNoSandbox(app, settings->noSandbox);
   return [settings] { return runCompare(*settings); };
 }
 

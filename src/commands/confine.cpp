@@ -30,18 +30,46 @@ constexpr const char* driverCaches[] = {"MESA_SHADER_CACHE_DIR", "__GL_SHADER_DI
 
 void needPicture(Needed& needed, const std::string& model, const frame::PictureSettings& settings) {
   const frame::Sources& sources = settings.sources;
-  if (isFile(model)) needed.read.push_back(folderOf(model));
+  // Through a link its files are those beside the link.
+  std::error_code ignored;
+  if (isFile(model))
+    needed.read.push_back(folderOf(model)), needed.read.push_back(fs::absolute(model, ignored).parent_path());
   for (const std::string& folder : {sources.allowOutside, sources.shaderDir})
     if (!folder.empty()) needed.read.emplace_back(folder);
   if (isFile(sources.environment)) needed.read.emplace_back(io::splitLayer(sources.environment).file);
   if (!sources.bump.empty()) needed.read.emplace_back(sources.bump);
-  if (!isFile(sources.brdf)) return;
-  needed.read.emplace_back(sources.brdf);
-  for (const fs::path& folder : io::brdfFolders(sources.brdfDir)) needed.read.push_back(folder);
+  if (isFile(sources.brdf)) needMeasured(needed, sources.brdf, sources.brdfDir);
+}
+
+void needFiles(Needed& needed, const fs::path& fileOrFolder) {
+  if (fileOrFolder.empty()) return;
+  needed.read.push_back(fileOrFolder);
+  std::error_code problem;
+  for (fs::directory_iterator it(fileOrFolder, problem), end; !problem && it != end; it.increment(problem)) {
+    std::error_code ignored;
+    if (it->is_symlink(ignored)) needed.read.push_back(it->path());
+  }
+}
+
+void needMeasured(Needed& needed, const std::string& source, const fs::path& brdfDir) {
+  if (isFile(source)) needFiles(needed, source);
+  for (const fs::path& folder : io::brdfFolders(brdfDir)) needFiles(needed, folder);
+}
+
+void addNoSandbox(CLI::App& app, bool& noSandbox) {
+  app.add_flag("--no-sandbox", noSandbox, "read files with all of the user's rights");
 }
 
 void needOutput(Needed& needed, const fs::path& file) {
   if (!file.empty()) needed.written.push_back(folderOf(file));
+}
+
+void needOutputFolder(Needed& needed, const fs::path& folder) {
+  if (folder.empty()) return;
+  std::error_code ignored;
+  fs::path there = fs::absolute(folder, ignored).lexically_normal();
+  while (!fs::exists(there, ignored) && there.has_relative_path()) there = there.parent_path();
+  needed.written.push_back(there);
 }
 
 void keepDriverCacheApart() {

@@ -7,6 +7,7 @@
 #include "base/log.hpp"
 #include "base/origin_json.hpp"
 #include "commands/commands.hpp"
+#include "commands/confine.hpp"
 #include "commands/inspect_findings.hpp"
 #include "commands/inspect_parts.hpp"
 #include "commands/notes_json.hpp"
@@ -32,7 +33,7 @@ using Json = nlohmann::ordered_json;
 struct InspectArguments {
   std::string model;
   PictureArguments picture;
-  bool asJson = false, strict = false, all = false;
+  bool asJson = false, strict = false, all = false, noSandbox = false;
 };
 
 struct Counts {
@@ -208,6 +209,11 @@ int runInspect(const InspectArguments& arguments) {
   frame::PictureSettings settings;
   if (const Result<void> applied = options::apply(arguments.picture, settings); !applied)
     return badInput(applied.error());
+  if (!arguments.noSandbox) {
+    Needed needed;
+    needPicture(needed, arguments.model, settings);
+    confine(std::move(needed), false);
+  }
   const io::Limits limits = {.allowOutside = settings.sources.allowOutside};
   const Result<io::validate::Report> report = io::validateModel(arguments.model, limits);
   if (!report) return badInput(report.error());
@@ -252,6 +258,7 @@ std::function<int()> addInspect(CLI::App& app) {
   app.add_flag("--json", arguments->asJson, "for scripts");
   app.add_flag("--all", arguments->all, "every finding, not the first five of each code");
   app.add_flag("--strict", arguments->strict, "any warning or error makes the exit status 2");
+  addNoSandbox(app, arguments->noSandbox);
   return [arguments] { return runInspect(*arguments); };
 }
 

@@ -4,6 +4,7 @@
 
 #include "base/text.hpp"
 #include "commands/commands.hpp"
+#include "commands/confine.hpp"
 #include "io/bump.hpp"
 
 namespace facet::commands {
@@ -12,12 +13,18 @@ namespace {
 
 struct NormalMapArguments {
   std::string heights, output, scale = "0.02";
-  bool wrap = false;
+  bool wrap = false, noSandbox = false;
 };
 
 int runNormalMap(const NormalMapArguments& arguments) {
   const Result<double> scale = parseNumber(arguments.scale, -1000, 1000);
   if (!scale) return badInput({{}, "--scale", scale.error().problem, scale.error().remedy});
+  if (!arguments.noSandbox) {
+    Needed needed;
+    needFiles(needed, arguments.heights);
+    needOutput(needed, arguments.output);
+    confine(std::move(needed), false);
+  }
   const Result<scene::HeightMap> map = io::readHeights(arguments.heights, *scale);
   if (!map) return badInput(map.error());
   const Result<void> written = io::writePng(arguments.output, io::encodeNormals(*map, arguments.wrap));
@@ -37,6 +44,7 @@ std::function<int()> addNormalMap(CLI::App& app) {
   app.add_option("--scale", arguments->scale, "height of white above black, in widths of the map (0.02)")
       ->type_name("S");
   app.add_flag("--wrap", arguments->wrap, "the map repeats: slopes at its borders look across to the other side");
+  addNoSandbox(app, arguments->noSandbox);
   return [arguments] { return runNormalMap(*arguments); };
 }
 

@@ -16,6 +16,7 @@
 #include "base/process_pool.hpp"
 #include "base/whole_file.hpp"
 #include "commands/commands.hpp"
+#include "commands/confine.hpp"
 #include "commands/json_file.hpp"
 #include "commands/regress_job.hpp"
 #include "commands/shard.hpp"
@@ -335,7 +336,7 @@ std::function<int()> addRegress(CLI::App& app) {
   app.add_option("--shader-dir", arguments->shaderDir, "reads shaders from here instead of the embedded ones")
       ->type_name("DIR");
   app.add_flag("--no-cache", arguments->noCache, "neither read nor write the cache of compiled shaders");
-  app.add_flag("--no-sandbox", arguments->noSandbox, "read models with all of the user's rights");
+  addNoSandbox(app, arguments->noSandbox);
   app.add_flag("--worker", arguments->worker, "renders jobs as they are asked for")->group("");
   return [arguments] { return runRegress(*arguments); };
 }

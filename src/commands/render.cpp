@@ -344,7 +344,7 @@ std::function<int()> addRender(CLI::App& app) {
   app.add_flag("--strict", arguments->strict, "any warning makes the exit status 2");
   app.add_flag("--no-cache", arguments->noCache,
                "neither read nor write the caches of compiled shaders and of light tables");
-  app.add_flag("--no-sandbox", arguments->noSandbox, "read models with all of the user's rights");
+  addNoSandbox(app, arguments->noSandbox);
   app.add_flag("--gl-debug", arguments->glDebug, "log OpenGL's debug messages");
   addPictureOptions(app, arguments->picture);
   return [arguments] { return runRender(*arguments); };

@@ -13,8 +13,10 @@
 #include "base/nearest.hpp"
 #include "base/text.hpp"
 #include "commands/commands.hpp"
+#include "commands/confine.hpp"
 #include "commands/write_tables.hpp"
 #include "frame/session.hpp"
+#include "frame/settings.hpp"
 #include "report/topics.hpp"
 
 namespace facet::commands {
@@ -24,6 +26,7 @@ namespace {
 struct ReportArguments {
   std::string topic, table, format, output, environment, model, shaderDir;
   std::optional<int> size, samples, repeat;  // of pictures
+  bool noSandbox = false;
 };
 
 // The topic of that name; none given: all of them.
@@ -83,6 +86,15 @@ Origin originOf(const report::ReportInput& input, const std::vector<const report
   return origin;
 }
 
+void confineTo(const ReportArguments& arguments, bool folder) {
+  frame::PictureSettings settings;
+  settings.sources.environment = arguments.environment, settings.sources.shaderDir = arguments.shaderDir;
+  Needed needed;
+  needPicture(needed, arguments.model, settings);
+  folder ? needOutputFolder(needed, arguments.output) : needOutput(needed, arguments.output);
+  confine(std::move(needed), true);
+}
+
 int runReport(const ReportArguments& arguments) {
   const auto asked = chosenTopics(arguments.topic);
   if (!asked) return badInput(asked.error());
@@ -100,6 +112,7 @@ int runReport(const ReportArguments& arguments) {
   input.warn = [&](const std::string& what) {
     if (told.insert(what).second) log::warning(what);
   };
+  if (!arguments.noSandbox) keepDriverCacheApart();
   std::unique_ptr<frame::Session> session;
   if (std::ranges::any_of(*topics, &report::Topic::needsOpenGL)) {
     Result<std::unique_ptr<frame::Session>> made = frame::Session::create({.shaderDir = arguments.shaderDir});
@@ -110,6 +123,7 @@ int runReport(const ReportArguments& arguments) {
     session = std::move(*made);
     input.session = session.get();
   }
+  if (!arguments.noSandbox) confineTo(arguments, !*format);
   Result<report::Report> made = report::reportOf(*topics, input);
   if (!made) return badInput(made.error());
   Result<std::vector<report::Table>> tables = chosenTables(std::move(made->tables), arguments.table);
@@ -159,6 +173,7 @@ std::function<int()> addReport(CLI::App& app) {
                  "all of them, each table as CSV, and the plots")
       ->type_name("PATH");
   app.add_option("--shader-dir", arguments->shaderDir, "read the shaders from here")->type_name("DIR");
+  addNoSandbox(app, arguments->noSandbox);
   return [arguments] { return runReport(*arguments); };
 }
 

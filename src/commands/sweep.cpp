@@ -9,6 +9,7 @@
 #include "base/log.hpp"
 #include "base/text.hpp"
 #include "commands/commands.hpp"
+#include "commands/confine.hpp"
 #include "commands/json_file.hpp"
 #include "commands/sweep_plan.hpp"
 #include "commands/write_tables.hpp"
@@ -28,6 +29,7 @@ struct SweepArguments {
   std::vector<std::string> models, environments, sizes, methods;
   std::vector<int> samples;
   std::optional<int> seeds, repeat;
+  bool noSandbox = false;
 };
 
 // The plan's file, and what the command line says in the place of it.
@@ -113,6 +115,19 @@ report::SweepTools sweepTools(frame::Session& session, const std::filesystem::pa
           .progress = [](const std::string& what) { log::info(what); }};
 }
 
+void confineTo(const report::SweepPlan& plan, const SweepArguments& arguments) {
+  Needed needed;
+  for (const std::string& model : plan.models) needPicture(needed, model, plan.reference);
+  for (const report::SweepMethod& method : plan.methods) needPicture(needed, {}, method.settings);
+  for (const std::string& environment : plan.environments) {
+    frame::PictureSettings settings;
+    settings.sources.environment = environment, settings.sources.shaderDir = arguments.shaderDir;
+    needPicture(needed, {}, settings);
+  }
+  needOutputFolder(needed, arguments.output);
+  confine(std::move(needed), true);
+}
+
 int runSweep(const SweepArguments& arguments) {
   if (arguments.output.empty()) return badInput({{}, "-o", "is missing", "name a folder for figures and references"});
   const Result<Json> document = sweepDocument(arguments);
@@ -121,11 +136,13 @@ int runSweep(const SweepArguments& arguments) {
   const Result<report::SweepPlan> plan =
       parseSweepPlan(*document, name, std::filesystem::path(arguments.file).parent_path().string());
   if (!plan) return badInput(plan.error());
+  if (!arguments.noSandbox) keepDriverCacheApart();
   Result<std::unique_ptr<frame::Session>> session = frame::Session::create({.shaderDir = arguments.shaderDir});
   if (!session) {
     log::error(describe(session.error()));
     return exitNoOpenGL;
   }
+  if (!arguments.noSandbox) confineTo(*plan, arguments);
   const report::SweepTools tools = sweepTools(**session, arguments.output);
   const auto measure = report::measureSweep(*plan, tools);
   if (!measure) return badInput(measure.error());
@@ -165,6 +182,7 @@ std::function<int()> addSweep(CLI::App& app) {
                  "run that was ended goes on")
       ->type_name("DIR");
   app.add_option("--shader-dir", arguments->shaderDir, "read the shaders from here")->type_name("DIR");
+  addNoSandbox(app, arguments->noSandbox);
   return [arguments] { return runSweep(*arguments); };
 }
 

@@ -1,6 +1,7 @@
 #include "view/window.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -9,6 +10,7 @@
 
 #include "base/log.hpp"
 #include "commands/commands.hpp"
+#include "commands/confine.hpp"
 #include "commands/picture_arguments.hpp"
 #include "io/sources.hpp"
 #include "view/last.hpp"
@@ -20,7 +22,7 @@ namespace {
 struct WindowArguments {
   PictureArguments picture;
   std::vector<std::string> sources;
-  bool noCache = false, glDebug = false, last = false;
+  bool noCache = false, glDebug = false, last = false, noSandbox = false;
 };
 
 // One model at most, any number of folders.
@@ -56,6 +58,15 @@ Result<void> applyLast(view::WindowOptions& options) {
   return applyObject(last["picture"], {}, folder, file, "/picture", options.settings);
 }
 
+// Folders that are not there yet are made: what does not exist cannot be allowed.
+void confineWindow(bool ownCache) {
+  Needed needed{.read = {}, .written = view::writtenFolders(), .window = true};
+  std::error_code ignored;
+  for (const std::filesystem::path& folder : needed.written) std::filesystem::create_directories(folder, ignored);
+  if (const char* display = std::getenv("XDG_RUNTIME_DIR")) needed.written.emplace_back(display);
+  confine(std::move(needed), ownCache);
+}
+
 int runViewer(const WindowArguments& arguments) {
   view::WindowOptions options;
   options.settings.frame.width = 1280;
@@ -77,6 +88,10 @@ int runViewer(const WindowArguments& arguments) {
   if (Result<void> r = sortSources(arguments.sources, options); !r) return badInput(r.error());
   options.diskCache = !arguments.noCache;
   options.glDebug = arguments.glDebug;
+  if (!arguments.noSandbox) {
+    keepDriverCacheApart();
+    options.atWork = [ownCache = options.diskCache] { confineWindow(ownCache); };
+  }
   if (Result<void> r = view::checkStart(options); !r) return badInput(r.error());
   const Result<bool> shown = view::runWindow(options);
   if (!shown) {
@@ -98,6 +113,7 @@ std::function<int()> addWindow(CLI::App& app) {
   app.add_flag("--no-cache", arguments->noCache,
                "neither read nor write the caches of compiled shaders and of light tables");
   app.add_flag("--gl-debug", arguments->glDebug, "log OpenGL's debug messages");
+  addNoSandbox(app, arguments->noSandbox);
   addPictureOptions(app, arguments->picture);
   return [arguments] { return runViewer(*arguments); };
 }

@@ -106,6 +106,7 @@ Result<Picture> Session::render(const std::string& model, const PictureSettings&
 
 Result<Picture> Session::draw(const std::string& model, const PictureSettings& settings, const PictureRequest& request,
                               Notes& notes, Stages& stages) {
+  programs_.keepLatest(shading::keptPrograms);
   if (Result<void> r = loadScene(model, settings.sources, notes); !r) return tl::unexpected(r.error());
   stages.mark("read model");
   PictureStatistics statistics;

@@ -1,5 +1,6 @@
 #include "shading/programs.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cstring>
 #include <span>
@@ -49,10 +50,22 @@ Result<const gl::Program*> ProgramStore::get(const std::vector<Stage>& stages, c
   std::string label;
   for (const Stage& stage : stages) label += (label.empty() ? "" : " + ") + stage.entry;
   for (const Define& define : defines) label += " " + define.name + (define.value == "1" ? "" : "=" + define.value);
-  if (const auto found = programs_.find(label); found != programs_.end()) return &found->second;
+  if (const auto found = programs_.find(label); found != programs_.end()) {
+    found->second.used = ++uses_;
+    return &found->second.program;
+  }
   Result<gl::Program> program = build(stages, defines, label);
   if (!program) return tl::unexpected(program.error());
-  return &programs_.emplace(label, std::move(*program)).first->second;
+  return &programs_.emplace(label, Kept{std::move(*program), ++uses_}).first->second.program;
+}
+
+void ProgramStore::keepLatest(size_t most) {
+  if (programs_.size() <= most) return;
+  std::vector<uint64_t> uses;
+  for (const auto& [label, kept] : programs_) uses.push_back(kept.used);
+  std::ranges::nth_element(uses, uses.end() - static_cast<ptrdiff_t>(most));
+  const uint64_t oldest = most == 0 ? uses_ + 1 : uses[uses.size() - most];
+  std::erase_if(programs_, [&](const auto& entry) { return entry.second.used < oldest; });
 }
 
 Result<gl::Program> ProgramStore::build(const std::vector<Stage>& stages, const std::vector<Define>& defines,

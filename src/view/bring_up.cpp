@@ -94,7 +94,7 @@ void show(Viewport& viewport, ViewerState& state, frame::Drawable next) {
   viewport.plan = {.moving = true};
   viewport.shown = std::move(next);  // before the scene that the old list points into goes
   ++viewport.listNumber;
-  if (newScene) viewport.scene = std::move(viewport.next);
+  if (newScene) viewport.scene = std::move(viewport.next), viewport.programs.keepLatest(shading::keptPrograms);
   viewport.sketch = newScene && !again;
   viewport.comparison.sums.clear();
   viewport.moving.pixelNs = -1;  // other programs, another scene

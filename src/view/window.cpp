@@ -28,6 +28,7 @@
 #include "view/panel.hpp"
 #include "view/playback.hpp"
 #include "view/present.hpp"
+#include "view/recent.hpp"
 #include "view/screenshot.hpp"
 #include "view/shader_watch.hpp"
 #include "view/viewport.hpp"
@@ -342,6 +343,14 @@ void loadFirst(const WindowOptions& options, Loop& loop, Viewport& viewport, Vie
 
 }  // namespace
 
+std::vector<std::filesystem::path> writtenFolders() {
+  std::error_code ignored;
+  std::vector<std::filesystem::path> folders = {userConfigFolder(), lastFile().parent_path(),
+                                                recentFile().parent_path(), std::filesystem::current_path(ignored)};
+  std::erase_if(folders, [](const std::filesystem::path& folder) { return folder.empty(); });
+  return folders;
+}
+
 Result<void> checkStart(const WindowOptions& options) {
   const frame::PictureSettings& settings = options.settings;
   if (Result<void> r = io::checkModelSource(options.model, {}, {settings.sources.bump, settings.sources.bumpScale}); !r)
@@ -370,6 +379,7 @@ Result<bool> runWindow(const WindowOptions& options) {
                                 sized ? before.height : options.settings.frame.height, "facet", options.glDebug);
   if (!context) return tl::unexpected(context.error());
   glfwSwapInterval(1);
+  if (options.atWork) options.atWork();
   Loop loop;
   loop.window = context->window();
   loop.shaders = watchShaders(options.settings.sources.shaderDir);

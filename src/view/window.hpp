@@ -2,6 +2,8 @@
 
 // The viewer: a window on a model.
 
+#include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,7 +20,10 @@ struct WindowOptions {
   bool sizeGiven = false;                // else the window gets the size that it had last
   bool diskCache = true;                 // program binaries, tables
   bool glDebug = false;                  // KHR_debug
+  std::function<void()> atWork = {};     // called once the driver is at work, before a model is read
 };
+// Folders that the window writes to: preferences, layout, what was opened last, screenshots.
+std::vector<std::filesystem::path> writtenFolders();
 
 // What can be told without reading anything, so that it is told without a window: the model, the environment or the
 // measured BRDF does not exist.

@@ -67,19 +67,38 @@ std::string tryIn(const fs::path& folder) {
   return wrong;
 }
 
-}  // namespace
+// The same of a program with a window.
+std::string tryWithWindow(const fs::path& folder) {
+  Needed needed;
+  needed.written = {folder / "out"}, needed.window = true;
+  const Confined confined = confineProcess(needed);
+  std::string wrong;
+  const auto expect = [&](bool holds, const char* what) {
+    if (!holds) wrong += std::string(what) + "; ";
+  };
+  const bool files = !confined.files.starts_with("no"), calls = !confined.calls.starts_with("no");
+  expect(reads(folder / "secret"), "reads what people choose");
+  expect(writes(folder / "out/a.png"), "writes");
+  expect(writes(folder / "elsewhere") == !files, "no writing elsewhere");
+  expect(files ? ::unlink((folder / "one.hdr").c_str()) != 0 : true, "no removing elsewhere");
+  const int local = ::socket(AF_UNIX, SOCK_STREAM, 0);
+  expect(local >= 0, "talks to the display");
+  if (calls) {
+    for (const int family : {AF_INET, AF_INET6, AF_NETLINK, AF_PACKET})
+      expect(refused([family] { return ::socket(family, SOCK_STREAM, 0); }), "no network");
+    expect(refused([] { return ::fork(); }), "no processes");
+    expect(refused([] { return ::execl("/bin/true", "true", nullptr); }), "no programs");
+  }
+  return wrong;
+}
 
-TEST_CASE("A confined process reaches what it needs and nothing else", "[base]") {
-  const test::TemporaryFolder folder;
-  for (const char* name : {"model/a.bin", "model/deep/b.bin", "one.hdr", "secret"})
-    folder.write(name, std::string("x"));
-  fs::create_symlink("../secret", folder.path() / "model/link");
-  fs::create_directory(folder.path() / "out");
+// What is wrong in a process of its own.
+std::string wrongIn(std::string (*attempt)(const fs::path&), const fs::path& folder) {
   int ends[2];
   REQUIRE(::pipe(ends) == 0);
   const pid_t child = ::fork();
   if (child == 0) {
-    const std::string wrong = tryIn(folder.path());
+    const std::string wrong = attempt(folder);
     const bool told = ::write(ends[1], wrong.data(), wrong.size()) == static_cast<ssize_t>(wrong.size());
     ::_exit(told ? 0 : 1);
   }
@@ -90,5 +109,17 @@ TEST_CASE("A confined process reaches what it needs and nothing else", "[base]")
   int status = -1;
   ::waitpid(child, &status, 0);
   CHECK(status == 0);
-  CHECK(wrong.substr(0, static_cast<size_t>(std::max<ssize_t>(0, length))) == "");
+  return wrong.substr(0, static_cast<size_t>(std::max<ssize_t>(0, length)));
+}
+
+}  // namespace
+
+TEST_CASE("A confined process reaches what it needs and nothing else", "[base]") {
+  const test::TemporaryFolder folder;
+  for (const char* name : {"model/a.bin", "model/deep/b.bin", "one.hdr", "secret"})
+    folder.write(name, std::string("x"));
+  fs::create_symlink("../secret", folder.path() / "model/link");
+  fs::create_directory(folder.path() / "out");
+  CHECK(wrongIn(tryIn, folder.path()) == "");
+  CHECK(wrongIn(tryWithWindow, folder.path()) == "");
 }

@@ -131,6 +131,37 @@ TEST_CASE("faults: a full disk never damages a baseline", "[gl]") {
   CHECK(says(contents(folder.path() / "results/report.json"), "\"failed\""));
 }
 
+TEST_CASE("faults: after power is lost each file is whole, and a damaged cache is as none", "[gl]") {
+  const test::TemporaryFolder folder;
+  const auto path = [&](const char* name) { return (folder.path() / name).string(); };
+  folder.write("suite.json", std::string(R"({"jobs": [{"name": "a", "model": "builtin:metals", "size": "16x16"}]})"));
+  const std::string cached = "XDG_CACHE_HOME=" + path("cache") + " ";
+  const std::string lost = cached + "LD_PRELOAD=" + test::powerLossPath();
+  const std::string render = "render builtin:metals --size 16x16 --samples 1 --stats " + path("a.json") + " -o ";
+  for (const char* picture : {"a.png", "a.exr"}) {
+    const Outcome outcome = facetAfter(lost, render + path(picture));
+    INFO(outcome.text);
+    REQUIRE(outcome.status == 0);
+    CHECK(isWholePicture(path(picture)));
+    CHECK(says(contents(path("a.json")), "\"origin\""));
+  }
+  // What is not waited for is lost here: the cache's entries.
+  size_t empty = 0, entries = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder.path() / "cache/facet"))
+    if (entry.path().extension() == ".bin") ++entries, empty += entry.file_size() == 0;
+  CHECK(entries > 3);
+  CHECK(empty == entries);
+  const std::string picture = contents(path("a.png"));
+  REQUIRE(facetAfter(cached, render + path("a.png")).status == 0);
+  CHECK(contents(path("a.png")) == picture);
+  REQUIRE(facetAfter(lost, "regress --accept " + folder.path().string()).status == 0);
+  CHECK(isWholePicture(path("baselines/a.png")));
+  CHECK(says(contents(path("results/report.json")), "\"accepted\""));
+  CHECK(says(contents(path("results/junit.xml")), "</testsuite"));
+  REQUIRE(facetAfter(lost, "report fresnel -o " + path("tables")).status == 0);
+  CHECK(remains(folder.path() / "tables").empty());
+}
+
 // ---- Caches ---------------------------------------------------------------------------------------------------------
 
 namespace {
@@ -310,10 +341,11 @@ Outcome withFault(const std::string& fault, const std::string& arguments) {
 
 TEST_CASE("faults: a driver without memory, or reset, is a sentence and no picture", "[gl]") {
   const test::TemporaryFolder folder;
-  const std::string png = folder.file("a.png"), render = "render builtin:metals" + small + "-o " + png;
+  const std::string png = folder.file("a.png");
+  const std::string render = "render builtin:metals" + small + "-o " + png;
   REQUIRE(withFault("none 0", render).status == 0);
   for (const std::string fault :
-       {"textures 1", "textures 4", "buffers 1", "buffers 4", "once 2", "reset 1", "reset 2"}) {
+       {"textures 1", "textures 4", "buffers 1", "buffers 4", "targets 1", "once 2", "reset 1", "reset 2"}) {
     fs::remove(png);
     const Outcome outcome = withFault(fault, render);
     INFO(fault << ": " << outcome.text);

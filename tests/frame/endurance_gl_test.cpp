@@ -3,12 +3,13 @@
 #include <epoxy/gl.h>
 #include <malloc.h>
 
-#include <algorithm>
 #include <catch2/catch.hpp>
-#include <limits>
+#include <cstdlib>
+#include <filesystem>
 #include <map>
 #include <string>
 
+#include "support/command.hpp"
 #include "support/picture.hpp"
 
 using namespace facet;
@@ -38,7 +39,6 @@ std::map<std::string, int> liveObjects() {
 
 // Bytes that the C library has given and not got back.
 size_t heapBytes() {
-  glFinish();
   malloc_trim(0);
   const struct mallinfo2 info = mallinfo2();
   return info.uordblks + info.hblkhd;
@@ -68,18 +68,24 @@ frame::PictureSettings settingsOf(int job) {
 }  // namespace
 
 TEST_CASE("endurance: two hundred mixed jobs take no more than the first fifty", "[gl]") {
+  // llvmpipe's threads: pictures that wait for one another when the machine is busy, each of which holds the textures
+  // of what it drew last until it is busy again. Without these threads every byte is of what is drawn now.
+  if (std::getenv("LP_NUM_THREADS") == nullptr) {
+    const std::string itself = std::filesystem::read_symlink("/proc/self/exe").string();
+    const test::Outcome outcome = test::runShell("LP_NUM_THREADS=0 " + itself + " 'endurance: two hundred*'");
+    INFO(outcome.text);
+    CHECK(outcome.status == 0);
+    return;
+  }
   test::Studio studio;
   std::map<std::string, int> objects;
-  // The least of ten jobs' ends: what the driver's threads have not given back yet comes and goes.
-  constexpr auto most = std::numeric_limits<size_t>::max();
-  size_t heap = most, after = most;
+  size_t heap = 0;
   for (int job = 0; job < 200; ++job) {
-    if (job == 50) objects = liveObjects();
+    if (job == 50) objects = liveObjects(), heap = heapBytes();
     const char* models[] = {"builtin:metals", "builtin:spheres", "builtin:poster"};
     studio.render(test::loadBuiltin(models[job % 5 < 3 ? 0 : job % 5 - 2]), settingsOf(job));
-    if (job >= 40 && job < 50) heap = std::min(heap, heapBytes());
-    if (job >= 190) after = std::min(after, heapBytes());
   }
+  const size_t after = heapBytes();
   INFO("heap after 50: " << heap << ", after 200: " << after);
   CHECK(text(liveObjects()) == text(objects));
   CHECK(after < heap + (256 << 10));

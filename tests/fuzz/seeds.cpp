@@ -1,5 +1,6 @@
 #include "fuzz/seeds.hpp"
 
+#include <avif/avif.h>
 #include <draco/compression/encode.h>
 #include <draco/mesh/mesh.h>
 #include <meshoptimizer.h>
@@ -310,6 +311,32 @@ std::vector<Bytes> webpSeeds() {
   return out;
 }
 
+// None where libavif has no encoder.
+std::vector<Bytes> avifSeeds() {
+  std::vector<Bytes> out;
+  for (const int depth : {8, 10})
+    for (const auto format : {AVIF_PIXEL_FORMAT_YUV444, AVIF_PIXEL_FORMAT_YUV420, AVIF_PIXEL_FORMAT_YUV400}) {
+      const bool alpha = format == AVIF_PIXEL_FORMAT_YUV420;
+      Bytes pixels = ramp(size_t{12} * 10 * (alpha ? 4 : 3) * (depth > 8 ? 2 : 1), 11);
+      if (depth > 8)
+        for (size_t i = 1; i < pixels.size(); i += 2) pixels[i] &= 3;
+      avifImage* image = avifImageCreate(12, 10, depth, format);
+      avifRGBImage rgb;
+      avifRGBImageSetDefaults(&rgb, image);
+      rgb.format = alpha ? AVIF_RGB_FORMAT_RGBA : AVIF_RGB_FORMAT_RGB;
+      rgb.pixels = pixels.data(), rgb.rowBytes = static_cast<uint32_t>(pixels.size() / 10);
+      avifEncoder* encoder = avifEncoderCreate();
+      encoder->speed = 10;
+      avifRWData data = AVIF_DATA_EMPTY;
+      if (avifImageRGBToYUV(image, &rgb) == AVIF_RESULT_OK && avifEncoderWrite(encoder, image, &data) == AVIF_RESULT_OK)
+        out.emplace_back(data.data, data.data + data.size);
+      avifRWDataFree(&data);
+      avifEncoderDestroy(encoder);
+      avifImageDestroy(image);
+    }
+  return out;
+}
+
 std::vector<Bytes> ktx2Seeds() {
   std::vector<Bytes> out;
   for (const std::string_view hex :
@@ -419,6 +446,19 @@ std::vector<Bytes> suiteSeeds() {
    "tolerance": {"flip": null, "alpha": 3}}],
    "renderers": [{"name": "mine", "matches": "*Mesa*", "tolerance": {"flip": 1}}]})",
                 R"({"jobs": [{"name": "a", "model": "m", "size": [4, 4], "orbit": [1, 2, 3], "exposure": -1.5}]})"});
+}
+
+std::vector<Bytes> sweepSeeds() {
+  return texts({R"({"models": ["builtin:spheres", "a.glb"], "environments": ["builtin:sky", "s.hdr", "none"],
+   "sizes": ["16x16", "8x4"], "samples": [1, 4], "seeds": 2, "repeat": 1, "common": {"exposure": 1},
+   "methods": [{"name": "tables", "visibility": "none"}, {"name": "paths", "light": "paths", "bounces": 3}],
+   "reference": {"samples": 256, "light": "paths"}})",
+                R"({"methods": [{"name": "a"}]})", "{}"});
+}
+
+std::vector<Bytes> anglesSeeds() {
+  return texts({"thetaV,thetaL,phi\n30,45,180\n0,90,0\n", "phi, thetaL ,thetaV,phiV\r\n180,1e1,2.5,-90\r\n",
+                "30,45,180,90\n\n# no comment\n"});
 }
 
 std::vector<Bytes> jobsSeeds() {

@@ -13,7 +13,9 @@
 #include "base/disk_cache.hpp"
 #include "base/text.hpp"
 #include "commands/jobs.hpp"
+#include "commands/json_file.hpp"
 #include "commands/suite.hpp"
+#include "commands/sweep_plan.hpp"
 #include "compare/regression.hpp"
 #include "fuzz/seeds.hpp"
 #include "io/exr.hpp"
@@ -27,6 +29,7 @@
 #include "io/uri.hpp"
 #include "io/utia.hpp"
 #include "io/validate/validate.hpp"
+#include "report/lobe_views.hpp"
 #include "scene/animation.hpp"
 #include "scene/deformation.hpp"
 #include "scene/geometry.hpp"
@@ -321,6 +324,24 @@ void runUtia(Input bytes) {
 void runSuite(Input bytes) { good(commands::parseSuite(textOf(bytes), "s", "/folder")); }
 void runJobs(Input bytes) { good(commands::parseJobs(textOf(bytes), "j", "/folder")); }
 
+void runSweep(Input bytes) {
+  const Result<nlohmann::json> document = commands::parseJson(textOf(bytes), "s");
+  if (!good(document) || !document->is_object()) return;
+  const Result<report::SweepPlan> plan = commands::parseSweepPlan(*document, "s", "/folder");
+  if (!good(plan)) return;
+  demand(!plan->models.empty() && !plan->sizes.empty() && !plan->samples.empty(), "there is something to draw");
+  demand(plan->seeds > 0 && plan->repeat >= 0 && plan->referenceSamples > 0, "figures are in their ranges");
+}
+
+void runAngles(Input bytes) {
+  const Result<std::vector<report::EvalPoint>> points = report::parseEvalPoints(textOf(bytes), "a.csv");
+  if (!good(points)) return;
+  for (const report::EvalPoint& point : *points) {
+    demand(point.thetaV >= 0 && point.thetaV <= 90 && point.thetaL >= 0 && point.thetaL <= 90, "above the surface");
+    demand(std::isfinite(point.phi) && std::isfinite(point.phiV), "azimuths are numbers");
+  }
+}
+
 void runReport(Input bytes) {
   good(compare::parseJobText(textOf(bytes)));
   const Result<compare::RegressionReport> report = compare::parseReport(textOf(bytes), "r");
@@ -370,6 +391,7 @@ constexpr Target table[] = {
     {"png", "PNG", runImage, pngSeeds, 8192, false},
     {"jpeg", "JPEG", runImage, jpegSeeds, 8192, false},
     {"webp", "WebP", runImage, webpSeeds, 8192, false},
+    {"avif", "AVIF", runImage, avifSeeds, 8192, false},
     {"ktx2", "KTX2 and Basis Universal", runImage, ktx2Seeds, 8192, false},
     {"hdr", "Radiance pictures", runHdr, hdrSeeds, 8192, false},
     {"exr", "OpenEXR pictures", runExr, exrSeeds, 16384, false},
@@ -377,6 +399,8 @@ constexpr Target table[] = {
     {"utia", "UTIA's BRDFs", runUtia, utiaSeeds, 1024, false},
     {"suite", "suite.json", runSuite, suiteSeeds, 8192, true},
     {"jobs", "lists of jobs", runJobs, jobsSeeds, 8192, true},
+    {"sweep", "plans of sweeps", runSweep, sweepSeeds, 8192, true},
+    {"angles", "CSVs of angles", runAngles, anglesSeeds, 4096, false},
     {"report", "report.json of a shard, and workers' answers", runReport, reportSeeds, 8192, true},
     {"preferences", "settings.json of the window", runPreferences, preferencesSeeds, 2048, true},
     {"keys", "keys.json of the window", runKeys, keysSeeds, 2048, true},

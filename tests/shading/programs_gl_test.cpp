@@ -114,6 +114,36 @@ TEST_CASE("Programs: the same entry and defines are built once, other defines ar
   CHECK(describe(missing.error()) == "shaders/passes/none.comp.glsl: there is no such shader file.");
 }
 
+TEST_CASE("Programs: what was used longest ago is freed, and built again where it is asked for") {
+  shading::ProgramStore store(
+      [](const std::string& path) -> std::optional<std::string> {
+        if (path == "a.comp.glsl")
+          return "layout(local_size_x = 1) in;\nlayout(std430, binding = 0) buffer B { int b[]; };\n"
+                 "void main() { b[0] = NUMBER; }\n";
+        return shading::shaderReader()(path);
+      },
+      {}, "");
+  const auto id = [&](int number) {
+    const auto program = store.compute("a.comp.glsl", {{"NUMBER", std::to_string(number)}});
+    REQUIRE(program);
+    return (*program)->id();
+  };
+  std::vector<GLuint> ids;
+  for (int number = 0; number < 6; ++number) ids.push_back(id(number));
+  store.keepLatest(6);
+  CHECK(store.size() == 6);
+  CHECK(id(0) == ids[0]);  // used once more: now the latest
+  store.keepLatest(3);
+  CHECK(store.size() == 3);
+  for (const int number : {0, 4, 5}) CHECK(glIsProgram(ids[static_cast<size_t>(number)]) == GL_TRUE);
+  for (const int number : {1, 2, 3}) CHECK(glIsProgram(ids[static_cast<size_t>(number)]) == GL_FALSE);
+  CHECK(store.statistics().compiled == 6);
+  id(0), id(2);
+  CHECK(store.statistics().compiled == 7);
+  store.keepLatest(0);
+  CHECK(store.size() == 0);
+}
+
 TEST_CASE("A message about a fragment shader names the fragment shader's chunk") {
   const auto reader = [](const std::string& path) -> std::optional<std::string> {
     if (path == "broken.frag.glsl") return "out vec4 color;\nvoid main() { color = nothing; }\n";

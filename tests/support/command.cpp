@@ -24,7 +24,8 @@ Outcome runShell(const std::string& line) {
 
 std::string facetPath() { return FACET_EXECUTABLE; }
 
-std::string glFaultsPath() { return FACET_GL_FAULTS; }
+std::string glFaultsPath() { return FACET_FAULTS "/libgl_faults.so"; }
+std::string powerLossPath() { return FACET_FAULTS "/libpower_loss.so"; }
 
 Outcome runFacet(const std::vector<std::string>& words) {
   std::string line = shellWord(FACET_EXECUTABLE);

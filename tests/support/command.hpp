@@ -20,6 +20,8 @@ std::string facetPath();
 
 // A library for LD_PRELOAD that makes OpenGL fail (gl_faults.c).
 std::string glFaultsPath();
+// Another that loses power after each file that is renamed (power_loss.c).
+std::string powerLossPath();
 
 // Runs a line of shell.
 Outcome runShell(const std::string& line);

@@ -2,6 +2,7 @@
 // the N-th call, from 1 on. What is not about N goes to the driver.
 //   textures  this storage of a texture, and all that follow, cannot be had: GL_OUT_OF_MEMORY
 //   buffers   likewise of buffers
+//   targets   likewise of what is drawn into: depth, and pictures of several samples
 //   once      the storage of this texture alone
 //   reset     glFinish: the GPU is reset, and the context is lost for good
 //   hang      glFinish never returns
@@ -37,18 +38,24 @@ static int noTexture(void) {
   outOfMemory |= none;
   return none;
 }
+static int noTarget(void) {
+  const int none = fails("targets");
+  outOfMemory |= none;
+  return none;
+}
 
 #define REAL(type, name) ((type)realGetProcAddress(name))
 
 static void textureStorage2D(GLuint t, GLsizei levels, GLenum format, GLsizei width, GLsizei height) {
-  if (!noTexture()) REAL(PFNGLTEXTURESTORAGE2DPROC, "glTextureStorage2D")(t, levels, format, width, height);
+  if (!(format == GL_DEPTH_COMPONENT32F && noTarget()) && !noTexture())
+    REAL(PFNGLTEXTURESTORAGE2DPROC, "glTextureStorage2D")(t, levels, format, width, height);
 }
 static void textureStorage3D(GLuint t, GLsizei levels, GLenum format, GLsizei width, GLsizei height, GLsizei depth) {
   if (!noTexture()) REAL(PFNGLTEXTURESTORAGE3DPROC, "glTextureStorage3D")(t, levels, format, width, height, depth);
 }
 static void textureStorage2DMultisample(GLuint t, GLsizei samples, GLenum format, GLsizei width, GLsizei height,
                                         GLboolean fixed) {
-  if (!noTexture())
+  if (!noTarget() && !noTexture())
     REAL(PFNGLTEXTURESTORAGE2DMULTISAMPLEPROC, "glTextureStorage2DMultisample")(t, samples, format, width, height, fixed);
 }
 static void namedBufferStorage(GLuint b, GLsizeiptr size, const void* data, GLbitfield flags) {

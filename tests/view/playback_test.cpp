@@ -1,6 +1,7 @@
 #include "view/playback.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 using namespace facet;
 
@@ -41,6 +42,28 @@ TEST_CASE("playback: without loop it stops at the end and begins anew") {
   view::togglePlaying(state);
   CHECK(state.settings.placement.timeSeconds == 0);
   CHECK(state.playback.playing);
+}
+
+TEST_CASE("playback: an hour of frames ends where the hour does, and a long pause is as much time as it took") {
+  for (const double fps : {60.0, 59.94, 7.0}) {
+    view::ViewerState state = playing();
+    state.settings.placement.timeSeconds = 0;
+    const auto frames = static_cast<int>(3600 * fps);
+    for (int i = 0; i < frames; ++i) {
+      view::advance(state, 1 / fps);
+      REQUIRE(state.settings.placement.timeSeconds >= 0);
+      REQUIRE(state.settings.placement.timeSeconds <= 2);
+    }
+    // The other end of the loop is the same moment.
+    const double off = std::remainder(state.settings.placement.timeSeconds - frames / fps, 2);
+    CHECK(std::abs(off) < 1e-7);  // a thousandth of a thousandth of a frame
+    CHECK(state.playback.playing);
+  }
+  view::ViewerState state = playing();
+  view::advance(state, 3600);
+  CHECK(state.settings.placement.timeSeconds == Approx(1.5));
+  view::advance(state, 1e12);
+  CHECK(state.settings.placement.timeSeconds <= 2);
 }
 
 TEST_CASE("playback: at rest, the first animation is what plays") {
