@@ -20,8 +20,8 @@ END
 mkdir here && cd here || exit 1
 
 # A home in which nothing can be made: everything works, and what cannot be kept is said at the end.
-touch nothing
-XDG_CACHE_HOME=$folder/nothing XDG_CONFIG_HOME=$folder/nothing XDG_STATE_HOME=$folder/nothing \
+touch nothing; closed=$PWD/nothing
+XDG_CACHE_HOME=$closed XDG_CONFIG_HOME=$closed XDG_STATE_HOME=$closed \
   start builtin:spheres --samples 1 --env none
 await "frame drawn: builtin:spheres, none$" 1
 find_window
