@@ -35,8 +35,9 @@ struct [[gnu::packed]] PathAttributes {
 constexpr long createRuleset = 444, addRule = 445, restrictSelf = 446;  // on all architectures
 constexpr uint32_t askVersion = 1;
 constexpr int pathBeneath = 1;
-constexpr uint64_t writeFile = 1 << 1, readFile = 1 << 2, readFolder = 1 << 3, removeFile = 1 << 5, makeFolder = 1 << 7,
-                   makeFile = 1 << 8, truncateFile = 1 << 14, allOfFirst = (1 << 13) - 1;
+constexpr uint64_t writeFile = 1 << 1, readFile = 1 << 2, readFolder = 1 << 3, removeFolder = 1 << 4,
+                   removeFile = 1 << 5, makeFolder = 1 << 7, makeFile = 1 << 8, truncateFile = 1 << 14,
+                   allOfFirst = (1 << 13) - 1;
 constexpr uint64_t network = 1 | 2;  // bind, connect
 
 constexpr uint64_t execute = 1 << 0, reading = readFile | readFolder;
@@ -69,7 +70,8 @@ std::string confineFiles(const Needed& needed) {
   allow(ruleset, "/dev", (reading | writeFile | truncateFile) & handled);
   if (!needed.window)
     for (const fs::path& path : needed.read) allow(ruleset, path, reading & handled);
-  for (const fs::path& path : needed.written) allow(ruleset, path, writing & handled);
+  for (const fs::path& path : needed.written)
+    allow(ruleset, path, (needed.window ? writing | removeFolder : writing) & handled);
   const long done = syscall(restrictSelf, ruleset, 0);
   const int problem = errno;
   close(ruleset);
@@ -89,17 +91,20 @@ constexpr uint32_t architecture = AUDIT_ARCH_AARCH64;
 constexpr uint32_t sockets[] = {
     __NR_socket, __NR_socketpair, __NR_connect, __NR_bind, __NR_listen, __NR_accept, __NR_accept4,
 };
+constexpr uint32_t processes[] = {
+    __NR_execve, __NR_execveat, __NR_kill,
+#if defined(__x86_64__)
+    __NR_fork,   __NR_vfork,
+#endif
+};
 constexpr uint32_t refused[] = {
-    // other programs and processes
-    __NR_execve,
-    __NR_execveat,
+    // other processes
     __NR_ptrace,
     __NR_process_vm_readv,
     __NR_process_vm_writev,
     __NR_pidfd_open,
     __NR_pidfd_send_signal,
     438 /* pidfd_getfd */,
-    __NR_kill,
     __NR_tkill,
     __NR_rt_sigqueueinfo,
     __NR_rt_tgsigqueueinfo,
@@ -144,8 +149,6 @@ constexpr uint32_t refused[] = {
     __NR_sethostname,
     __NR_setdomainname,
 #if defined(__x86_64__)
-    __NR_fork,
-    __NR_vfork,
     __NR_chmod,
     __NR_chown,
     __NR_lchown,
@@ -154,7 +157,7 @@ constexpr uint32_t refused[] = {
 
 class Filter {
  public:
-  explicit Filter(bool localSockets) {
+  explicit Filter(bool window) {
     load(offsetof(seccomp_data, arch));
     add(BPF_JMP | BPF_JEQ | BPF_K, architecture, 1, 0);
     add(BPF_RET | BPF_K, error(EPERM));
@@ -164,21 +167,14 @@ class Filter {
     add(BPF_RET | BPF_K, error(EPERM));
 #endif
     for (const uint32_t call : refused) answer(call, error(EPERM));
-    if (localSockets)
+    if (window) {
       refuseOtherSockets();
-    else
+    } else {
       for (const uint32_t call : sockets) answer(call, error(EPERM));
+      for (const uint32_t call : processes) answer(call, error(EPERM));
+    }
     answer(435, error(ENOSYS));  // clone3, whose flags cannot be looked at: the C library then calls clone
-    add(BPF_JMP | BPF_JEQ | BPF_K, __NR_clone, 0, 3);
-    load(offsetof(seccomp_data, args));
-    add(BPF_JMP | BPF_JSET | BPF_K, CLONE_THREAD, 1, 0);
-    add(BPF_RET | BPF_K, error(EPERM));
-    load(offsetof(seccomp_data, nr));
-    // Signals to threads of this process alone.
-    add(BPF_JMP | BPF_JEQ | BPF_K, __NR_tgkill, 0, 3);
-    load(offsetof(seccomp_data, args));
-    add(BPF_JMP | BPF_JEQ | BPF_K, static_cast<uint32_t>(getpid()), 1, 0);
-    add(BPF_RET | BPF_K, error(EPERM));
+    if (!window) refuseProcesses();
     add(BPF_RET | BPF_K, SECCOMP_RET_ALLOW);
   }
 
@@ -195,6 +191,19 @@ class Filter {
     code_.push_back({static_cast<uint16_t>(code), ifTrue, ifFalse, value});
   }
   void load(size_t offset) { add(BPF_LD | BPF_W | BPF_ABS, static_cast<uint32_t>(offset)); }
+  void refuseProcesses() {
+    add(BPF_JMP | BPF_JEQ | BPF_K, __NR_clone, 0, 4);
+    load(offsetof(seccomp_data, args));
+    add(BPF_JMP | BPF_JSET | BPF_K, CLONE_THREAD, 1, 0);
+    add(BPF_RET | BPF_K, error(EPERM));
+    load(offsetof(seccomp_data, nr));
+    // Signals to threads of this process alone.
+    add(BPF_JMP | BPF_JEQ | BPF_K, __NR_tgkill, 0, 4);
+    load(offsetof(seccomp_data, args));
+    add(BPF_JMP | BPF_JEQ | BPF_K, static_cast<uint32_t>(getpid()), 1, 0);
+    add(BPF_RET | BPF_K, error(EPERM));
+    load(offsetof(seccomp_data, nr));
+  }
   // Whatever is connected or bound was made by this call.
   void refuseOtherSockets() {
     add(BPF_JMP | BPF_JEQ | BPF_K, __NR_socket, 0, 4);

@@ -63,6 +63,7 @@ void confineWindow(bool ownCache) {
   Needed needed{.read = {}, .written = view::writtenFolders(), .window = true};
   std::error_code ignored;
   for (const std::filesystem::path& folder : needed.written) std::filesystem::create_directories(folder, ignored);
+  needed.written.push_back(std::filesystem::temp_directory_path(ignored));  // previews
   if (const char* display = std::getenv("XDG_RUNTIME_DIR")) needed.written.emplace_back(display);
   confine(std::move(needed), ownCache);
 }
