@@ -6,7 +6,9 @@
 
 #include "base/log.hpp"
 #include "commands/commands.hpp"
+#include "commands/confine.hpp"
 #include "commands/write_tables.hpp"
+#include "frame/settings.hpp"
 #include "gl/context.hpp"
 #include "io/sources.hpp"
 #include "report/table_images.hpp"
@@ -18,21 +20,31 @@ namespace {
 
 struct TablesArguments {
   std::string environment = "builtin:studio", output, format, shaderDir;
+  bool noSandbox = false;
 };
 
 int runTables(const TablesArguments& arguments) {
   const Result<TableFormat> format = tableFormat(arguments.format);
   if (!format) return badInput(format.error());
-  Notes notes;
-  const Result<scene::Environment> environment = io::loadEnvironmentSource(arguments.environment, notes);
-  if (!environment) return badInput(environment.error());
-  for (const Note& note : notes)
-    if (note.severity == Note::Severity::warning) log::warning(arguments.environment + ": " + note.text);
+  if (!arguments.noSandbox) keepDriverCacheApart();
   const Result<gl::HeadlessContext> context = gl::HeadlessContext::create(false);
   if (!context) {
     log::error(describe(context.error()));
     return exitNoOpenGL;
   }
+  if (!arguments.noSandbox) {
+    frame::PictureSettings settings;
+    settings.sources.environment = arguments.environment, settings.sources.shaderDir = arguments.shaderDir;
+    Needed needed;
+    needPicture(needed, {}, settings);
+    needOutputFolder(needed, arguments.output);
+    confine(std::move(needed), false);
+  }
+  Notes notes;
+  const Result<scene::Environment> environment = io::loadEnvironmentSource(arguments.environment, notes);
+  if (!environment) return badInput(environment.error());
+  for (const Note& note : notes)
+    if (note.severity == Note::Severity::warning) log::warning(arguments.environment + ": " + note.text);
   shading::ProgramStore programs(shading::shaderReader(arguments.shaderDir), {}, {});
   const Result<std::vector<report::TableImage>> images = report::tableImages(*environment, programs);
   if (!images) return badInput(images.error());
@@ -67,6 +79,7 @@ std::function<int()> addTables(CLI::App& app) {
   app.add_option("--format", arguments->format, "how the list of them is written (markdown)")
       ->type_name(alternatives(tableFormatNames()));
   app.add_option("--shader-dir", arguments->shaderDir, "read the shaders from here")->type_name("DIR");
+  addNoSandbox(app, arguments->noSandbox);
   return [arguments] { return runTables(*arguments); };
 }
 

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "base/origin_json.hpp"
 #include "base/whole_file.hpp"
@@ -54,10 +55,17 @@ Json jobJson(const JobResult& job) {
   return out;
 }
 
+// Of jobs and shards: whole, and no more than anybody has. Otherwise it throws.
+int countOf(const Json& value) {
+  const auto count = value.get_ref<const Json::number_integer_t&>();
+  if (count < 0 || count > 1'000'000) throw std::out_of_range("count");
+  return static_cast<int>(count);
+}
+
 // Throws what nlohmann throws; parseReport catches.
 JobResult jobOf(const Json& object) {
   JobResult job;
-  job.index = object.at("index").get<int>();
+  job.index = countOf(object.at("index"));
   job.name = object.at("name").get<std::string>();
   const auto status = object.at("status").get<std::string>();
   for (const auto& [value, name] : names)
@@ -124,7 +132,7 @@ std::string jobText(const JobResult& job) { return jobJson(job).dump(-1, ' ', fa
 Result<JobResult> parseJobText(std::string_view text) {
   try {
     return jobOf(Json::parse(text));
-  } catch (const Json::exception&) {
+  } catch (const std::exception&) {
     return fail({}, {}, "no result came back");
   }
 }
@@ -135,13 +143,13 @@ Result<RegressionReport> parseReport(std::string_view text, const std::string& n
     RegressionReport report;
     report.suite = object.at("suite").get<std::string>();
     report.renderer = object.at("renderer").get<std::string>();
-    report.shard = object.at("shard").at("index").get<int>();
-    report.shards = object.at("shard").at("of").get<int>();
+    report.shard = countOf(object.at("shard").at("index"));
+    report.shards = countOf(object.at("shard").at("of"));
     report.remarks = object.at("remarks").get<std::vector<std::string>>();
     report.stale = object.at("stale").get<std::vector<std::string>>();
     for (const Json& job : object.at("jobs")) report.jobs.push_back(jobOf(job));
     return report;
-  } catch (const Json::exception&) {
+  } catch (const std::exception&) {  // of the library, or a number that counts nothing
     return fail(name, "", "is no report of facet regress", "give folders that it has written");
   }
 }

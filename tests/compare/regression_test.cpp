@@ -136,3 +136,21 @@ TEST_CASE("regression: JUnit counts failures and errors, HTML shows failures fir
   report.jobs[1].differenceOf = "flip";
   CHECK(compare::reportHtml(report).find("the difference is FLIP") != std::string::npos);
 }
+
+TEST_CASE("regression: numbers that count nothing make no report") {
+  const auto job = [](const std::string& index) {
+    return compare::parseJobText(R"({"name": "a", "status": "passed", "model": "m", "command": "c", "milliseconds": 1,
+      "figures": {}, "limits": {}, "index": )" +
+                                 index + "}");
+  };
+  CHECK(job("3"));
+  for (const char* index : {"1e308", "-1", "1.5", "4294967299", "\"a\""}) CHECK_FALSE(job(index));
+  const auto report = [](const std::string& shards) {
+    return compare::parseReport(R"({"suite": "s", "renderer": "r", "remarks": [], "stale": [], "jobs": [],
+      "shard": {"index": 1, "of": )" +
+                                    shards + "}}",
+                                "r.json");
+  };
+  REQUIRE(report("2"));
+  for (const char* shards : {"2000000000", "1e9", "-2"}) CHECK_FALSE(report(shards));
+}
