@@ -48,14 +48,12 @@ TEST_CASE("confined: commands without OpenGL reach what they name, and links in 
   CHECK(io::readImage(at("out/d.png")));
   confined({"normalmap", at("reference/a.png"), "-o", at("out/n.png")});
   CHECK(io::readImage(at("out/n.png")));
-  confined({"brdf", "--synthesize", "ggx-0.35", "-o", at("brdfs/a.binary")});
+  REQUIRE(test::runFacet({"brdf", "--synthesize", "ggx-0.35", "-o", at("brdfs/a.binary")}).status == 0);
   folder.write("angles.csv", std::string("thetaV,thetaL,phi\n30,30,180\n"));
   confined(
       {"brdf", at("brdfs"), "--eval-from", at("angles.csv"), "--plot", at("out/p.svg"), "--lobes", at("out/l.svg")});
   CHECK(fs::file_size(at("out/p.svg")) > 1000);
-  confined({"brdf", "a", "--brdf-dir", at("brdfs")});
   confined({"inspect", "builtin:spheres", "--json"});
-  confined({"inspect", "builtin:spheres", "--brdf", at("brdfs/a.binary")});
 }
 
 TEST_CASE("confined: inspect reads a model's own folder and the one that was allowed, and no other") {

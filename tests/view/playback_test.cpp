@@ -49,11 +49,12 @@ TEST_CASE("playback: an hour of frames ends where the hour does, and a long paus
     view::ViewerState state = playing();
     state.settings.placement.timeSeconds = 0;
     const auto frames = static_cast<int>(3600 * fps);
+    bool inside = true;
     for (int i = 0; i < frames; ++i) {
       view::advance(state, 1 / fps);
-      REQUIRE(state.settings.placement.timeSeconds >= 0);
-      REQUIRE(state.settings.placement.timeSeconds <= 2);
+      inside = inside && state.settings.placement.timeSeconds >= 0 && state.settings.placement.timeSeconds <= 2;
     }
+    CHECK(inside);
     // The other end of the loop is the same moment.
     const double off = std::remainder(state.settings.placement.timeSeconds - frames / fps, 2);
     CHECK(std::abs(off) < 1e-7);  // a thousandth of a thousandth of a frame
