@@ -151,7 +151,7 @@ struct FrameUniforms {
   vec4 options;               // x: factor on occlusion strength; y: index of the draw among those of its seed, z: number of all that are gathered; w seed
   vec4 picture;               // x, y size of the whole in pixels; z first row of the target; w pixels per metre, 1 m away
   vec4 distanceFromDepth;     // a, b, c, d: distance along the view's axis = (b - d depth) / (a - c depth)
-  vec4 stored;                // x what the targets hold of radiance 1, a power of two; y radiance of a stored 1; z the largest that they hold
+  vec4 stored;                // x what the targets hold of radiance 1, a power of two; y radiance of a stored 1; z the largest that they hold; w factor on the quantities of a channel; 0: channels as numbers
   vec4 backdrop;              // rgb radiance of a colour put behind the picture later; w 0: there is none
   vec4 ground;                // the floor: xyz its middle, w half its width
   vec4 screen;                // x, y texels of the horizons a pixel; z metres of a distance of 1 in them: the scene's radius
@@ -182,7 +182,7 @@ struct MaterialUniforms {
 struct Instance {
   mat4 worldFromLocal;
   vec4 normalFromLocal[3];  // columns of the cofactor matrix, signed so that mirrored nodes keep their outside
-  uvec4 deformation;        // x first joint of the skin; y first morph weight, z their number; w unused
+  uvec4 deformation;        // x first joint of the skin; y first morph weight, z their number; w the node
 };
 
 // World from mesh, for one joint of a skin.

@@ -1,4 +1,4 @@
 // KHR_materials_transmission: of the light that enters the dielectric, what passes through.
-#include "material.glsl"
+#include "material_factors.glsl"
 
-float transmittedShare(Varyings v) { return clamp(material.transmissionFactor * transmissionTexel(v).r, 0.0, 1.0); }
+float transmittedShare(Varyings v) { return materialTransmission(v); }

@@ -5,6 +5,9 @@
 #include "lit_material.glsl"
 #endif
 #include "constants.glsl"
+#ifdef FLAT_NORMALS
+#include "face_normal.glsl"
+#endif
 
 layout(location = 0) in vec3 inPosition;
 #ifdef HAS_NORMAL
@@ -50,10 +53,7 @@ Varyings readVaryings() {
 #define TAKE(n) v.texCoord##n = inTexCoord##n;
   EACH_TEXCOORD(TAKE)
 #ifdef FLAT_NORMALS
-  // Towards the viewer, whichever way the triangle winds; of lengths whose product does not underflow.
-  vec3 dx = dFdx(inPosition), dy = dFdy(inPosition);
-  vec3 facing = cross(dx / max(max(abs(dx.x), max(abs(dx.y), abs(dx.z))), 1e-37),
-                      dy / max(max(abs(dy.x), max(abs(dy.y), abs(dy.z))), 1e-37));
+  vec3 facing = faceNormal(inPosition);
   v.normal = safeNormalize(gl_FrontFacing ? facing : -facing, inNormal);
 #endif
 #ifdef DOUBLE_SIDED
@@ -70,6 +70,11 @@ vec3 towardsViewer(vec3 position) {
 }
 
 #ifdef CHANNEL
+#ifdef SHOWS_NODE
+layout(location = 14) flat in uint inNode;
+#else
+const uint inNode = 0u;
+#endif
 #include "channels.glsl"
 #endif
 
@@ -85,7 +90,7 @@ void main() {
   float coverage = 1.0;
 #endif
 #if defined(CHANNEL)
-  outColor = vec4(channelValue(v, towardsViewer(v.position), baseColor), 1.0);
+  outColor = vec4(shownChannel(v, towardsViewer(v.position), baseColor, inNode), 1.0);
 #elif defined(UNLIT)
 #ifdef UNLIT_EMISSION
   baseColor.rgb += materialEmission(v);

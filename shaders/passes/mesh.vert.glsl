@@ -32,6 +32,9 @@ layout(location = 12) out float outScale;
 #ifdef ALPHA_MASK
 layout(location = 13) flat out uint outInstance;
 #endif
+#ifdef SHOWS_NODE
+layout(location = 14) flat out uint outNode;
+#endif
 
 // Unit where there is a length at all; far from 1 in meshes of extreme scale otherwise.
 vec3 direction(vec3 v) {
@@ -44,6 +47,9 @@ void main() {
   Instance instance = instances[index];
 #ifdef ALPHA_MASK
   outInstance = index;
+#endif
+#ifdef SHOWS_NODE
+  outNode = instance.deformation.w;
 #endif
   vec3 position = inPosition;
 #ifdef HAS_NORMAL

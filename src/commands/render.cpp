@@ -124,6 +124,12 @@ nlohmann::ordered_json statsJson(const Job& job, const frame::Session& session, 
                   {"draws", s.frame.draws},
                   {"instances", s.frame.instances},
                   {"triangles", s.frame.triangles}};
+  if (s.range)
+    out["range"] = {{"channel", job.settings.look.channel},
+                    {"from", s.range->range.from},
+                    {"to", s.range->range.to},
+                    {"unit", s.range->unit},
+                    {"logarithmic", s.range->range.logarithmic}};
   out["visibility"] = {{"method", s.visibility.method}, {"why", s.visibility.why}};
   if (s.traced)
     out["paths"] = {{"bounces", job.settings.quality.bounces},
@@ -211,7 +217,9 @@ Result<JobOutcome> runJob(const Job& job, const RenderArguments& arguments, bool
          exr ? "--error-layer: the picture does not converge, and has no error to be told; give more than 16 "
                "--samples, or more than 4 with --visibility none or --light paths"
              : "--error-layer: only an EXR holds it; end -o in .exr"});
-  const std::string reached = tellReached(job, *picture, notes);
+  std::string reached = tellReached(job, *picture, notes);
+  if (picture->statistics.range && !exr)
+    reached += (reached.empty() ? ": " : "; ") + frame::describe(*picture->statistics.range);
   const bool warned = tell(job.model, notes);
   if (Result<void> written = writeOutput(job, session, *picture); !written) return tl::unexpected(written.error());
   stages.mark("write");

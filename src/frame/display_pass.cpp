@@ -6,6 +6,7 @@
 
 #include "constants.h"
 #include "frame/settings.hpp"
+#include "frame/value_range.hpp"
 
 namespace facet::frame {
 
@@ -21,7 +22,35 @@ float radianceUnit(const Display& display, int channel) {
 
 float largestStored(bool precise) { return precise ? 1e30f : layout::maxHalf; }
 
+bool showsQuantity(const FrameInput& in) {
+  return shading::channelKind(in.list.features.channel) == shading::ChannelKind::quantity;
+}
+
+// Of the usual range, so that halves hold it whatever it is; a wish changes only what is shown of that.
+float quantityFactor(const FrameInput& in) {
+  if (!showsQuantity(in)) return 1;
+  const ValueRange range = usualRange(in.list, in.view);
+  return static_cast<float>(1 / std::max(std::abs(range.from), std::abs(range.to)));
+}
+
+namespace {
+
+DisplayParameters quantityParameters(const FrameInput& in, float scale) {
+  const ValueRange range = rangeShown(in.list, in.view, in.settings.display.range)->range;
+  const auto factor = static_cast<double>(quantityFactor(in));
+  const auto end = [&](double value) {
+    return static_cast<float>(range.logarithmic ? std::log2(value * factor) : value * factor);
+  };
+  const bool covered = in.settings.frame.background != Background::transparent;
+  const glm::vec3 behind =
+      in.settings.frame.background == Background::color ? in.settings.frame.backgroundColor : glm::vec3(0);
+  return {{end(range.from), end(range.to), range.logarithmic ? 3.0f : 2.0f, scale}, {behind, covered ? 1.0f : 0.0f}};
+}
+
+}  // namespace
+
 DisplayParameters displayParameters(const FrameInput& in, float scale) {
+  if (showsQuantity(in)) return quantityParameters(in, scale);
   const PictureSettings& s = in.settings;
   const int channel = in.list.features.channel;
   const bool shaded = channel == 0;

@@ -19,6 +19,10 @@ struct DisplayParameters {
 };
 DisplayParameters displayParameters(const FrameInput& in, float scale);
 
+// The channel is a quantity, which the targets hold times a factor, and transparent where nothing is drawn.
+bool showsQuantity(const FrameInput& in);
+float quantityFactor(const FrameInput& in);
+
 struct FullscreenTarget {
   const gl::Framebuffer& framebuffer;
   const gl::VertexArray& noAttributes;

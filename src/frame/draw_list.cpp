@@ -110,6 +110,7 @@ void addInstance(DrawList& list, const Placed& placed, const std::vector<int>& f
     if (placed.weights[target] != 0)
       list.morphWeights.push_back({static_cast<uint32_t>(target), placed.weights[target]});
   uniforms.deformation.z = static_cast<uint32_t>(list.morphWeights.size()) - uniforms.deformation.y;
+  uniforms.deformation.w = static_cast<uint32_t>(placed.instance->node);
   list.instances.push_back(uniforms);
   list.instanceNodes.push_back(placed.instance->node);
 }
@@ -168,7 +169,7 @@ void addMaterials(DrawList& list, const scene::Model& model, const DrawOptions& 
     for (const auto& [index, material] : pose.materials.changed) list.materials[static_cast<size_t>(index)] = material;
   }
   list.materials.emplace_back();
-  const bool showsAlpha = options.features.channel == shading::channelIndex("alpha");
+  const bool showsAlpha = shading::isChannel(options.features.channel, shading::Channel::alpha);
   for (size_t i = 0; i < list.materials.size(); ++i)
     list.maskThresholds.push_back(showsAlpha ? 0 : maskThreshold(model, list.materials[i], static_cast<int>(i)));
 }

@@ -339,6 +339,7 @@ Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& 
     statistics.frameMs.push_back(drawn->milliseconds);
     stages.mark("repeated frames");
   }
+  statistics.range = rangeShown(list, *view, settings.display.range);
   statistics.visibility = chosenVisibility(asked, list);
   if (drawable.paths)
     statistics.traced = {drawable.paths->triangleCount, drawable.paths->bytes(), drawable.paths->buildMs};

@@ -70,6 +70,14 @@ Result<void> drawOpaque(const FrameInput& in, const VisibleDraws& visible, Progr
                         FrameStatistics& statistics) {
   if (visible.opaque.empty()) return {};
   statistics.passes.emplace_back("opaque");
+  if (shading::isChannel(in.list.features.channel, shading::Channel::overdraw)) {
+    glDisable(GL_DEPTH_TEST);  // all that there is, one over the other
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ZERO);
+    Result<void> drawn = drawSorted(in, visible.opaque, false, programs, statistics);
+    glDisable(GL_BLEND);
+    return drawn;
+  }
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_GREATER);
   glDepthMask(GL_TRUE);
@@ -124,7 +132,7 @@ Result<void> drawTransmitting(const FrameInput& in, const VisibleDraws& visible,
 void clearTargets(const FrameInput& in, const Targets& targets) {
   glm::vec4 clear(0, 0, 0, 1);
   // A colour is put behind the finished picture, so that neither exposure nor tone mapping changes it.
-  if (in.settings.frame.background != Background::environment) clear.a = 0;
+  if (in.settings.frame.background != Background::environment || showsQuantity(in)) clear.a = 0;
   const float far = 0;
   glDepthMask(GL_TRUE);
   glClearNamedFramebufferfv(targets.drawn.id(), GL_COLOR, 0, &clear.x);
@@ -173,7 +181,7 @@ layout::FrameUniforms frameUniforms(const FrameInput& in, int draw, int draws, c
   const glm::dmat4& p = view.clipFromView;
   u.distanceFromDepth = glm::vec4(p[2][2], p[3][2], p[2][3], p[3][3]);
   const float unit = radianceUnit(in.settings.display, in.list.features.channel);
-  u.stored = glm::vec4(1 / unit, unit, largestStored(in.precise), 0);
+  u.stored = glm::vec4(1 / unit, unit, largestStored(in.precise), in.precise ? 0 : quantityFactor(in));
   if (in.settings.frame.background == Background::color)
     u.backdrop = glm::vec4(in.settings.frame.backgroundColor * std::exp2(-in.settings.display.exposureStops), 1);
   if (in.ground) u.ground = in.ground->place;

@@ -302,6 +302,7 @@ void uploadMaterials(GpuScene& gpu, const scene::Model& model, const DrawList& l
   for (size_t i = 0; i < list.materials.size(); ++i) {
     layout::MaterialUniforms uniforms = materialUniforms(list.materials[i]);
     setStretch(uniforms, list.materials[i], model);
+    uniforms.index = static_cast<float>(i);
     if (const float threshold = list.maskThresholds[i]; threshold > 0)
       uniforms.maskPivot = static_cast<float>(optics::maskPivot(static_cast<double>(threshold)));
     std::memcpy(bytes.data() + i * gpu.materialStride, &uniforms, sizeof uniforms);

@@ -156,6 +156,9 @@ struct FrameSettings {
 struct Display {
   float exposureStops = 0;  // factor 2^stops before tone mapping, [-32, 32]
   ToneMapper toneMapper = ToneMapper::pbrNeutral;
+  // What the ends of false colours stand for, x < y; not given: frame/value_range.hpp. Of a channel that shows
+  // quantities.
+  std::optional<glm::dvec2> range;
 
   bool operator==(const Display&) const = default;
 };

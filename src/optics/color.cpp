@@ -79,6 +79,19 @@ glm::dvec3 decodeSRGB(const glm::dvec3& encoded) {
   return each(encoded, [](double x) { return decodeSRGB(x); });
 }
 
+glm::dvec3 falseColor(double share) {
+  if (std::isnan(share)) return {1, 0, 1};
+  constexpr std::array stops = {
+#define STOP(r, g, b) std::array<double, 3>{r, g, b},
+#include "false_color_stops.inc"
+#undef STOP
+  };
+  const double at = std::clamp(share, 0.0, 1.0) * (stops.size() - 1);
+  const auto first = std::min(static_cast<size_t>(at), stops.size() - 2);
+  const auto color = [&](size_t i) { return glm::dvec3(stops[i][0], stops[i][1], stops[i][2]) / 255.0; };
+  return glm::mix(color(first), color(first + 1), at - static_cast<double>(first));
+}
+
 glm::dvec3 toneMap(ToneMapper mapper, const glm::dvec3& radiance) {
   const glm::dvec3 c = each(radiance, cleaned);
   switch (mapper) {

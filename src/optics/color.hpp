@@ -19,6 +19,9 @@ double decodeSRGB(double encoded);
 glm::dvec3 encodeSRGB(const glm::dvec3& linear);
 glm::dvec3 decodeSRGB(const glm::dvec3& encoded);
 
+// A number's colour as sRGB shows it (viridis). share: of a range, clamped to [0, 1]; NaN: magenta.
+glm::dvec3 falseColor(double share);
+
 // Linear in, linear out in [0, 1] (encodeSRGB is the next step for all of them). Exposure comes before.
 enum class ToneMapper : uint8_t {
   none,        // clamp

@@ -195,8 +195,27 @@ Result<void> parseChannel(Text text, PictureSettings& settings) {
   return fail({}, {}, inQuotes(text) + " is not known", suggestion(text, names));
 }
 
+bool showsQuantity(const PictureSettings& settings) {
+  const int channel = std::max(0, shading::channelIndex(settings.look.channel));
+  return shading::channelKind(channel) == shading::ChannelKind::quantity;
+}
+
 std::string writeChannel(const PictureSettings& settings) {
   return std::string(rowOf(shading::channels, std::max(0, shading::channelIndex(settings.look.channel))).word);
+}
+
+Result<void> parseRange(Text text, PictureSettings& settings) {
+  const std::vector<Text> parts = split(text, ',');
+  const auto end = [&](size_t i) { return parseNumber(parts[i], -1e30, 1e30); };
+  if (parts.size() != 2 || !end(0) || !end(1) || !(*end(0) < *end(1)))
+    return fail({}, {}, inQuotes(text) + " is no range", "give FROM,TO such as 0,2.5");
+  settings.display.range = glm::dvec2(*end(0), *end(1));
+  return {};
+}
+
+std::string writeRange(const PictureSettings& settings) {
+  const std::optional<glm::dvec2>& range = settings.display.range;
+  return range && showsQuantity(settings) ? number(range->x) + "," + number(range->y) : std::string();
 }
 
 // "#rrggbb", sRGB, or three linear numbers; [0, 1]. Linear Rec. 709.
@@ -464,6 +483,9 @@ constexpr PictureOption optionTable[] = {
      "one sees, 0.01 or 1% of white; light tables keep to it, too (none: as many as --samples says, tables to 1%)",
      parseMaxError, writeNumber<&S::quality, &frame::Quality::maxError>},
     channelOption("channel", "what is shown"),
+    {"range", "FROM,TO",
+     "what the ends of the colours stand for, of a --channel that shows quantities, such as depth (what the scene has)",
+     parseRange, writeRange},
     {"shader-dir", "DIR", "reads shaders from here instead of the embedded ones",
      parseText<&S::sources, &frame::Sources::shaderDir>, writeString<&S::sources, &frame::Sources::shaderDir>, ',',
      true},
@@ -557,6 +579,8 @@ Result<void> checkTogether(const PictureSettings& settings) {
     return fail({}, "--layer", "only an OpenEXR environment has layers", "give --env FILE.exr, too");
   if (settings.comparison.brdfCompare != frame::BrdfCompare::none && settings.sources.brdf.empty())
     return fail({}, "--brdf-compare", "there is no measured BRDF to compare", "give --brdf, too");
+  if (settings.display.range && !showsQuantity(settings))
+    return fail({}, "--range", "nothing is shown in false colours", "give --channel depth, or another quantity");
   if (settings.viewpoint.camera.empty() || (!settings.viewpoint.orbit && !settings.viewpoint.target)) return {};
   return fail({}, settings.viewpoint.orbit ? "--orbit" : "--target", "the camera of the file has its own place",
               "give either this or --camera");

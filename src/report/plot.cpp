@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/text.hpp"
+#include "optics/color.hpp"
 
 namespace facet::report {
 
@@ -168,26 +169,11 @@ std::string axes(const Plot& plot, const PlotFrame& frame) {
   return out;
 }
 
-// From viridis (van der Walt and Smith 2015), a stop for each eighth.
-std::string viridis(double share) {
-  constexpr std::array<std::array<double, 3>, 9> stops = {{{68, 1, 84},
-                                                           {71, 44, 122},
-                                                           {59, 81, 139},
-                                                           {44, 113, 142},
-                                                           {33, 144, 141},
-                                                           {39, 173, 129},
-                                                           {92, 200, 99},
-                                                           {170, 220, 50},
-                                                           {253, 231, 37}}};
-  const double at = std::clamp(share, 0.0, 1.0) * (stops.size() - 1);
-  const auto first = std::min(static_cast<size_t>(at), stops.size() - 2);
+std::string colorText(double share) {
+  const glm::dvec3 color = optics::falseColor(share);
   char text[16];
-  int channels[3];
-  for (size_t c = 0; c < 3; ++c) {
-    const double between = at - static_cast<double>(first);
-    channels[c] = static_cast<int>(std::lround(stops[first][c] + between * (stops[first + 1][c] - stops[first][c])));
-  }
-  std::snprintf(text, sizeof text, "#%02x%02x%02x", channels[0], channels[1], channels[2]);
+  std::snprintf(text, sizeof text, "#%02x%02x%02x", static_cast<int>(std::lround(255 * color.r)),
+                static_cast<int>(std::lround(255 * color.g)), static_cast<int>(std::lround(255 * color.b)));
   return text;
 }
 
@@ -216,12 +202,12 @@ std::string cells(const Plot& plot, const PlotFrame& frame) {
     if (!std::isfinite(map.values[i])) continue;
     const double x = frame.left + width * static_cast<double>(i % map.columns);
     const double y = frame.bottom - height * static_cast<double>(i / map.columns + 1);
-    out += rectangle(x, y, width, height, viridis((map.values[i] - from) / (to - from)));
+    out += rectangle(x, y, width, height, colorText((map.values[i] - from) / (to - from)));
   }
   constexpr int steps = 32;
   const double x = frame.right + 16, step = (frame.bottom - frame.top) / steps;
   for (int i = 0; i < steps; ++i)
-    out += rectangle(x, frame.bottom - (i + 1) * step, 12, step, viridis((i + 0.5) / steps));
+    out += rectangle(x, frame.bottom - (i + 1) * step, 12, step, colorText((i + 0.5) / steps));
   out += "</g>\n";
   for (const double tick : ticks(from, to, false, 4))
     out += text(x + 16, frame.bottom - (tick - from) / (to - from) * (frame.bottom - frame.top) + 4, tickText(tick),

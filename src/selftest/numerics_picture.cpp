@@ -382,6 +382,15 @@ Check checkDisplayed() {
   return check;
 }
 
+Check checkFalseColor() {
+  Check check = absoluteCheck("falseColor", "false_color.glsl", "out0.rgb = falseColor(in0.x);", {"share"}, 1);
+  for (const double share : {-1.0, 0.0, 0.01, 0.0625, 0.125, 0.3, 0.5, 0.77, 0.99, 1.0, 2.0, 1e30})
+    check.inputs.emplace_back(share, 0, 0, 0);
+  check.twin = [](CheckVectors in) { return valuesOf(optics::falseColor(in[0].x)); };
+  allow(check, 32, "8 times the share, and 4 roundings of numbers up to 1");
+  return check;
+}
+
 std::vector<Check> lightChecks() { return {checkDistance(), checkCone(), checkDiscWidth(), checkDiscPoint()}; }
 
 std::vector<Check> displayChecks() {
@@ -391,6 +400,7 @@ std::vector<Check> displayChecks() {
   return {
       checkLuminance(),
       checkDisplayed(),
+      checkFalseColor(),
       checkSrgb(),
       checkToneMapper(ToneMapper::none, "toneMap", floatEpsilon, "clamped only"),
       checkToneMapper(ToneMapper::reinhard, "toneReinhard", 8 * floatEpsilon, few),

@@ -19,7 +19,16 @@ bool unlit(const FeatureInput& in) { return in.material.unlit || in.primitive.no
 
 bool sampled(const FeatureInput& in, TextureSlot slot) { return usesTexture(in.material, in.primitive, slot); }
 
-bool channelIs(const FeatureInput& in, const char* name) { return in.frame.channel == channelIndex(name); }
+bool channelIs(const FeatureInput& in, Channel which) { return isChannel(in.frame.channel, which); }
+
+bool lacksChannel(const FeatureInput& in) {
+  if (channelIs(in, Channel::occlusion) && !in.frame.occlusion) return true;
+  return in.frame.channel != 0 && !hasChannel(in.frame.channel, in.material, in.primitive);
+}
+// What the debug view reads of this draw; nothing where the picture is shaded.
+bool viewReads(const FeatureInput& in, ChannelReads what) {
+  return in.frame.channel != 0 && (channelReads(in.frame.channel) & what) && !lacksChannel(in);
+}
 
 // glTF 2.0, 3.9.7: points and lines without normals show the sum of base colour and emission; unlit materials do not.
 bool glowsUnlit(const FeatureInput& in) {
@@ -28,8 +37,8 @@ bool glowsUnlit(const FeatureInput& in) {
 }
 
 // Shaded, or the debug view shows this very slot.
-bool wanted(const FeatureInput& in, const char* channel) {
-  return in.frame.channel == 0 ? !unlit(in) : channelIs(in, channel);
+bool wanted(const FeatureInput& in, TextureSlot slot) {
+  return in.frame.channel == 0 ? !unlit(in) : viewReads(in, reads::slot(slot));
 }
 
 bool measured(const FeatureInput& in) {
@@ -39,31 +48,34 @@ bool measuredUtia(const FeatureInput& in) { return measured(in) && in.frame.meas
 
 bool readsNormal(const FeatureInput& in) {
   if (in.primitive.normals.empty()) return false;
-  return in.frame.channel == 0 ? !in.material.unlit : channelIs(in, "normal") || channelIs(in, "geometryNormal");
+  return in.frame.channel == 0 ? !in.material.unlit : viewReads(in, reads::normals);
 }
 bool readsBaseColor(const FeatureInput& in) {
   const bool alphaTested = in.material.alphaMode == AlphaMode::mask;
   if (measured(in)) return in.material.alphaMode != AlphaMode::opaque;
-  return in.frame.channel == 0 || channelIs(in, "baseColor") || channelIs(in, "alpha") || alphaTested;
+  return in.frame.channel == 0 || viewReads(in, reads::baseColor) || alphaTested;
 }
-bool baseColorTexture(const FeatureInput& in) { return sampled(in, TextureSlot::baseColor) && readsBaseColor(in); }
+bool baseColorTexture(const FeatureInput& in) {
+  return sampled(in, TextureSlot::baseColor) &&
+         (readsBaseColor(in) || viewReads(in, reads::slot(TextureSlot::baseColor)));
+}
 bool metallicRoughnessTexture(const FeatureInput& in) {
-  if (in.material.specularGlossiness && channelIs(in, "metallic")) return false;  // it is none
+  if (in.material.specularGlossiness && channelIs(in, Channel::metallic)) return false;  // it is none
   if (measured(in)) return false;
-  return sampled(in, TextureSlot::metallicRoughness) && (wanted(in, "metallic") || channelIs(in, "roughness"));
+  return sampled(in, TextureSlot::metallicRoughness) && wanted(in, TextureSlot::metallicRoughness);
 }
 bool isSpecularGlossiness(const FeatureInput& in) {
-  return in.material.specularGlossiness && !measured(in) && (wanted(in, "metallic") || channelIs(in, "roughness"));
+  return in.material.specularGlossiness && !measured(in) && wanted(in, TextureSlot::metallicRoughness);
 }
 bool normalTexture(const FeatureInput& in) {
-  return sampled(in, TextureSlot::normal) && wanted(in, "normal") && !in.primitive.tangents.empty();
+  return sampled(in, TextureSlot::normal) && wanted(in, TextureSlot::normal) && !in.primitive.tangents.empty();
 }
 bool occlusionTexture(const FeatureInput& in) {
   return in.frame.occlusion && sampled(in, TextureSlot::occlusion) &&
-         (in.frame.channel == 0 ? !unlit(in) && in.frame.environment : channelIs(in, "occlusion"));
+         (in.frame.channel == 0 ? !unlit(in) && in.frame.environment : wanted(in, TextureSlot::occlusion));
 }
 bool emissiveTexture(const FeatureInput& in) {
-  return sampled(in, TextureSlot::emissive) && (wanted(in, "emissive") || glowsUnlit(in));
+  return sampled(in, TextureSlot::emissive) && (wanted(in, TextureSlot::emissive) || glowsUnlit(in));
 }
 
 // Materials of extensions: of the shaded picture of a metallic-roughness surface.
@@ -81,6 +93,7 @@ bool glowsThroughCoat(const FeatureInput& in) {
 }
 bool samplesEffectSlot(const FeatureInput& in, TextureSlot slot) {
   if (slot == TextureSlot::clearcoatNormal && in.primitive.tangents.empty()) return false;
+  if (in.frame.channel != 0) return sampled(in, slot) && wanted(in, slot);
   if (!extended(in) || !sampled(in, slot)) return false;
   const bool ofCoat =
       slot == TextureSlot::clearcoat || slot == TextureSlot::clearcoatRoughness || slot == TextureSlot::clearcoatNormal;
@@ -96,7 +109,7 @@ bool hasEffect(const FeatureInput& in) {
 bool readsTangent(const FeatureInput& in) {
   return normalTexture(in) || samplesEffectSlot(in, TextureSlot::clearcoatNormal) ||
          hasEffect<scene::Effect::anisotropy>(in) ||
-         ((channelIs(in, "tangent") || measuredUtia(in)) && !in.primitive.tangents.empty());
+         ((viewReads(in, reads::tangents) || measuredUtia(in)) && !in.primitive.tangents.empty());
 }
 
 bool samplesSlotOf(const FeatureInput& in, TextureSlot slot) {
@@ -151,7 +164,7 @@ bool anySlot(const FeatureInput& in, bool (*test)(const TextureRef&)) {
 template <int set>
 bool texCoords(const FeatureInput& in) {
   if (in.primitive.texCoords[set].empty()) return false;
-  return (set == 0 && channelIs(in, "uv")) || anySlot(in, [](const TextureRef& ref) { return ref.texCoord == set; });
+  return viewReads(in, reads::texCoord(set)) || anySlot(in, [](const TextureRef& ref) { return ref.texCoord == set; });
 }
 bool transformsTexture(const FeatureInput& in) {
   return anySlot(in, [](const TextureRef& ref) { return ref.transform != scene::TextureTransform{}; });
@@ -162,7 +175,9 @@ bool readsSlantedTextures(const FeatureInput& in) {
   return in.frame.textureReads && in.frame.shadedOnce && anySlot(in, [](const TextureRef&) { return true; });
 }
 
-bool readsVertexColor(const FeatureInput& in) { return !in.primitive.colors.empty() && readsBaseColor(in); }
+bool readsVertexColor(const FeatureInput& in) {
+  return !in.primitive.colors.empty() && (readsBaseColor(in) || viewReads(in, reads::vertexColors));
+}
 bool morphsNormals(const FeatureInput& in) {
   return readsNormal(in) && !flatPerPixel(in) && targetsChange(in, &scene::MorphTarget::normals);
 }
@@ -208,22 +223,6 @@ FeatureBits bitsOf(FeatureRole role) {
 
 }  // namespace
 
-ChannelKind channelKind(int channel) {
-  if (channel == 0 || channel == channelIndex("baseColor") || channel == channelIndex("emissive"))
-    return ChannelKind::color;
-  const bool direction = channel == channelIndex("normal") || channel == channelIndex("geometryNormal") ||
-                         channel == channelIndex("tangent");
-  return direction ? ChannelKind::direction : ChannelKind::number;
-}
-
-std::string channelSetting(int channel) { return channel == 0 ? "" : std::string(rowOf(channels, channel).word); }
-
-int channelIndex(const std::string& setting) {
-  for (int i = 0; i < channelCount; ++i)
-    if (setting == channelSetting(i)) return i;
-  return -1;
-}
-
 bool samplesSlot(const FeatureInput& input, TextureSlot slot) { return samplesSlotOf(input, slot); }
 
 std::span<const FeatureRow> featureTable() { return rows; }
@@ -266,6 +265,10 @@ std::vector<Define> variantDefines(const VariantKey& key) {
     if (usesFeature(key, texCoordFeature(set))) sets += "DO(" + std::to_string(set) + ") ";
   if (!sets.empty()) defines.push_back({"EACH_TEXCOORD(DO)", sets});
   if (key.channel != 0) defines.push_back({"CHANNEL", std::to_string(key.channel)});
+  if (isChannel(key.channel, Channel::node)) defines.push_back({"SHOWS_NODE"});
+  if (channelKind(key.channel) == ChannelKind::direction) defines.push_back({"SHOWS_DIRECTION"});
+  if (channelKind(key.channel) == ChannelKind::quantity) defines.push_back({"SHOWS_QUANTITY"});
+  if (channelKind(key.channel) == ChannelKind::identity) defines.push_back({"SHOWS_IDENTITY"});
   if (key.imageLightSamples != 0) defines.push_back({"IMAGE_LIGHT_SAMPLES", std::to_string(key.imageLightSamples)});
   addModelDefines(key, defines);
   return defines;

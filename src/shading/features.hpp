@@ -14,32 +14,9 @@
 #include "scene/model.hpp"
 #include "scene/usage.hpp"
 #include "shading/assembler.hpp"
+#include "shading/channels.hpp"
 
 namespace facet::shading {
-
-// Debug views in place of the shaded picture. The row's index is CHANNEL in shaders/channels.glsl; its word is the
-// setting, but for the first row, whose setting is empty.
-inline constexpr Choice<int> channels[] = {{0, "final", "final picture"},
-                                           {1, "normal", "normal"},
-                                           {2, "geometryNormal", "vertex normal"},
-                                           {3, "tangent", "tangent"},
-                                           {4, "uv", "uv"},
-                                           {5, "baseColor", "base colour"},
-                                           {6, "metallic", "metallic"},
-                                           {7, "roughness", "roughness"},
-                                           {8, "occlusion", "occlusion"},
-                                           {9, "emissive", "emissive"},
-                                           {10, "alpha", "alpha"}};
-static_assert(inOrder(channels));
-inline constexpr int channelCount = static_cast<int>(std::size(channels));
-// What a channel's numbers are: colours are shown through the sRGB curve, directions by [-1, 1] as [0, 1], everything
-// else as it is.
-enum class ChannelKind { color, direction, number };
-ChannelKind channelKind(int channel);
-// The setting: empty for the final picture.
-std::string channelSetting(int channel);
-// -1 where there is none of that name.
-int channelIndex(const std::string& setting);
 
 // A measured BRDF in the place of all lit materials.
 enum class Measured : uint8_t { none, merl, utia };

@@ -56,6 +56,7 @@ Result<std::optional<glm::vec4>> valueAt(Viewport& viewport, const Inspection& a
   settings.frame.background = frame::Background::transparent;
   frame::FrameInput in = frame::frameInput(viewport.shown, part, at.view, settings);
   in.firstRow = at.pixel.y & ~1;
+  in.precise = true;
   if (Result<void> r = frame::preparePrograms(in, viewport.programs); !r) return tl::unexpected(r.error());
   const frame::Targets targets = frame::createValueTargets(settings.frame.width, 2, GL_RGBA32F);
   frame::setTextureDetail(in.gpu, 1, settings.quality.textureFilter, viewport.context);
@@ -72,15 +73,23 @@ Result<std::optional<glm::vec4>> valueAt(Viewport& viewport, const Inspection& a
   return value;
 }
 
-// What the channel would show as checks, because the material or the primitive has no such thing; and what a measured
-// BRDF has taken the place of.
-bool hasChannel(const scene::Primitive& primitive, const scene::Material& material, std::string_view channel,
-                bool measured) {
-  if (measured && (channel == "baseColor" || channel == "metallic" || channel == "roughness")) return false;
-  if (channel == "normal" || channel == "geometryNormal") return !primitive.normals.empty();
-  if (channel == "tangent") return !primitive.tangents.empty();
-  if (channel == "occlusion") return static_cast<bool>(material.occlusion);
-  return channel != "uv";  // of the click itself
+// What a measured BRDF has taken the place of.
+bool isReplaced(shading::Channel channel) {
+  using enum shading::Channel;
+  constexpr shading::Channel kept[] = {normal,      geometryNormal, faceNormal,   tangent,  bitangent, handedness,
+                                       vertexColor, alpha,          texelDensity, mipLevel, occlusion, emissive};
+  return std::ranges::find(kept, channel) == std::ranges::end(kept);
+}
+
+// Is it to be looked up there? Not what tells of the pixel alone, nor what is told beside it.
+bool isAsked(int channel, const scene::Primitive& primitive, const scene::Material& material, bool measured) {
+  using shading::Channel, shading::ChannelKind;
+  const ChannelKind kind = shading::channelKind(channel);
+  const auto which = static_cast<Channel>(channel);
+  if (kind == ChannelKind::pattern || kind == ChannelKind::identity) return false;
+  if (which == Channel::depth || which == Channel::overdraw) return false;
+  if (measured && isReplaced(which)) return false;
+  return shading::hasChannel(channel, material, primitive);
 }
 
 glm::ivec2 pixelOf(const frame::PictureSettings& settings, const glm::dvec2& at, const glm::dvec2& windowSize) {
@@ -98,7 +107,7 @@ const scene::Hit* firstSeen(Viewport& viewport, const ViewerState& state, const 
     if (!draw || hit.distance < nearest || (!hit.front && !draw->doubleSided)) continue;
     const scene::Material& material = viewport.shown.list.materials[static_cast<size_t>(draw->material)];
     if (material.alphaMode != scene::AlphaMode::mask) return &hit;
-    const auto alpha = valueAt(viewport, at, state.settings, hit, shading::channelIndex("alpha"));
+    const auto alpha = valueAt(viewport, at, state.settings, hit, static_cast<int>(shading::Channel::alpha));
     if (!alpha || *alpha) return &hit;
   }
   return nullptr;
@@ -139,7 +148,7 @@ glm::ivec2 coveredPixel(Viewport& viewport, const ViewerState& state, Inspection
   std::ranges::stable_sort(around, {}, [&](glm::ivec2 p) { return glm::distance(glm::dvec2(p) + 0.5, place); });
   for (const glm::ivec2 pixel : around) {
     at.pixel = pixel;
-    const auto alpha = valueAt(viewport, at, state.settings, hit, shading::channelIndex("alpha"));
+    const auto alpha = valueAt(viewport, at, state.settings, hit, static_cast<int>(shading::Channel::alpha));
     if (alpha && *alpha) return pixel;
   }
   return middle;
@@ -358,13 +367,11 @@ bool inspectNext(Viewport& viewport, ViewerState& state) {
     const int channel = at.nextChannel++;
     const scene::Primitive& primitive = primitiveOf(modelOf(viewport), at.hit);
     const scene::Material& material = viewport.shown.list.materials[static_cast<size_t>(at.material)];
-    if (!hasChannel(primitive, material, shading::channels[channel].word, at.measured)) continue;
+    if (!isAsked(channel, primitive, material, at.measured)) continue;
     const auto value = valueAt(viewport, at, state.settings, at.hit, channel);
     if (!value) return state.status = {describe(value.error()), true}, false;
     if (!*value) continue;
-    const bool direction = shading::channelKind(channel) == shading::ChannelKind::direction;
-    const glm::vec3 read(**value);
-    at.values[static_cast<size_t>(channel)] = direction ? read * 2.0f - 1.0f : read;
+    at.values[static_cast<size_t>(channel)] = glm::vec3(**value);
     break;
   }
   return at.nextChannel < channels;

@@ -95,7 +95,7 @@ bool updateOutline(Viewport& viewport, ViewerState& state, float scale) {
   const scene::Model& model = viewport.scene->loaded->model;
   const frame::DrawList part = frame::partOf(
       viewport.shown.list, [&](int node, const scene::Primitive&) { return isWithin(model, node, selected); },
-      shading::channelIndex("alpha"));
+      static_cast<int>(shading::Channel::alpha));
   if (part.opaque.empty() || !frame::isOnGpu(model, part, viewport.scene->gpu)) return wasShown;
   Result<void> drawn = drawMask(viewport, state, *view, part);
   const int margin = static_cast<int>(std::ceil(3 * scale));

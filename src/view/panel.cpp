@@ -8,6 +8,7 @@
 #include "view/divider.hpp"
 #include "view/help.hpp"
 #include "view/layout.hpp"
+#include "view/legend.hpp"
 #include "view/panel_window.hpp"
 #include "view/scene_panel.hpp"
 #include "view/settings_panel.hpp"
@@ -187,6 +188,7 @@ void drawPanel(ViewerState& state, PanelResult& result) {
     ImGui::End();
   }
   drawDivider(state, result);
+  drawLegend(state);
   drawTimeline(state, result);
   statusLine(state, result);
   drawHelp(state, result);

@@ -243,7 +243,10 @@ void pointValues(PanelLayout& layout, const Inspection& at, const scene::Model& 
     ImGui::TableNextColumn();
     if (kind == shading::ChannelKind::color) swatch(name.c_str(), *value);
     const glm::dvec3 v(*value);
-    wrappedText(kind == shading::ChannelKind::number ? format("%.4f", v.x) : format("%.3f  %.3f  %.3f", v.x, v.y, v.z));
+    if (kind == shading::ChannelKind::number || kind == shading::ChannelKind::quantity)
+      wrappedText(format(kind == shading::ChannelKind::number ? "%.4f" : "%.5g", v.x));
+    else
+      wrappedText(format("%.3f  %.3f  %.3f", v.x, v.y, v.z));
   }
   if (at.radiance) {
     const glm::dvec3 v(*at.radiance);

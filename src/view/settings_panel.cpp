@@ -231,10 +231,44 @@ void materialSection(ViewerState& state) {
 
 // ---- Rendering ------------------------------------------------------------------------------------------------------
 
-void channelChoice(frame::PictureSettings& settings) {
-  auto channel = static_cast<size_t>(std::max(0, shading::channelIndex(settings.look.channel)));
-  if (chooseRow("show", channel, shading::channels, 0, "the picture, or what goes into it"))
-    settings.look.channel = shading::channelSetting(static_cast<int>(channel));
+// Has anything in the model what the channel shows?
+bool anywhere(const scene::Model* model, int channel) {
+  if (!model) return false;
+  for (const scene::Mesh& mesh : model->meshes)
+    for (const scene::Primitive& primitive : mesh.primitives)
+      if (shading::hasChannel(channel, scene::materialOf(*model, primitive), primitive)) return true;
+  return false;
+}
+
+// What the model does not have is left out.
+void channelChoice(frame::PictureSettings& settings, const scene::Model* model) {
+  const int chosen = std::max(0, shading::channelIndex(settings.look.channel));
+  if (beginList("show", std::string(shading::channels[chosen].label))) {
+    for (const Choice<int>& row : shading::channels) {
+      if (row.value != chosen && !anywhere(model, row.value)) continue;
+      if (ImGui::Selectable(std::string(row.label).c_str(), row.value == chosen))
+        settings.look.channel = shading::channelSetting(row.value);
+      if (!row.note.empty()) hint(std::string(row.note));
+    }
+    ImGui::EndCombo();
+    return;
+  }
+  if (resetAsked()) settings.look.channel = usual.look.channel;
+  resettableHint("the picture, or what goes into it: of that what the model has");
+}
+
+// Of what is shown in false colours.
+void rangeChoice(ViewerState& state) {
+  const std::optional<frame::RangeShown>& shown = state.shown.range;
+  if (!shown) return;
+  std::optional<glm::dvec2>& range = state.settings.display.range;
+  glm::vec2 ends(static_cast<float>(shown->range.from), static_cast<float>(shown->range.to));
+  if (ImGui::InputFloat2(shown->unit.empty() ? "range" : ("range, " + shown->unit).c_str(), &ends.x, "%.5g",
+                         ImGuiInputTextFlags_EnterReturnsTrue) &&
+      ends.x < ends.y && (!shown->range.logarithmic || ends.x > 0))
+    range = ends;
+  if (resetAsked()) range.reset();
+  resettableHint("what the darkest and the brightest colour stand for");
 }
 
 void samplesChoice(frame::PictureSettings& settings) {
@@ -256,7 +290,8 @@ void pictureSection(ViewerState& state) {
          "each stop doubles the light, before tone mapping");
   chooseEnum("tone mapper", settings.display.toneMapper, optics::toneMappers, usual.display.toneMapper,
              "how radiance becomes what a screen can show");
-  channelChoice(settings);
+  channelChoice(settings, state.shown.content.get());
+  rangeChoice(state);
   chooseEnum("light", settings.quality.transport, frame::transports, usual.quality.transport,
              "how it gets to a surface while the picture rests");
   if (frame::tracesPaths(settings)) {

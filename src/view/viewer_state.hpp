@@ -14,6 +14,7 @@
 #include "frame/measured_read.hpp"
 #include "frame/settings.hpp"
 #include "frame/statistics.hpp"
+#include "frame/value_range.hpp"
 #include "ibl/choice.hpp"
 #include "scene/camera.hpp"
 #include "scene/pick.hpp"
@@ -130,6 +131,7 @@ struct Inspection {
 
 // What is on the screen now.
 struct ShownScene {
+  std::optional<frame::RangeShown> range;  // of false colours, where a channel is shown in them
   std::shared_ptr<const scene::Model> content;
   std::string model;        // source: a path or "builtin:NAME"
   std::string environment;  // source, or "none"

@@ -122,6 +122,7 @@ bool drawViewport(Viewport& viewport, ViewerState& state) {
   if (same && viewport.environments.shown->preview) return false;  // it would be drawn anew soon
   const Result<bool> whole = same ? goOnMoving(viewport, state, *view) : drawMoving(viewport, state, *view);
   viewport.drawn = wanted;
+  state.shown.range = frame::rangeShown(viewport.shown.list, *view, state.settings.display.range);
   if (!whole) return complain(state, whole.error()), true;
   if (*whole) tellDrawn(viewport, state);
   return *whole || !same;

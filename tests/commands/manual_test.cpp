@@ -141,6 +141,7 @@ TEST_CASE("every value of an option that names files, folders or words is comple
                                          "0..1",
                                          "1..3",
                                          "STOPS",
+                                         "FROM,TO",
                                          "#rrggbb|R,G,B",
                                          "NAME|INDEX",
                                          "TABLE",

@@ -84,7 +84,7 @@ PictureSettings unusual() {
   s.quality.samples = 16, s.quality.bounces = 3, s.quality.seed = 7;
   s.quality.textureFilter = frame::TextureFilter::isotropic;
   s.quality.maxError = 0.02;
-  s.look.channel = "geometryNormal";
+  s.look.channel = "texelDensity", s.display.range = glm::dvec2(1.0 / 3, 1e6);
   s.sources.shaderDir = "my $HOME";
   return s;
 }
@@ -113,6 +113,16 @@ TEST_CASE("a message below names no option, what the program says does") {
   for (int i = 1; i <= static_cast<int>(Setting::brdfFolder); ++i)
     CHECK(options::describe(Error{"", "", "wrong", "", Setting(i)}).starts_with("wrong (--"));
   CHECK(describe(Error{"", "", "wrong", "", Setting::brdf}) == "wrong.");
+}
+
+TEST_CASE("a range is of a channel that shows quantities") {
+  const auto both = fromArguments({{"channel", "depth"}, {"range", "-1,2.5"}});
+  REQUIRE(both);
+  CHECK(both->display.range == glm::dvec2(-1, 2.5));
+  CHECK(options::commandLine(*both, "a.glb") == "facet a.glb --channel depth --range -1,2.5");
+  PictureSettings other = *both;
+  other.look.channel = "normal";  // as the panel leaves it
+  CHECK(options::commandLine(other, "a.glb") == "facet a.glb --channel normal");
 }
 
 TEST_CASE("a comparison needs a measured BRDF") {
@@ -245,6 +255,8 @@ TEST_CASE("every way to be wrong has its sentence") {
        "--max-error: '120%' is no error that a picture could keep to; give a share such as 0.01 or 1%."},
       {"samples", "0", "--samples: 0 is out of range; give a whole number from 1 to 4096."},
       {"channel", "normals", "--channel: 'normals' is not known; perhaps normal is meant."},
+      {"range", "2,1", "--range: '2,1' is no range; give FROM,TO such as 0,2.5."},
+      {"range", "0,1", "--range: nothing is shown in false colours; give --channel depth, or another quantity."},
       {"shader-dir", "", "--shader-dir: the value is empty; give a name or leave the option out."},
       {"exposrue", "1", "--exposrue: there is no such option; perhaps exposure is meant."},
   }));

@@ -151,6 +151,7 @@ TWIN("distanceAttenuation")
 TWIN("coneAttenuation")
 TWIN("luminance")
 TWIN("displayed")
+TWIN("falseColor")
 TWIN("encodeSrgb")
 TWIN("toneMap")
 TWIN("toneReinhard")
@@ -185,7 +186,7 @@ TWIN("lookUpTap, 1 of 1")
 TWIN("lookUpTap, 2 of 2")
 TWIN("lookUpTap, 3 of 3")
 
-TEST_CASE("Twin: the cases above are the whole table") { CHECK(selftest::numericalChecks().size() == 148); }
+TEST_CASE("Twin: the cases above are the whole table") { CHECK(selftest::numericalChecks().size() == 149); }
 
 TEST_CASE("A check sees a wrong function, and counts what is not finite") {
   selftest::Check check{

@@ -1,0 +1,35 @@
+#pragma once
+
+// What the colours of a channel's quantities stand for.
+
+#include <optional>
+#include <string>
+
+#include "frame/draw_list.hpp"
+#include "scene/camera.hpp"
+
+namespace facet::frame {
+
+struct ValueRange {
+  double from = 0, to = 1;  // from < to
+  bool logarithmic = false;
+
+  bool operator==(const ValueRange&) const = default;
+};
+
+// Of the list's channel, which shows quantities, where no range is asked for: what the scene has of it, as seen by the
+// view, or what there usually is.
+ValueRange usualRange(const DrawList& list, const scene::View& view);
+
+// As one reads it: where each end of the colours lies.
+struct RangeShown {
+  std::string label, unit;  // of the channel; the unit may be empty
+  ValueRange range;
+};
+// Nothing where the channel is none that shows quantities. wish: its ends; a logarithmic one needs ends above 0.
+std::optional<RangeShown> rangeShown(const DrawList& list, const scene::View& view,
+                                     const std::optional<glm::dvec2>& wish);
+// "depth from 1.2 to 3.4 m"
+std::string describe(const RangeShown& shown);
+
+}  // namespace facet::frame
