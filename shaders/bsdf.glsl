@@ -4,6 +4,7 @@
 // The twin is src/optics/bsdf.cpp.
 #include "models.glsl"
 #include "energy.glsl"
+#include "light_parts.glsl" if LIGHT_PART
 #include "layers/rough_base.glsl" if HAS_DIFFUSE_ROUGHNESS
 #include "layers/grain.glsl" if HAS_ANISOTROPY
 #include "layers/film.glsl" if HAS_IRIDESCENCE
@@ -144,7 +145,7 @@ vec3 evaluateBase(Surface s, vec3 L) {
 #endif
   vec3 diffuse = diffuseTerm(s.baseColor, s.NoV, NoL, dot(s.V, L), diffuseRoughness(s)) * (1.0 - s.metallic) *
                  s.diffuseShare * dielectricLeft(s, lightEnergy);
-  return (specular + diffuse) * NoL;
+  return (specularPart(specular) + diffusePart(diffuse)) * NoL;
 }
 
 // Share of what the base returns that passes the sheen and the coat, for distant light.
@@ -164,9 +165,12 @@ vec3 dielectricBaseShare(Surface s) { return (1.0 - s.metallic) * dielectricLeft
 
 // What of irradiance / pi the base sends towards the viewer: light that left the microsurface after several bounces,
 // which is taken as diffuse, and the dielectric's diffuse part.
-vec3 irradianceAlbedo(Surface s) {
-  vec3 diffuse = diffuseReturned(s.baseColor, s.NoV, diffuseRoughness(s));
-  return baseMultipleAlbedo(s, distantEnergy) + diffuse * s.diffuseShare * dielectricBaseShare(s);
+vec3 diffuseAlbedo(Surface s) {
+  return diffuseReturned(s.baseColor, s.NoV, diffuseRoughness(s)) * s.diffuseShare * dielectricBaseShare(s);
+}
+vec3 irradianceAlbedo(Surface s) { return baseMultipleAlbedo(s, distantEnergy) + diffuseAlbedo(s); }
+vec3 shownIrradianceAlbedo(Surface s) {
+  return specularPart(baseMultipleAlbedo(s, distantEnergy)) + diffusePart(diffuseAlbedo(s));
 }
 // What enters the dielectric, before its colour: the rest is reflected by its interface, by the metal or by the layers.
 vec3 enteringShare(Surface s) { return dielectricBaseShare(s) * layersLeft(s); }

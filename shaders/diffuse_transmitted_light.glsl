@@ -12,5 +12,5 @@ vec3 diffuseTransmittedLight(Surface s, Varyings v, float transmitted) {
   radiance += lookUpIrradiance(-s.N) * (frame.environmentScale.x * s.occlusion);
   share *= enteringShare(s);
   share *= leftAfter(materialThickness(v));
-  return share * radiance;
+  return scatteredPart(share * radiance);
 }

@@ -73,7 +73,8 @@ vec3 specularMeanDirection(Surface s) { return meanDirection(s.N, s.V, s.dfg.z);
 vec3 imageLight(Surface s) {
   vec3 irradiance = lookUpIrradiance(s.N);
   vec3 specular = prefilteredAlbedo(s), rest = irradianceAlbedo(s);
-  vec3 radiance = (specularRadiance(s) * specular + irradiance * rest) * interreflected(s.occlusion, specular + rest);
+  vec3 radiance = specularPart(specularRadiance(s) * specular) + irradiance * shownIrradianceAlbedo(s);
+  radiance *= interreflectedPart(interreflected(s.occlusion, specular + rest));
   radiance = underLitCoat(s, underLitSheen(s, radiance, irradiance));
   return radiance * (frame.environmentScale.x * s.occlusion);
 }

@@ -88,14 +88,14 @@ vec3 diffuseDetail(Surface s) {
 
 vec3 imageLight(Surface s) {
   vec3 irradiance = lookUpIrradiance(s.N);
-  vec3 radiance = specularSampled(s) + irradiance * irradianceAlbedo(s);
+  vec3 radiance = specularPart(specularSampled(s)) + irradiance * shownIrradianceAlbedo(s);
 #if ENERGY_MODEL == ENERGY_KULLA_CONTY
-  radiance += multipleDetail(s) * baseMultipleAlbedo(s, distantEnergy);
+  radiance += specularPart(multipleDetail(s) * baseMultipleAlbedo(s, distantEnergy));
 #endif
 #if DIFFUSE_MODEL != DIFFUSE_LAMBERT
-  radiance += diffuseDetail(s) * s.diffuseShare * dielectricBaseShare(s);
+  radiance += diffusePart(diffuseDetail(s) * s.diffuseShare * dielectricBaseShare(s));
 #endif
-  radiance *= interreflected(s.occlusion, prefilteredAlbedo(s) + irradianceAlbedo(s));
+  radiance *= interreflectedPart(interreflected(s.occlusion, prefilteredAlbedo(s) + irradianceAlbedo(s)));
   radiance = underLitCoat(s, underLitSheen(s, radiance));
   return radiance * (frame.environmentScale.x * s.occlusion);
 }

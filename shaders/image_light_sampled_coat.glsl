@@ -15,4 +15,4 @@ vec3 coatSampled(Surface s) {
   return sum / float(IMAGE_LIGHT_SAMPLES);
 }
 
-vec3 underLitCoat(Surface s, vec3 below) { return below * coatLeft(s) + s.coat.weight * coatSampled(s); }
+vec3 underLitCoat(Surface s, vec3 below) { return below * coatLeft(s) + layerPart(s.coat.weight * coatSampled(s)); }

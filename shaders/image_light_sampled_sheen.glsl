@@ -14,4 +14,4 @@ vec3 sheenSampled(Surface s) {
   return sum / float(IMAGE_LIGHT_SAMPLES);
 }
 
-vec3 underLitSheen(Surface s, vec3 below) { return below * sheenLeft(s) + s.sheen.color * sheenSampled(s); }
+vec3 underLitSheen(Surface s, vec3 below) { return below * sheenLeft(s) + layerPart(s.sheen.color * sheenSampled(s)); }

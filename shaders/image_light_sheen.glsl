@@ -32,5 +32,5 @@ vec3 sheenRadiance(Surface s, vec3 irradiance) {
 
 // What the base sends, and what the sheen adds.
 vec3 underLitSheen(Surface s, vec3 below, vec3 irradiance) {
-  return below * sheenLeft(s) + s.sheen.color * min(s.sheen.albedoV, 1.0) * sheenRadiance(s, irradiance);
+  return below * sheenLeft(s) + layerPart(s.sheen.color * min(s.sheen.albedoV, 1.0) * sheenRadiance(s, irradiance));
 }

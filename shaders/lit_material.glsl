@@ -13,8 +13,8 @@
 vec4 litRadiance(Varyings v, vec3 V, vec3 baseColor) {
   LitSurface lit = litSurface(v, V, baseColor);
   Surface s = lit.s;
-  vec3 emission = materialEmission(v) * coatLeft(s);  // it lies below the coat (KHR_materials_clearcoat)
-  vec3 radiance = emission + punctualLight(s, v.position) + imageLight(s);
+  vec3 emission = emittedPart(materialEmission(v)) * coatLeft(s);  // it lies below the coat (KHR_materials_clearcoat)
+  vec3 radiance = emission + lightsPart(punctualLight(s, v.position)) + imageLight(s);
   radiance += diffuseTransmittedLight(s, v, lit.scattered);
   float coverage = addTransmittedLight(s, v, lit.transmitted, radiance);
   return vec4(radiance, coverage);

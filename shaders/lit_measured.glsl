@@ -2,15 +2,16 @@
 #include "material.glsl"
 #include "measured_light.glsl"
 #include "horizon_occlusion.glsl" if HORIZONS
+#include "light_parts.glsl" if LIGHT_PART
 
 vec4 litRadiance(Varyings v, vec3 V, vec3 baseColor) {
   MeasuredSurface s = makeMeasuredSurface(materialNormal(v, V), v.tangent, V, environmentShare(materialOcclusion(v)));
-  vec3 radiance = materialEmission(v);
+  vec3 radiance = emittedPart(materialEmission(v));
 #ifdef HAS_PUNCTUAL_LIGHTS
-  radiance += measuredPunctualLight(s, v.position);
+  radiance += layerPart(measuredPunctualLight(s, v.position));
 #endif
 #ifdef HAS_ENVIRONMENT
-  radiance += measuredImageLight(s);
+  radiance += layerPart(measuredImageLight(s));
 #endif
   return vec4(radiance, 1.0);
 }

@@ -147,7 +147,7 @@ float addTransmittedLight(Surface s, Varyings v, float transmitted, inout vec3 r
   disperse(s, v.position, ior, thickness, behind, open);
   share *= leftAfter(length(passage.ray));
   radiance += share * behind.rgb * frame.stored.y;
-  radiance += share * punctualThrough(s, v.position, passage);
+  radiance += layerPart(share * punctualThrough(s, v.position, passage));
   open = clamp(share * open, 0.0, 1.0);
   if (frame.backdrop.w < 0.5) return 1.0 - dot(open, vec3(1.0 / 3.0));
   float white = min(open.r, min(open.g, open.b));

@@ -1,6 +1,7 @@
 // KHR_materials_clearcoat: the coat above everything else, with a normal of its own.
 #include "layers.glsl"
 #include "lights.glsl"
+#include "light_parts.glsl" if LIGHT_PART
 
 struct Coat {
   vec3 N;
@@ -23,5 +24,5 @@ float coatLeft(Coat coat) { return layerTransmittance(coat.weight, coatAlbedo(co
 
 // f NoL of what is below: of both.
 vec3 underCoat(Coat coat, vec3 below, vec3 V, vec3 L) {
-  return below * coatLeft(coat) + coat.weight * coatLobe(coat.N, V, L, coat.alpha);
+  return below * coatLeft(coat) + layerPart(vec3(coat.weight * coatLobe(coat.N, V, L, coat.alpha)));
 }

@@ -1,5 +1,6 @@
 // KHR_materials_sheen: cloth over the base.
 #include "sheen.glsl"
+#include "light_parts.glsl" if LIGHT_PART
 
 struct Sheen {
   vec3 color;
@@ -36,5 +37,5 @@ float sheenLeft(Sheen sheen) {
 // f NoL of the base, below: of both.
 vec3 underSheen(Sheen sheen, vec3 below, vec3 N, vec3 V, float NoV, vec3 L) {
   return below * sheenScaling(sheen.color, min(sheen.albedoV, 1.0), min(sheen.albedoL, 1.0)) +
-         sheen.color * sheenLobe(sheen, N, V, NoV, L);
+         layerPart(sheen.color * sheenLobe(sheen, N, V, NoV, L));
 }

@@ -5,6 +5,7 @@
 #include "lit_material.glsl"
 #endif
 #include "constants.glsl"
+#include "light_parts.glsl" if LIGHT_PART
 #ifdef FLAT_NORMALS
 #include "face_normal.glsl"
 #endif
@@ -95,7 +96,7 @@ void main() {
 #ifdef UNLIT_EMISSION
   baseColor.rgb += materialEmission(v);
 #endif
-  outColor = vec4(min(baseColor.rgb * frame.stored.x, frame.stored.z) * coverage, coverage);
+  outColor = vec4(min(emittedPart(baseColor.rgb) * frame.stored.x, frame.stored.z) * coverage, coverage);
 #else
   vec4 lit = litRadiance(v, towardsViewer(v.position), baseColor.rgb);
   outColor = vec4(clamp(lit.rgb * frame.stored.x, 0.0, frame.stored.z), lit.a) * coverage;

@@ -1,6 +1,7 @@
 #include "frame/choose.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 #include <set>
 
 #include "base/whole_number.hpp"
@@ -37,6 +38,15 @@ bool wantsRays(const Quality& quality) {
   return quality.visibility == Visibility::automatic || quality.visibility == Visibility::rays;
 }
 
+bool isPart(const PictureSettings& settings) {
+  const int channel = std::max(0, shading::channelIndex(settings.look.channel));
+  return channel != 0 && shading::showsLight(channel);
+}
+bool isPart(const PictureSettings& settings, std::initializer_list<shading::Channel> parts) {
+  const int channel = std::max(0, shading::channelIndex(settings.look.channel));
+  return std::ranges::any_of(parts, [&](shading::Channel part) { return shading::isChannel(channel, part); });
+}
+
 // Of light in a picture that is drawn, once.
 bool drawsLight(const PictureSettings& settings) {
   return settings.look.channel.empty() && settings.comparison.brdfCompare == BrdfCompare::none &&
@@ -56,6 +66,7 @@ bool tracesPaths(const PictureSettings& settings) {
 bool correctedByRays(const PictureSettings& settings) { return wantsRays(settings.quality) && drawsLight(settings); }
 
 bool usesScreen(const PictureSettings& settings) {
+  if (isPart(settings)) return settings.quality.visibility != Visibility::none;
   return settings.quality.visibility == Visibility::screen && drawsLight(settings);
 }
 
@@ -69,9 +80,10 @@ VisibilityChosen chosenVisibility(const PictureSettings& settings, const DrawLis
     return {"paths", std::move(why)};
   }
   if (list.features.difference) return {"rays", asked ? "asked for" : "few samples"};
-  if (list.features.shadows || list.features.horizons) return {"screen", "asked for"};
+  if (list.features.shadows || list.features.horizons)
+    return {"screen", isPart(settings) ? "parts of the light are drawn" : "asked for"};
   if (!list.untraced.empty()) return {"none", list.untraced};
-  if (!settings.look.channel.empty()) return {"none", "a channel shows no light"};
+  if (!settings.look.channel.empty() && !isPart(settings)) return {"none", "a channel shows no light"};
   if (settings.comparison.brdfCompare != BrdfCompare::none && settings.quality.visibility != Visibility::none)
     return {"none", "a fitted model is compared"};
   return {"none", "asked for"};
@@ -123,13 +135,25 @@ DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment) {
   options.ground = settings.frame.ground && settings.look.channel.empty();
   options.sceneLights = settings.look.lights != Lights::none;
   options.demoLights = settings.look.lights == Lights::demo;
+  // A part of the light is the picture without the other lights.
+  using enum shading::Channel;
+  if (isPart(settings) && !isPart(settings, {environmentDiffuse, environmentSpecular, interreflected}))
+    options.features.environment = false;
+  if (isPart(settings) && !isPart(settings, {lightsDiffuse, lightsSpecular}))
+    options.sceneLights = options.demoLights = false;
   options.moving = !settings.placement.animation.empty();
   if (settings.look.material.on) options.material = settings.look.material;
   return options;
 }
 
+glm::vec3 backgroundColor(const PictureSettings& settings) {
+  const bool without = isPart(settings) && !isPart(settings, {shading::Channel::background});
+  return without ? glm::vec3(0) : settings.frame.backgroundColor;
+}
+
 bool backgroundVisible(const PictureSettings& settings, bool hasEnvironment) {
-  return settings.frame.background == Background::environment && hasEnvironment && settings.look.channel.empty();
+  return settings.frame.background == Background::environment && hasEnvironment &&
+         (settings.look.channel.empty() || isPart(settings, {shading::Channel::background}));
 }
 
 Result<int> chooseScene(const Placement& placement, const scene::Model& model) {
@@ -229,7 +253,8 @@ std::string chooseEnvironment(const PictureSettings& settings, const std::string
     return io::withLayer(settings.sources.environment, settings.sources.environmentLayer);
   if (const scene::BuiltinScene* builtin = builtinOf(source)) return std::string(builtin->environment);
   const DrawOptions options = drawOptions(settings, true);
-  const bool shaded = options.features.channel == 0 && options.features.environment;
+  const bool shaded = (shading::showsLight(options.features.channel) && options.features.environment) ||
+                      (isPart(settings, {shading::Channel::background}) && backgroundVisible(settings, true));
   if (!shaded || !scene::anythingLit(model, scene)) return "none";
   const int own = model.scenes[static_cast<size_t>(scene)].imageLight;  // of the file
   return own < 0 || source.starts_with(io::builtinPrefix) ? "builtin:studio"

@@ -49,6 +49,8 @@ PictureSettings restingSettings(const PictureSettings& settings);
 // What the settings ask of the draw list, but for the variant, which needs the model, and the measured BRDF.
 DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment);
 
+// What is behind the picture where that is a colour (Background::color): of parts of its light one has it.
+glm::vec3 backgroundColor(const PictureSettings& settings);
 // The environment is seen behind the model.
 bool backgroundVisible(const PictureSettings& settings, bool hasEnvironment);
 

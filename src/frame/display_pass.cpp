@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "constants.h"
+#include "frame/choose.hpp"
 #include "frame/settings.hpp"
 #include "frame/value_range.hpp"
 
@@ -13,7 +14,7 @@ namespace facet::frame {
 using shading::ProgramStore;
 
 float radianceUnit(const Display& display, int channel) {
-  if (channel != 0) return 1;
+  if (!shading::showsLight(channel)) return 1;
   constexpr float darkest = -4, brightest = 8;  // stops: the largest half is white there, and halves are fine enough
   const float beyond =
       std::min(display.exposureStops - darkest, 0.0f) + std::max(display.exposureStops - brightest, 0.0f);
@@ -53,11 +54,11 @@ DisplayParameters displayParameters(const FrameInput& in, float scale) {
   if (showsQuantity(in)) return quantityParameters(in, scale);
   const PictureSettings& s = in.settings;
   const int channel = in.list.features.channel;
-  const bool shaded = channel == 0;
+  const bool shaded = shading::showsLight(channel);
   const float exposure = std::exp2(s.display.exposureStops) * radianceUnit(s.display, channel);
   return {{shaded ? exposure : 1.0f, shaded ? static_cast<float>(s.display.toneMapper) : 0.0f,
-           shading::channelKind(channel) == shading::ChannelKind::color ? 1.0f : 0.0f, scale},
-          {s.frame.backgroundColor, s.frame.background == Background::color ? 1.0f : 0.0f}};
+           shaded || shading::channelKind(channel) == shading::ChannelKind::color ? 1.0f : 0.0f, scale},
+          {backgroundColor(s), s.frame.background == Background::color ? 1.0f : 0.0f}};
 }
 
 void drawFullscreen(const FullscreenTarget& target, const gl::Texture& source, const gl::Program& program) {

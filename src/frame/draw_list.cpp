@@ -139,7 +139,7 @@ void addInstances(DrawList& list, const scene::Mesh& mesh, const std::vector<Pla
       list.transmitting.push_back(draw);
       continue;
     }
-    if (material.alphaMode != AlphaMode::blend || list.features.channel != 0) {
+    if (material.alphaMode != AlphaMode::blend || !shading::showsLight(list.features.channel)) {
       list.opaque.push_back(draw);
       continue;
     }

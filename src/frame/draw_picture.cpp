@@ -85,7 +85,7 @@ void readBand(Picture& picture, const PictureRequest& request, const Targets& ta
     io::RadianceImage band = readRadiance(targets, unit);
     if (targets.fitted) compareRadiance(band, readFitted(targets, unit), settings);
     if (settings.frame.background == Background::color)
-      for (glm::vec4& p : band.pixels) p = glm::vec4(glm::vec3(p) + (1 - p.a) * settings.frame.backgroundColor, 1);
+      for (glm::vec4& p : band.pixels) p = glm::vec4(glm::vec3(p) + (1 - p.a) * backgroundColor(settings), 1);
     picture.radiance.width = settings.frame.width, picture.radiance.height = settings.frame.height;
     picture.radiance.pixels.resize(width * height);
     placeBand(picture.radiance.pixels, band.pixels, width, settings.frame.height, firstRow);

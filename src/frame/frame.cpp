@@ -8,6 +8,7 @@
 #include <span>
 
 #include "frame/behind.hpp"
+#include "frame/choose.hpp"
 #include "frame/difference.hpp"
 #include "frame/display_pass.hpp"
 #include "frame/draw_calls.hpp"
@@ -33,7 +34,7 @@ Result<const gl::Program*> skyProgram(ProgramStore& programs) {
 }
 bool skyVisible(const FrameInput& in) {
   return in.settings.frame.background == Background::environment && in.tables.background &&
-         in.list.features.channel == 0;
+         (in.list.features.channel == 0 || shading::isChannel(in.list.features.channel, shading::Channel::background));
 }
 
 // Draws a run of the list, changing program and material only where they change.
@@ -183,7 +184,7 @@ layout::FrameUniforms frameUniforms(const FrameInput& in, int draw, int draws, c
   const float unit = radianceUnit(in.settings.display, in.list.features.channel);
   u.stored = glm::vec4(1 / unit, unit, largestStored(in.precise), in.precise ? 0 : quantityFactor(in));
   if (in.settings.frame.background == Background::color)
-    u.backdrop = glm::vec4(in.settings.frame.backgroundColor * std::exp2(-in.settings.display.exposureStops), 1);
+    u.backdrop = glm::vec4(backgroundColor(in.settings) * std::exp2(-in.settings.display.exposureStops), 1);
   if (in.ground) u.ground = in.ground->place;
   if (in.screen && in.screen->width > 0)
     u.screen = glm::vec4(static_cast<float>(in.screen->width) / static_cast<float>(in.settings.frame.width),

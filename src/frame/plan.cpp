@@ -23,7 +23,7 @@ void chooseMethod(LoadedEnvironment& environment, const std::optional<double>& m
 
 // The measured BRDF into the inputs. False: it is on its way.
 Result<bool> supplyMeasured(const PictureSettings& wish, const Supply& supply, ListInputs& inputs) {
-  if (wish.sources.brdf.empty() || inputs.options.features.channel != 0) return true;
+  if (wish.sources.brdf.empty() || !shading::showsLight(inputs.options.features.channel)) return true;
   const MeasuredSource source = measuredSource(wish.sources);
   auto found = supply.measured(source);
   if (!found) return tl::unexpected(found.error());
@@ -179,7 +179,8 @@ ListInputs listInputs(const PictureSettings& settings, std::shared_ptr<const io:
   inputs.options = drawOptions(moving ? movingSettings(settings) : settings, hasEnvironment);
   inputs.options.variant = variant;
   // What will be refined begins with few samples, by the program that refines it.
-  if (moving && converges(settings) && !settings.sources.brdf.empty() && inputs.options.features.channel == 0)
+  if (moving && converges(settings) && !settings.sources.brdf.empty() &&
+      shading::showsLight(inputs.options.features.channel))
     inputs.options.features.imageLightSamples = convergedLightSamples;
   inputs.animation = settings.placement.animation;
   if (!inputs.animation.empty()) inputs.timeSeconds = settings.placement.timeSeconds;

@@ -39,7 +39,7 @@ bool drawsThin(const DrawList& list) {
 
 // Why the list is left as it is, before its materials are looked at; else empty.
 std::string whyUntraced(const DrawList& list, const DrawOptions& options) {
-  if (list.features.channel != 0) return "a channel shows no light";
+  if (!shading::showsLight(list.features.channel)) return "a channel shows no light";
   if (!tracedSizes.holds(list.bounds)) return "rays do not reach in a scene of this size";
   if (options.tracesAnyway) return "";
   if (nothingInTheWay(list)) return "a convex body, alone";

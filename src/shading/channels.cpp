@@ -66,6 +66,8 @@ const ChannelRow& row(int channel) { return rows[static_cast<size_t>(channel)]; 
 
 ChannelKind channelKind(int channel) { return channelRows::row(channel).kind; }
 
+bool showsLight(int channel) { return channel == 0 || channelKind(channel) == ChannelKind::light; }
+
 std::string channelSetting(int channel) { return channel == 0 ? "" : std::string(rowOf(channels, channel).word); }
 
 int channelIndex(const std::string& setting) {

@@ -33,6 +33,7 @@ enum class ChannelKind {
   number,     // in [0, 1]: as grey
   quantity,   // any number: in false colours over a range (frame/value_range.hpp)
   identity,   // which of several: a colour for each
+  light,      // radiance, a part of the picture's: as the picture
   pattern,    // three numbers in [0, 1]: as they are
 };
 ChannelKind channelKind(int channel);
@@ -41,6 +42,9 @@ std::string channelSetting(int channel);
 // -1 where there is none of that name.
 int channelIndex(const std::string& setting);
 constexpr bool isChannel(int channel, Channel which) { return channel == static_cast<int>(which); }
+
+// The picture, or a part of its light.
+bool showsLight(int channel);
 
 // Is there such a thing? Without it, checks are shown.
 bool hasChannel(int channel, const scene::Material& material, const scene::Primitive& primitive);

@@ -19,41 +19,40 @@ bool unlit(const FeatureInput& in) { return in.material.unlit || in.primitive.no
 
 bool sampled(const FeatureInput& in, TextureSlot slot) { return usesTexture(in.material, in.primitive, slot); }
 
+bool shades(const FeatureInput& in) { return showsLight(in.frame.channel); }
 bool channelIs(const FeatureInput& in, Channel which) { return isChannel(in.frame.channel, which); }
 
 bool lacksChannel(const FeatureInput& in) {
   if (channelIs(in, Channel::occlusion) && !in.frame.occlusion) return true;
-  return in.frame.channel != 0 && !hasChannel(in.frame.channel, in.material, in.primitive);
+  return !shades(in) && !hasChannel(in.frame.channel, in.material, in.primitive);
 }
 // What the debug view reads of this draw; nothing where the picture is shaded.
 bool viewReads(const FeatureInput& in, ChannelReads what) {
-  return in.frame.channel != 0 && (channelReads(in.frame.channel) & what) && !lacksChannel(in);
+  return !shades(in) && (channelReads(in.frame.channel) & what) && !lacksChannel(in);
 }
 
 // glTF 2.0, 3.9.7: points and lines without normals show the sum of base colour and emission; unlit materials do not.
 bool glowsUnlit(const FeatureInput& in) {
-  return in.frame.channel == 0 && unlit(in) && !in.material.unlit && in.material.emissiveFactor != glm::vec3(0) &&
+  return shades(in) && unlit(in) && !in.material.unlit && in.material.emissiveFactor != glm::vec3(0) &&
          in.material.emissiveStrength != 0;
 }
 
 // Shaded, or the debug view shows this very slot.
 bool wanted(const FeatureInput& in, TextureSlot slot) {
-  return in.frame.channel == 0 ? !unlit(in) : viewReads(in, reads::slot(slot));
+  return shades(in) ? !unlit(in) : viewReads(in, reads::slot(slot));
 }
 
-bool measured(const FeatureInput& in) {
-  return in.frame.measured != Measured::none && in.frame.channel == 0 && !unlit(in);
-}
+bool measured(const FeatureInput& in) { return in.frame.measured != Measured::none && shades(in) && !unlit(in); }
 bool measuredUtia(const FeatureInput& in) { return measured(in) && in.frame.measured == Measured::utia; }
 
 bool readsNormal(const FeatureInput& in) {
   if (in.primitive.normals.empty()) return false;
-  return in.frame.channel == 0 ? !in.material.unlit : viewReads(in, reads::normals);
+  return shades(in) ? !in.material.unlit : viewReads(in, reads::normals);
 }
 bool readsBaseColor(const FeatureInput& in) {
   const bool alphaTested = in.material.alphaMode == AlphaMode::mask;
   if (measured(in)) return in.material.alphaMode != AlphaMode::opaque;
-  return in.frame.channel == 0 || viewReads(in, reads::baseColor) || alphaTested;
+  return shades(in) || viewReads(in, reads::baseColor) || alphaTested;
 }
 bool baseColorTexture(const FeatureInput& in) {
   return sampled(in, TextureSlot::baseColor) &&
@@ -72,15 +71,16 @@ bool normalTexture(const FeatureInput& in) {
 }
 bool occlusionTexture(const FeatureInput& in) {
   return in.frame.occlusion && sampled(in, TextureSlot::occlusion) &&
-         (in.frame.channel == 0 ? !unlit(in) && in.frame.environment : wanted(in, TextureSlot::occlusion));
+         (shades(in) ? !unlit(in) && in.frame.environment : wanted(in, TextureSlot::occlusion));
 }
 bool emissiveTexture(const FeatureInput& in) {
+  if (shades(in) && in.frame.channel != 0 && !channelIs(in, Channel::emitted)) return false;  // not of that part
   return sampled(in, TextureSlot::emissive) && (wanted(in, TextureSlot::emissive) || glowsUnlit(in));
 }
 
 // Materials of extensions: of the shaded picture of a metallic-roughness surface.
 bool extended(const FeatureInput& in) {
-  return in.frame.channel == 0 && !unlit(in) && !in.material.specularGlossiness && !measured(in);
+  return shades(in) && !unlit(in) && !in.material.specularGlossiness && !measured(in);
 }
 // Is there light for the effects of extensions? What is behind shines through all of them.
 bool reached(const FeatureInput& in) {
@@ -93,7 +93,7 @@ bool glowsThroughCoat(const FeatureInput& in) {
 }
 bool samplesEffectSlot(const FeatureInput& in, TextureSlot slot) {
   if (slot == TextureSlot::clearcoatNormal && in.primitive.tangents.empty()) return false;
-  if (in.frame.channel != 0) return sampled(in, slot) && wanted(in, slot);
+  if (!shades(in)) return sampled(in, slot) && wanted(in, slot);
   if (!extended(in) || !sampled(in, slot)) return false;
   const bool ofCoat =
       slot == TextureSlot::clearcoat || slot == TextureSlot::clearcoatRoughness || slot == TextureSlot::clearcoatNormal;
@@ -142,7 +142,7 @@ bool flatPerPixel(const FeatureInput& in) {
 
 // A pixel that is shaded once shows a mean over its normals. Flat faces too: a program less costs more than it saves.
 bool spreadsNormals(const FeatureInput& in) {
-  if (!in.frame.shadedOnce || in.frame.channel != 0 || unlit(in) || measured(in)) return false;
+  if (!in.frame.shadedOnce || !shades(in) || unlit(in) || measured(in)) return false;
   return in.frame.punctualLights || in.frame.environment || hasEffect<scene::Effect::transmission>(in) ||
          hasEffect<scene::Effect::clearcoat>(in);
 }
@@ -189,9 +189,9 @@ bool morphsColors(const FeatureInput& in) {
 }
 
 bool masksAlpha(const FeatureInput& in) { return in.material.alphaMode == AlphaMode::mask; }
-bool blendsAlpha(const FeatureInput& in) { return in.material.alphaMode == AlphaMode::blend && in.frame.channel == 0; }
+bool blendsAlpha(const FeatureInput& in) { return in.material.alphaMode == AlphaMode::blend && shades(in); }
 bool isDoubleSided(const FeatureInput& in) { return in.material.doubleSided && readsNormal(in); }
-bool showsNoLight(const FeatureInput& in) { return unlit(in) || in.frame.channel != 0; }
+bool showsNoLight(const FeatureInput& in) { return unlit(in) || !shades(in); }
 bool readsPunctualLights(const FeatureInput& in) { return in.frame.punctualLights && !showsNoLight(in); }
 bool readsEnvironment(const FeatureInput& in) { return in.frame.environment && !showsNoLight(in); }
 bool readsShadows(const FeatureInput& in) { return in.frame.shadows && readsPunctualLights(in); }
@@ -264,7 +264,8 @@ std::vector<Define> variantDefines(const VariantKey& key) {
   for (int set = 0; set < scene::maxTexCoordSets; ++set)
     if (usesFeature(key, texCoordFeature(set))) sets += "DO(" + std::to_string(set) + ") ";
   if (!sets.empty()) defines.push_back({"EACH_TEXCOORD(DO)", sets});
-  if (key.channel != 0) defines.push_back({"CHANNEL", std::to_string(key.channel)});
+  if (key.channel != 0)
+    defines.push_back({showsLight(key.channel) ? "LIGHT_PART" : "CHANNEL", std::to_string(key.channel)});
   if (isChannel(key.channel, Channel::node)) defines.push_back({"SHOWS_NODE"});
   if (channelKind(key.channel) == ChannelKind::direction) defines.push_back({"SHOWS_DIRECTION"});
   if (channelKind(key.channel) == ChannelKind::quantity) defines.push_back({"SHOWS_QUANTITY"});

@@ -138,7 +138,8 @@ void returnToShown(Viewport& viewport, ViewerState& state) {
     settings.sources.environment = viewport.environments.shown->source;
   if (!viewport.scene) return;
   // What is wanted of it now may be a debug view, which has none.
-  if (!settings.sources.brdf.empty() && settings.look.channel.empty()) returnToShownBrdf(viewport, state);
+  const bool shaded = shading::showsLight(std::max(0, shading::channelIndex(settings.look.channel)));
+  if (!settings.sources.brdf.empty() && shaded) returnToShownBrdf(viewport, state);
   const frame::ListInputs& shown = viewport.shown.inputs.list;
   settings.placement.scene = shown.scene;
   settings.look.variant = shown.options.variant < 0 ? "" : std::to_string(shown.options.variant);

@@ -202,7 +202,8 @@ TEST_CASE("Channels: each is the number that its factors, texels and attributes 
   };
   for (const Choice<int>& row : shading::channels) {
     const std::string word(row.word);
-    if (row.value == 0 || word == "mipLevel") continue;  // which is no number in texels that are all alike
+    if (shading::showsLight(row.value) || word == "mipLevel")
+      continue;  // which is no number in texels that are all alike
     INFO(word);
     REQUIRE(expected.count(word) == 1);
     const frame::Picture picture = scene.render(studio, word);
@@ -251,7 +252,7 @@ TEST_CASE("Channels: what is not there shows as checks, whatever the channel's c
                                        "emissive"};
   for (const Choice<int>& row : shading::channels) {
     const std::string word(row.word);
-    if (row.value == 0) continue;
+    if (shading::showsLight(row.value)) continue;
     INFO(word);
     const frame::Picture picture = scene.render(studio, word);
     const bool color = shading::channelKind(row.value) == shading::ChannelKind::color;
@@ -281,7 +282,7 @@ TEST_CASE("Channels: quantities are shown in false colours over what the scene h
   const frame::Picture usual = scene.render(studio, "depth");
   REQUIRE(usual.statistics.range);
   CHECK(usual.statistics.range->range == frame::ValueRange{8, 12, false});
-  CHECK(frame::describe(*usual.statistics.range) == "depth: 8 … 12 m");
+  CHECK(frame::describe(*usual.statistics.range) == "depth from 8 to 12 m");
   checkShown(shownAt(usual, 0, 1), color(0));
   checkShown(shownAt(usual, 2, 1), color(0.25));
   checkShown(shownAt(usual, 3, 1), glm::dvec3(0));  // nothing there
