@@ -219,7 +219,7 @@ TEST_CASE("facet selftest: table, JSON, exit status") {
   const auto json = nlohmann::json::parse(test::runFacet({"--log-level", "error", "selftest", "--json"}).text);
   CHECK(test::schemaProblems(json, "selftest") == "");
   CHECK(json["passed"] == true);
-  CHECK(json["checks"].size() == 160);
+  CHECK(json["checks"].size() == 161);
   CHECK(json["checks"][0]["function"] == "D_GGX");
   CHECK(json["checks"][0]["source"] == nlohmann::json({"Walter2007", "Trowbridge1975"}));
   CHECK(json["checks"].back()["source"].is_null());
