@@ -102,6 +102,8 @@ TEST_CASE("copied command: its bytes in a large picture, too, of textures below 
                                                {same, "", 9},
                                                {same, "uv", 2},
                                                {same, "geometryNormal", 4},
+                                               {same, "depth", 4},
+                                               {veil, "environmentSpecular", 4},
                                                {veil, "", 4},
                                                {veil, "", 5},
                                                {glass, "", 4},
@@ -143,6 +145,20 @@ TEST_CASE("copied command: gives the bytes of the picture on the screen", "[gl]"
       {"roughness",
        [](view::ViewerState& s) { s.settings.look.channel = "roughness", s.settings.sources.environment = "none"; }},
       {"uv, which is not there", [](view::ViewerState& s) { s.settings.look.channel = "uv"; }},
+      {"depth, a range, refined",
+       [](view::ViewerState& s) {
+         s.settings.look.channel = "depth", s.settings.display.range = glm::dvec2(1, 3.75);
+         s.settings.quality.samples = 6;
+       }},
+      {"a part of the light",
+       [](view::ViewerState& s) {
+         s.settings.look.channel = "environmentDiffuse", s.settings.frame.background = frame::Background::transparent;
+       }},
+      {"a part of the light, refined",
+       [](view::ViewerState& s) {
+         s.settings.look.channel = "lightsSpecular", s.settings.look.lights = frame::Lights::demo;
+         s.settings.quality.samples = 6;
+       }},
       {"from behind",
        [](view::ViewerState& s) {
          s.camera = view::seenFrom(s.camera, view::ViewFrom::back);
