@@ -1,7 +1,7 @@
 // Radiance of a lit surface towards the viewer.
 #include "lit_surface.glsl"
 #include "punctual_light.glsl" if HAS_PUNCTUAL_LIGHTS
-#ifdef IMAGE_LIGHT_SAMPLES
+#if defined(HAS_ENVIRONMENT) && defined(IMAGE_LIGHT_SAMPLES)
 #include "image_light_sampled.glsl"
 #else
 #include "image_light.glsl" if HAS_ENVIRONMENT

@@ -3,7 +3,7 @@
 #include "transmitted.glsl"
 #include "bsdf.glsl"
 #include "frame.glsl"
-#if defined(HAS_ENVIRONMENT) && defined(IMAGE_LIGHT_SAMPLES)
+#ifdef IMAGE_LIGHT_SAMPLES
 #include "lobe_frames.glsl"
 #include "pixel_points.glsl"
 #endif
@@ -76,7 +76,7 @@ float footprintVariance(vec2 pixel) {
   return max(0.5 * (size2.x + size2.y) - 1.0, 0.0) * (1.0 / 12.0) / frame.options.z;
 }
 
-#if defined(HAS_ENVIRONMENT) && defined(IMAGE_LIGHT_SAMPLES)
+#ifdef IMAGE_LIGHT_SAMPLES
 // A sample reads four times its share of the lobe, as Krivanek and Colbert (2008) advise.
 const float behindGain = 4.0;
 
@@ -119,7 +119,7 @@ vec4 seenThrough(Surface s, vec3 position, Passage passage) {
     along = behindDistance(pixel, min(reach, frame.picture.y));
     reach = a * max(along - start, 0.0) * pixelsPerMetre(along);
   }
-#if defined(HAS_ENVIRONMENT) && defined(IMAGE_LIGHT_SAMPLES)
+#ifdef IMAGE_LIGHT_SAMPLES
   return behindSampled(s, from, pixel, along, max(passage.alpha, 1e-5));
 #else
   vec2 deviations = reach * transmittedBlur.xz;

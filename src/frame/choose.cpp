@@ -137,6 +137,7 @@ DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment) {
   options.demoLights = settings.look.lights == Lights::demo;
   // A part of the light is the picture without the other lights.
   using enum shading::Channel;
+  options.features.sampledBehind = isPart(settings) && options.features.environment;
   if (isPart(settings) && !isPart(settings, {environmentDiffuse, environmentSpecular, interreflected}))
     options.features.environment = false;
   if (isPart(settings) && !isPart(settings, {lightsDiffuse, lightsSpecular}))
@@ -253,8 +254,9 @@ std::string chooseEnvironment(const PictureSettings& settings, const std::string
     return io::withLayer(settings.sources.environment, settings.sources.environmentLayer);
   if (const scene::BuiltinScene* builtin = builtinOf(source)) return std::string(builtin->environment);
   const DrawOptions options = drawOptions(settings, true);
-  const bool shaded = (shading::showsLight(options.features.channel) && options.features.environment) ||
-                      (isPart(settings, {shading::Channel::background}) && backgroundVisible(settings, true));
+  // Of a part of the light, too, which shows it or not, but what is behind glass as the whole picture does.
+  const bool shaded =
+      shading::showsLight(options.features.channel) && (options.features.environment || options.features.sampledBehind);
   if (!shaded || !scene::anythingLit(model, scene)) return "none";
   const int own = model.scenes[static_cast<size_t>(scene)].imageLight;  // of the file
   return own < 0 || source.starts_with(io::builtinPrefix) ? "builtin:studio"

@@ -233,7 +233,8 @@ VariantKey variantKey(const FeatureInput& input) {
   for (const FeatureRow& row : rows)
     if (row.usedBy(input)) key.features |= bitOf(row.feature);
   const bool environment = usesFeature(key, Feature::environment);
-  if (environment) key.imageLightSamples = static_cast<uint16_t>(input.frame.imageLightSamples);
+  if (environment || (input.frame.sampledBehind && usesFeature(key, Feature::transmission)))
+    key.imageLightSamples = static_cast<uint16_t>(input.frame.imageLightSamples);
   if (measured(input)) {
     if (environment && key.imageLightSamples == 0)
       key.imageLightSamples = static_cast<uint16_t>(input.frame.measuredLightSamples);
