@@ -124,7 +124,7 @@ TEST_CASE("Brightness: a filament of 200,000 nit has its value at -18 stops, and
   test::Studio studio;
   PictureSettings settings = test::bareSettings(4, 4);
   settings.viewpoint.camera = "0";
-  settings.display = {-18, optics::ToneMapper::none};
+  settings.display = {-18, optics::ToneMapper::none, {}};
   const glm::dvec3 radiance(2e5, 1e5, 2e4);
   struct Way {
     Transport transport;
@@ -177,15 +177,25 @@ TEST_CASE("Brightness: what rays correct in a file of radiance is not cut either
   CHECK(apart < 1e-4f);
 }
 
+namespace {
+
+frame::Display exposed(float stops) {
+  frame::Display display;
+  display.exposureStops = stops;
+  return display;
+}
+
+}  // namespace
+
 TEST_CASE("Brightness: the unit is 1 for usual exposures and for channels, else a power of two", "[gl]") {
-  for (const float stops : {-4.0f, -1.5f, 0.0f, 8.0f}) CHECK(frame::radianceUnit({.exposureStops = stops}, 0) == 1);
-  CHECK(frame::radianceUnit({.exposureStops = -17}, 0) == 8192);
-  CHECK(frame::radianceUnit({.exposureStops = 17}, 0) == std::exp2(-9.0f));
+  for (const float stops : {-4.0f, -1.5f, 0.0f, 8.0f}) CHECK(frame::radianceUnit(exposed(stops), 0) == 1);
+  CHECK(frame::radianceUnit(exposed(-17), 0) == 8192);
+  CHECK(frame::radianceUnit(exposed(17), 0) == std::exp2(-9.0f));
   for (float stops = -32; stops <= 32; stops += 0.25f) {
-    const float unit = frame::radianceUnit({.exposureStops = stops}, 0);
+    const float unit = frame::radianceUnit(exposed(stops), 0);
     CHECK(std::exp2(std::round(std::log2(unit))) == unit);
     CHECK(layout::maxHalf * unit * std::exp2(stops) >= 4094);  // the largest half is white
     CHECK(unit * std::exp2(stops) * 0x1p-24f < 0x1p-15f);      // halves are a tenth of a step of 8 bits apart at most
-    CHECK(frame::radianceUnit({.exposureStops = stops}, 1) == 1);
+    CHECK(frame::radianceUnit(exposed(stops), 1) == 1);
   }
 }
