@@ -79,6 +79,7 @@ glm::dvec3 decodeSRGB(const glm::dvec3& encoded) {
   return each(encoded, [](double x) { return decodeSRGB(x); });
 }
 
+// From viridis (van der Walt and Smith 2015), a stop for each eighth.
 glm::dvec3 falseColor(double share) {
   if (std::isnan(share)) return {1, 0, 1};
   constexpr std::array stops = {

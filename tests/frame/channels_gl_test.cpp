@@ -30,7 +30,7 @@ json texture(GltfBuilder& builder, int texCoord = 0) {
 
 // All that a metallic-roughness material can have, each factor another one, each slot with a texture of its own.
 json fullMaterial(GltfBuilder& b) {
-  const auto t = [&, set = 0]() mutable { return texture(b, set++ % 8); };  // sets that none reads are not loaded
+  auto t = [&, set = 0]() mutable { return texture(b, set++ % 8); };  // sets that none reads are not loaded
   json m = {{"pbrMetallicRoughness",
              {{"baseColorFactor", {0.9, 0.8, 0.7, 0.6}},
               {"baseColorTexture", t()},
