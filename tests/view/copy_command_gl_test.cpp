@@ -152,7 +152,7 @@ TEST_CASE("copied command: gives the bytes of the picture on the screen", "[gl]"
        }},
       {"a part of the light",
        [](view::ViewerState& s) {
-         s.settings.look.channel = "environmentDiffuse", s.settings.frame.background = frame::Background::transparent;
+         s.settings.look.channel = "environmentDiffuse", s.settings.look.variant = "sea";  // else all is metal
        }},
       {"a part of the light, refined",
        [](view::ViewerState& s) {
