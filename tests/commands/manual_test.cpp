@@ -125,30 +125,14 @@ TEST_CASE("what may come next on a command line") {
 
 TEST_CASE("every value of an option that names files, folders or words is completed") {
   // What cannot be: numbers, texts, names that are the model's own.
-  const std::vector<std::string> open = {"N",
-                                         "S",
-                                         "E",
-                                         "T",
-                                         "F",
-                                         "X",
-                                         "I/N",
-                                         "TEXT",
-                                         "WORDS",
-                                         "WxH",
-                                         "DEG",
-                                         "THETA,PHI,RADIUS",
-                                         "X,Y,Z",
-                                         "0..1",
-                                         "1..3",
-                                         "STOPS",
-                                         "FROM,TO",
-                                         "#rrggbb|R,G,B",
-                                         "NAME|INDEX",
-                                         "TABLE",
-                                         "THETAV,THETAL,PHI",
-                                         "N,...",
-                                         "WxH,...",
-                                         "OPTION=VALUE,..."};
+  const std::vector<std::string> open = {"N",          "S",       "E",
+                                         "T",          "F",       "X",
+                                         "I/N",        "TEXT",    "WORDS",
+                                         "WxH",        "DEG",     "THETA,PHI,RADIUS",
+                                         "X,Y,Z",      "0..1",    "1..3",
+                                         "STOPS",      "FROM,TO", "#rrggbb|R,G,B",
+                                         "NAME|INDEX", "TABLE",   "THETAV,THETAL,PHI",
+                                         "N,...",      "WxH,...", "OPTION=VALUE,..."};
   for (const CommandText& each : program()) {
     for (const OptionText& option : each.options) {
       if (option.value.empty() || std::ranges::find(open, option.value) != open.end()) continue;
