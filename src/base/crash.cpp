@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <cstddef>
 #include <string_view>
@@ -27,12 +28,16 @@ constexpr Sentence sentences[] = {FACET_CRASH(SIGSEGV, "ended by signal 11 (segm
                                   FACET_CRASH(SIGILL, "ended by signal 4 (illegal instruction)")};
 #undef FACET_CRASH
 
-// Its former action is in force again, so that returning or raising it once more ends the program.
+std::atomic_flag told = ATOMIC_FLAG_INIT;
+
+// Threads of a driver may fail at the same time: the first one says it, the others wait for the end.
 void sayAndCrash(int signal) {
+  while (told.test_and_set()) pause();
   for (const Sentence& sentence : sentences)
     if (sentence.signal == signal) {
       [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, sentence.text.data(), sentence.text.size());
     }
+  std::signal(signal, SIG_DFL);
   raise(signal);
 }
 
@@ -52,7 +57,7 @@ void sayWhenCrashed() {
   sigaltstack(&other, nullptr);
   struct sigaction action {};
   action.sa_handler = sayAndCrash;
-  action.sa_flags = SA_RESETHAND | SA_ONSTACK;
+  action.sa_flags = SA_ONSTACK;
   for (const Sentence& sentence : sentences) sigaction(sentence.signal, &action, nullptr);
 }
 
