@@ -131,7 +131,8 @@ Table estimateTable(const EstimateMeasure& m, const EstimateOptions& options, co
 Table convergenceTable(const EstimateMeasure& m) {
   Table table{"estimate-samples",
               "Pictures of a given number of samples",
-              "Likely: the estimate itself; stated: up to which the error is with a confidence of 95 %.",
+              "Likely: the estimate itself; stated: up to which the error is as far as the samples tell, at 95 % by "
+              "chi-squared.",
               {"samples", "likely %", "stated %", "true %", "stated / true"},
               {}};
   for (const ConvergencePoint& p : m.points)
@@ -142,7 +143,7 @@ Table convergenceTable(const EstimateMeasure& m) {
 
 NamedPlot estimatePlot(const EstimateMeasure& m, const std::string& what) {
   Series truth{.name = "true", .dots = true}, likely{.name = "estimated", .dots = true, .dashed = true},
-      stated{.name = "stated: up to, 95 %", .dots = true};
+      stated{.name = "stated: up to", .dots = true};
   for (const ConvergencePoint& p : m.points) {
     for (Series* series : {&truth, &likely, &stated}) series->x.push_back(p.samples);
     truth.y.push_back(100 * p.truth), likely.y.push_back(100 * p.stated.likely / 255),
