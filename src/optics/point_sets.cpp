@@ -21,12 +21,6 @@ class Chance {
   std::mt19937_64 bits_;
 };
 
-double radicalInverse(uint32_t i, uint32_t base) {
-  double value = 0, digit = 1;
-  for (; i > 0; i /= base) value += static_cast<double>(i % base) * (digit /= base);
-  return value;
-}
-
 // Sobol's second dimension: the primitive polynomial x + 1, whose matrix is Pascal's triangle modulo 2.
 double sobolSecond(uint32_t i) {
   uint32_t value = 0;
@@ -36,6 +30,12 @@ double sobolSecond(uint32_t i) {
 }
 
 }  // namespace
+
+double radicalInverse(uint32_t i, uint32_t base) {
+  double value = 0, digit = 1;
+  for (; i > 0; i /= base) value += static_cast<double>(i % base) * (digit /= base);
+  return value;
+}
 
 std::vector<glm::dvec2> pointsOf(PointSet set, uint32_t n, uint32_t seed) {
   const int bits = std::bit_width(std::max(n, 1u) - 1);

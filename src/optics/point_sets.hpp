@@ -25,6 +25,8 @@ inline constexpr Choice<PointSet> pointSets[] = {{PointSet::regular, "regular", 
                                                  {PointSet::owen, "owen", "Owen-scrambled Sobol"}};
 static_assert(inOrder(pointSets));
 
+// The digits of i in that base behind the point, in reverse: [0, 1) (Halton 1960).
+double radicalInverse(uint32_t i, uint32_t base);
 // n points in [0, 1)^2; grids have 2^i x 2^j cells, as square as n = 2^(i + j) lets them be (other n: the next power of
 // two, of which the first n are taken). seed: of chance; the points of regular, halton and sobol are the same under
 // every seed.

@@ -1,15 +1,10 @@
 #include "optics/sobol.hpp"
 
+#include "base/hash.hpp"
+
 namespace facet::optics {
 
 namespace {
-
-// Wellons 2018, lowbias32.
-uint32_t hashedBits(uint32_t x) {
-  x = (x ^ (x >> 16)) * 0x7feb352du;
-  x = (x ^ (x >> 15)) * 0x846ca68bu;
-  return x ^ (x >> 16);
-}
 
 uint32_t reversed(uint32_t x) {
   uint32_t out = 0;
@@ -42,14 +37,14 @@ double middle(uint32_t x) { return ((x >> 9) + 0.5) / (1 << 23); }
 }  // namespace
 
 uint32_t pixelSeed(const glm::uvec2& pixel, uint32_t use) {
-  return hashedBits((pixel.x + (pixel.y << 16)) ^ hashedBits(use + 0x9e3779b9u));
+  return mixedBits((pixel.x + (pixel.y << 16)) ^ mixedBits(use + 0x9e3779b9u));
 }
 
 glm::dvec2 owenSobol2(uint32_t index, uint32_t pair, uint32_t seed) {
-  const uint32_t own = hashedBits(seed ^ (pair * 0x9e3779b9u));
+  const uint32_t own = mixedBits(seed ^ (pair * 0x9e3779b9u));
   const uint32_t shuffled = scrambled(index, own);
-  return {middle(scrambled(reversed(shuffled), hashedBits(own + 1))),
-          middle(scrambled(sobol(shuffled), hashedBits(own + 2)))};
+  return {middle(scrambled(reversed(shuffled), mixedBits(own + 1))),
+          middle(scrambled(sobol(shuffled), mixedBits(own + 2)))};
 }
 
 }  // namespace facet::optics

@@ -5,6 +5,7 @@
 
 #include "base/parallel.hpp"
 #include "optics/measured_holes.hpp"
+#include "optics/point_sets.hpp"
 
 namespace facet::optics {
 
@@ -89,18 +90,14 @@ MeasuredBrdf makeMeasured(const AnalyticBrdf& formula, MeasuredKind kind, std::s
 
 std::vector<Directions> testPairs(size_t n) {
   const double lowest = std::cos(utiaLastTheta * pi / 180);
-  const auto halton = [](size_t i, size_t base) {
-    double value = 0, digit = 1;
-    for (; i > 0; i /= base) value += static_cast<double>(i % base) * (digit /= static_cast<double>(base));
-    return value;
-  };
   std::vector<Directions> pairs;
   pairs.reserve(n);
-  for (size_t i = 1; pairs.size() < n; ++i) {
-    const Directions pair = directionsFrom(
-        merlAngles({merlThetaSteps * halton(i, 2), merlThetaSteps * halton(i, 3), 2 * merlPhiSteps * halton(i, 5)}));
+  for (uint32_t i = 1; pairs.size() < n; ++i) {
+    const Directions pair =
+        directionsFrom(merlAngles({merlThetaSteps * radicalInverse(i, 2), merlThetaSteps * radicalInverse(i, 3),
+                                   2 * merlPhiSteps * radicalInverse(i, 5)}));
     if (pair.V.z <= lowest || pair.L.z <= lowest) continue;
-    const double phi = 2 * pi * halton(i, 7), c = std::cos(phi), s = std::sin(phi);
+    const double phi = 2 * pi * radicalInverse(i, 7), c = std::cos(phi), s = std::sin(phi);
     const auto turn = [&](const glm::dvec3& d) { return glm::dvec3(c * d.x - s * d.y, s * d.x + c * d.y, d.z); };
     pairs.push_back({turn(pair.V), turn(pair.L)});
   }

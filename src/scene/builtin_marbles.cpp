@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/angle.hpp"
+#include "base/hash.hpp"
 #include "base/parallel.hpp"
 #include "scene/glb_writer.hpp"
 #include "scene/png_writer.hpp"
@@ -20,13 +21,8 @@ constexpr size_t setCount = 8;
 using Texels = std::vector<uint8_t>;  // indices into a palette, edge x edge
 using Palette = std::array<glm::dvec3, 256>;
 
-uint32_t hashed(uint32_t x) {
-  x = (x ^ x >> 16) * 0x7feb352du;
-  x = (x ^ x >> 15) * 0x846ca68bu;
-  return x ^ x >> 16;
-}
 // [0, 1)
-double chance(uint32_t of) { return hashed(of) / 4294967296.0; }
+double chance(uint32_t of) { return mixedBits(of) / 4294967296.0; }
 
 std::vector<uint8_t> png(const Texels& texels, const Palette& colors) {
   std::array<glm::u8vec3, 256> rounded;
@@ -47,8 +43,9 @@ Masonry masonry() {
       const int course = y / 32, along = (x + course % 2 * 32) % edge;
       const int inX = along % 64, inY = y % 32;
       const bool mortar = inX < 3 || inY < 3;
-      const uint32_t brick = hashed(uint32_t(course * 64 + along / 64)) % 15 + 1;
-      const uint32_t fine = hashed(uint32_t(y * edge + x)), coarse = hashed(uint32_t(y / 8 * edge + x / 8) + 7919);
+      const uint32_t brick = mixedBits(uint32_t(course * 64 + along / 64)) % 15 + 1;
+      const uint32_t fine = mixedBits(uint32_t(y * edge + x)),
+                     coarse = mixedBits(uint32_t(y / 8 * edge + x / 8) + 7919);
       const size_t at = size_t(y) * edge + size_t(x);
       m.stones[at] = mortar ? 0 : uint8_t(16 * brick + (fine % 8 + coarse % 9));
       const auto slope = [&](int in, int length, uint32_t noise) {

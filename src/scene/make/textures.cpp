@@ -4,22 +4,17 @@
 #include <cmath>
 
 #include "base/angle.hpp"
+#include "base/hash.hpp"
 #include "base/parallel.hpp"
 
 namespace facet::scene {
 
 namespace {
 
-uint32_t mixed(uint32_t x) {
-  x = (x ^ x >> 16) * 0x7feb352du;
-  x = (x ^ x >> 15) * 0x846ca68bu;
-  return x ^ x >> 16;
-}
-
 // Of a corner of the torus' cells.
 uint32_t bitsAt(int x, int y, int period, uint32_t seed) {
   const auto wrapped = [period](int i) { return static_cast<uint32_t>((i % period + period) % period); };
-  return mixed(wrapped(x) + mixed(wrapped(y) + mixed(seed)));
+  return mixedBits(wrapped(x) + mixedBits(wrapped(y) + mixedBits(seed)));
 }
 double shareOf(uint32_t bits) { return bits / 4294967296.0; }
 
@@ -107,7 +102,7 @@ double cellularNoise(const glm::dvec2& u, int period, uint32_t seed) {
   for (int j = -1; j <= 1; ++j)
     for (int i = -1; i <= 1; ++i) {
       const uint32_t bits = bitsAt(c.x + i, c.y + j, period, seed);
-      const glm::dvec2 point(i + shareOf(bits), j + shareOf(mixed(bits + 1)));
+      const glm::dvec2 point(i + shareOf(bits), j + shareOf(mixedBits(bits + 1)));
       nearest = std::min(nearest, glm::distance(point, glm::dvec2(c.s, c.t)));
     }
   return nearest;
@@ -156,7 +151,8 @@ RgbTexels brickColors(int size, uint32_t seed) {
     const BrickPlace place = brickAt(u);
     const uint32_t own = bitsAt(place.brick, place.course, 64, seed);
     const double shade = 0.8 + 0.35 * shareOf(own), grain = 1 + 0.12 * fractalNoise(u * 16.0, 16, 3, seed + 5);
-    const glm::dvec3 clay = glm::mix(glm::dvec3(0.60, 0.30, 0.22), glm::dvec3(0.48, 0.22, 0.18), shareOf(mixed(own)));
+    const glm::dvec3 clay =
+        glm::mix(glm::dvec3(0.60, 0.30, 0.22), glm::dvec3(0.48, 0.22, 0.18), shareOf(mixedBits(own)));
     const double stone = smoothStep(-0.002, 0.002, place.edge);
     return glm::mix(glm::dvec3(0.62, 0.60, 0.57) * grain, clay * shade * grain, stone);
   });
