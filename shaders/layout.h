@@ -62,6 +62,7 @@ LAYOUT_CONST groundUnit = materialSlotCount + 19;
 LAYOUT_CONST glowingUnit = materialSlotCount + 20;
 LAYOUT_CONST horizonsUnit = materialSlotCount + 21;   // horizon_occlusion.glsl
 LAYOUT_CONST shadowMapsUnit = materialSlotCount + 22;  // light_shadows.glsl
+LAYOUT_CONST blurredBackgroundUnit = materialSlotCount + 23;
 
 // Compute passes: invocations of a work group along x and y; pixels along the edge of the square that one group sums up.
 LAYOUT_CONST groupSize = 8;
@@ -147,13 +148,15 @@ struct FrameUniforms {
   vec4 eye;                   // xyz metres from the scene's origin; w 1 perspective, 0 orthographic
   vec4 towardsEye;            // orthographic: unit direction to the viewer
   vec4 environmentRotation;   // x cos, y sin of the rotation about +Y
-  vec4 environmentScale;      // x: radiance of a stored 1; y: of the background; z: strength
+  vec4 environmentScale;      // x: radiance of a stored 1; z: strength
   vec4 options;               // x: factor on occlusion strength; y: index of the draw among those of its seed, z: number of all that are gathered; w seed
   vec4 picture;               // x, y size of the whole in pixels; z first row of the target; w pixels per metre, 1 m away
   vec4 distanceFromDepth;     // a, b, c, d: distance along the view's axis = (b - d depth) / (a - c depth)
   vec4 stored;                // x what the targets hold of radiance 1, a power of two; y radiance of a stored 1; z the largest that they hold; w factor on the quantities of a channel; 0: channels as numbers
   vec4 backdrop;              // rgb radiance of a colour put behind the picture later; w 0: there is none
   vec4 ground;                // the floor: xyz its middle, w half its width
+  vec4 blurredSun;            // of a blurred background: xyz direction in the environment's space; w alpha^2 of its lobe
+  vec4 blurredSunRadiance;    // rgb in the lobe's middle; w what of the background is seen in the map itself
   vec4 screen;                // x, y texels of the horizons a pixel; z metres of a distance of 1 in them: the scene's radius
 };
 
@@ -239,7 +242,7 @@ constexpr int groupsFor(int size, int perGroup = groupSize) { return (size + per
 #undef MEMBER
 static_assert(sizeof(SlotUniforms) == 2 * 16);
 static_assert(sizeof(MaterialUniforms) == offsetof(MaterialUniforms, baseColorSlot) + materialSlotCount * sizeof(SlotUniforms));
-static_assert(sizeof(FrameUniforms) == 19 * 16);
+static_assert(sizeof(FrameUniforms) == 21 * 16);
 static_assert(sizeof(Instance) == 8 * 16);
 static_assert(sizeof(Joint) == 3 * 16);
 static_assert(sizeof(MorphWeight) == 8);

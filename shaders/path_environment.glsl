@@ -1,12 +1,8 @@
 // The environment as paths see it: all of its light, its sun included, at its own resolution.
-#include "frame.glsl"
+#include "environment_map.glsl"
 #include "environment_texels.glsl"
 
-layout(binding = equirectUnit) uniform sampler2D equirect;
-
-vec3 environmentRadiance(vec3 direction) {
-  return textureLod(equirect, equirectFromDirection(environmentFromWorld(direction)), 0.0).rgb * frame.environmentScale.x;
-}
+vec3 environmentRadiance(vec3 direction) { return mapRadiance(environmentFromWorld(direction)); }
 float environmentDensity(vec3 direction) { return texelDensity(environmentFromWorld(direction)); }
 TexelSample sampleEnvironment(vec2 u) {
   TexelSample drawn = sampleTexels(u);

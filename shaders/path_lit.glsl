@@ -6,6 +6,7 @@
 #include "path_bsdf.glsl"
 #endif
 #include "path_environment.glsl" if HAS_ENVIRONMENT
+#include "path_through.glsl" if BACKGROUND_BLUR
 #ifdef HAS_PUNCTUAL_LIGHTS
 #define SAMPLED_PIXEL gl_GlobalInvocationID.xy  // of a light's disc, where there is no fragment
 #include "arriving_light.glsl"
@@ -61,7 +62,7 @@ bool seeLight(inout PathState p, PathSurface at, PathBsdf b) {
       TexelSample texel = sampleEnvironment(pathDraw(p, lightPair));
       L = texel.direction;
       float density = lightChance * texel.density;
-      if (density > 0.0) reflected = environmentRadiance(L) / density * drawnWeight(density, pathDensity(b, L)) * evaluatePath(b, L);
+      if (density > 0.0) reflected = radianceFromAfar(p, at, L) / density * drawnWeight(density, pathDensity(b, L)) * evaluatePath(b, L);
     }
 #endif
   }
@@ -78,7 +79,7 @@ bool seeLight(inout PathState p, PathSurface at, PathBsdf b) {
 float emissionWeight(PathState p, PathSurface at) {
   if (p.direction.w == 0.0 || !at.glowing) return 1.0;
   float density = lightChance * glowSolidAngleDensity(material.emission, p.distance, dot(at.Ng, p.direction.xyz));
-  return drawnWeight(p.direction.w, density);
+  return drawnWeight(abs(p.direction.w), density);
 }
 
 PathTurn turnAt(PathState p, PathSurface at, vec3 baseColor) {
@@ -120,7 +121,7 @@ PathTurn turnAt(PathState p, PathSurface at, vec3 baseColor) {
 #endif
   turn.goesOn = true;
   turn.path.origin = vec4(leaveSurface(at, drawn.L), 0.0);
-  turn.path.direction = vec4(drawn.L, tables ? 1e30 : drawn.density);  // what is not looked at is all found by the lobes
+  turn.path.direction = vec4(drawn.L, tables ? 1e30 : passingDensity(p, at, drawn.L, drawn.density));  // what is not looked at is all found by the lobes
   turn.path.onMiss = tables ? vec4(p.throughput.rgb / survival, 1.0) * onMiss(at, b, unblockedLight(at, b, false), drawn) : vec4(0.0);
   turn.path.throughput = vec4(throughput, broad);
   turn.path.vertices = p.vertices + 1u;

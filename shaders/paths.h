@@ -7,7 +7,7 @@ LAYOUT_BEGIN
 
 struct PathState {
   vec4 origin;     // xyz where the ray starts; w from which distance on it meets something
-  vec4 direction;  // xyz unit; w density with which a surface drew it [1/sr], 0: it comes from the camera
+  vec4 direction;  // xyz unit; w density with which a surface drew it [1/sr], 0: it comes from the camera, negative: path_through.glsl
   vec4 throughput;  // rgb what of the radiance that the ray brings reaches the pixel; w share of broad lobes in that
   vec4 radiance;    // rgb what has been gathered; a coverage, or, where a drawn picture is corrected, alpha of the first surface
   // A light that is seen from the last surface unless something is between.

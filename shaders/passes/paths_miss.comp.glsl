@@ -1,9 +1,21 @@
 // Paths that leave the scene.
 #include "path_class.glsl"
 #include "path_environment.glsl" if HAS_ENVIRONMENT
+#ifdef BACKGROUND_BLUR
+#include "blurred_background.glsl"
+#endif
 #include "ground_seen.glsl" if GROUND_SEEN
 
 layout(local_size_x = groupInvocations) in;
+
+#ifdef HAS_ENVIRONMENT
+vec3 radianceFromAfar(PathState p) {
+#ifdef BACKGROUND_BLUR
+  if (p.direction.w <= 0.0) return backgroundRadiance(p.direction.xyz);  // path_through.glsl
+#endif
+  return environmentRadiance(p.direction.xyz);
+}
+#endif
 
 void main() {
   uint path;
@@ -22,8 +34,8 @@ void main() {
   if (p.onMiss.w > 0.0) {
     gather(p, p.onMiss.rgb, p.throughput.w);
   } else if (!camera || seen) {
-    float weight = camera ? 1.0 : drawnWeight(p.direction.w, lightChance * environmentDensity(p.direction.xyz));
-    gatherLight(p, p.throughput.rgb * environmentRadiance(p.direction.xyz) * share * weight, p.throughput.w, p.vertices == 1u);
+    float weight = camera ? 1.0 : drawnWeight(abs(p.direction.w), lightChance * environmentDensity(p.direction.xyz));
+    gatherLight(p, p.throughput.rgb * radianceFromAfar(p) * share * weight, p.throughput.w, p.vertices == 1u);
   }
 #endif
   paths[path].radiance = p.radiance;

@@ -223,11 +223,12 @@ layout::LightUniforms sunUniforms(const scene::Sun& sun) {
   return out;
 }
 
-ibl::Needs DrawList::needs(bool environmentVisible) const {
+ibl::Needs DrawList::needs(bool environmentVisible, float backgroundBlur) const {
   ibl::Needs needs;
   RoughnessRange range;
   int taps = 0;
-  needs.background = environmentVisible;
+  needs.background = environmentVisible && ibl::showsMap(backgroundBlur);
+  if (environmentVisible) needs.backgroundBlur = backgroundBlur;
   for (const std::vector<Draw>* draws : classes())
     for (const Draw& draw : *draws) {
       const bool imageLight = shading::usesFeature(draw.key, shading::Feature::environment) && !features.paths;

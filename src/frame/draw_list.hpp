@@ -80,8 +80,8 @@ struct DrawList {
   // All classes of draws, in the order in which they are drawn.
   std::array<const std::vector<Draw>*, 3> classes() const { return {&opaque, &transmitting, &blended}; }
 
-  // What the draws read from src/ibl/.
-  ibl::Needs needs(bool environmentVisible) const;
+  // What the draws read from src/ibl/, and what is seen behind them.
+  ibl::Needs needs(bool environmentVisible, float backgroundBlur = 0) const;
 };
 
 DrawList buildDrawList(const scene::Model& model, int scene, const DrawOptions& options, const scene::Pose& pose = {});

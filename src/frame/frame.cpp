@@ -18,6 +18,7 @@
 #include "frame/scene_pass.hpp"
 #include "frame/screen.hpp"
 #include "frame/settings.hpp"
+#include "optics/zonal.hpp"
 #include "scene/geometry.hpp"
 
 namespace facet::frame {
@@ -29,11 +30,14 @@ using shading::ProgramStore;
 Result<const gl::Program*> meshProgram(const shading::VariantKey& key, ProgramStore& programs) {
   return programs.render("passes/mesh.vert.glsl", "passes/mesh.frag.glsl", shading::variantDefines(key));
 }
-Result<const gl::Program*> skyProgram(ProgramStore& programs) {
-  return programs.render("passes/fullscreen.vert.glsl", "passes/sky.frag.glsl");
+bool backgroundBlurred(const FrameInput& in) {
+  return in.tables.blurred.cube && (in.settings.frame.backgroundBlur > 0 || !in.tables.background);
+}
+Result<const gl::Program*> skyProgram(const FrameInput& in, ProgramStore& programs) {
+  return programs.render("passes/fullscreen.vert.glsl", "passes/sky.frag.glsl", backgroundDefines(in));
 }
 bool skyVisible(const FrameInput& in) {
-  return in.settings.frame.background == Background::environment && in.tables.background &&
+  return in.settings.frame.background == Background::environment && (in.tables.background || backgroundBlurred(in)) &&
          (in.list.features.channel == 0 || shading::isChannel(in.list.features.channel, shading::Channel::background));
 }
 
@@ -87,14 +91,14 @@ Result<void> drawOpaque(const FrameInput& in, const VisibleDraws& visible, Progr
 
 Result<void> drawSky(const FrameInput& in, ProgramStore& programs, FrameStatistics& statistics) {
   if (!skyVisible(in)) return {};
-  const auto program = skyProgram(programs);
+  const auto program = skyProgram(in, programs);
   if (!program) return tl::unexpected(program.error());
   statistics.passes.emplace_back("sky");
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_GEQUAL);
   glDepthMask(GL_FALSE);
   glDisable(GL_CULL_FACE);
-  in.tables.background.bind(layout::equirectUnit);
+  if (in.tables.background) in.tables.background.bind(layout::equirectUnit);
   glUseProgram((*program)->id());
   glDrawArrays(GL_TRIANGLES, 0, 3);
   return {};
@@ -140,7 +144,29 @@ void clearTargets(const FrameInput& in, const Targets& targets) {
   glClearNamedFramebufferfv(targets.drawn.id(), GL_DEPTH, 0, &far);
 }
 
+// The sun of a blurred background, which its cube does without.
+void setBlurredSun(const FrameInput& in, layout::FrameUniforms& u) {
+  const ibl::BlurredBackground& blurred = in.tables.blurred;
+  u.blurredSunRadiance.w = blurred.mapShare;
+  if (!in.tables.sun) return;
+  const scene::Sun& sun = *in.tables.sun;
+  const double share = 1 - double{blurred.mapShare};
+  const double alpha = optics::backgroundLightAlpha(double{blurred.perceptualRoughness} * blurred.perceptualRoughness,
+                                                    share, sun.angularRadius);
+  const double scale = share * optics::prefilterKernel(alpha, 0) * in.settings.frame.environmentStrength;
+  u.blurredSun = glm::vec4(glm::vec3(sun.direction), static_cast<float>(alpha * alpha));
+  u.blurredSunRadiance = glm::vec4(glm::vec3(sun.irradiance * scale), blurred.mapShare);
+}
+
 }  // namespace
+
+std::vector<shading::Define> backgroundDefines(const FrameInput& in) {
+  std::vector<shading::Define> defines;
+  if (!backgroundBlurred(in)) return defines;
+  defines.push_back({"BACKGROUND_BLUR"});
+  if (in.tables.blurred.mapShare > 0 && in.tables.background) defines.push_back({"BACKGROUND_MAP"});
+  return defines;
+}
 
 void bindMeasured(const FrameInput& in) {
   if (in.list.features.measured == shading::Measured::none) return;
@@ -174,7 +200,7 @@ layout::FrameUniforms frameUniforms(const FrameInput& in, int draw, int draws, c
   const float angle = glm::radians(in.settings.frame.environmentRotationDeg);
   u.environmentRotation = glm::vec4(std::cos(angle), std::sin(angle), 0, 0);
   const float scale = in.tables.radianceScale * in.settings.frame.environmentStrength;
-  u.environmentScale = glm::vec4(scale, scale, in.settings.frame.environmentStrength, 0);
+  u.environmentScale = glm::vec4(scale, 0, in.settings.frame.environmentStrength, 0);
   u.options = glm::vec4(in.settings.frame.occlusion, static_cast<float>(draw), static_cast<float>(draws),
                         static_cast<float>(in.settings.quality.seed));
   u.picture = glm::vec4(in.settings.frame.width, in.settings.frame.height, in.firstRow,
@@ -185,6 +211,7 @@ layout::FrameUniforms frameUniforms(const FrameInput& in, int draw, int draws, c
   u.stored = glm::vec4(1 / unit, unit, largestStored(in.precise), in.precise ? 0 : quantityFactor(in));
   if (in.settings.frame.background == Background::color)
     u.backdrop = glm::vec4(backgroundColor(in.settings) * std::exp2(-in.settings.display.exposureStops), 1);
+  if (in.tables.blurred.cube) setBlurredSun(in, u);
   if (in.ground) u.ground = in.ground->place;
   if (in.screen && in.screen->width > 0)
     u.screen = glm::vec4(static_cast<float>(in.screen->width) / static_cast<float>(in.settings.frame.width),
@@ -247,7 +274,7 @@ std::vector<ProgramGetter> neededPrograms(const FrameInput& in, ProgramStore& pr
       if (fitted != key) needed.push_back([&, fitted] { return meshProgram(fitted, programs); });
     }
   if (!in.list.transmitting.empty()) needed.push_back([&] { return behindProgram(programs); });
-  if (skyVisible(in)) needed.push_back([&] { return skyProgram(programs); });
+  if (skyVisible(in)) needed.push_back([&] { return skyProgram(in, programs); });
   needed.push_back([&] { return displayProgram(in, programs); });
   return needed;
 }
@@ -264,6 +291,7 @@ void bindTables(const ibl::Tables& tables) {
   if (tables.rest) tables.rest.bind(layout::environmentRestUnit);
   if (tables.lamps) tables.lamps.bind(layout::lampCubeUnit);
   if (tables.lampPoints) tables.lampPoints.bind(layout::lampPointsUnit);
+  if (tables.blurred.cube) tables.blurred.cube.bind(layout::blurredBackgroundUnit);
 }
 
 Result<void> preparePrograms(const FrameInput& in, ProgramStore& programs) {

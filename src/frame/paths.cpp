@@ -47,11 +47,17 @@ std::vector<Define> sceneDefines(const FrameInput& in, PathUse use) {
   return defines;
 }
 
+bool seesBackground(const FrameInput& in) {
+  return in.list.features.environment && in.settings.frame.background == Background::environment;
+}
+
 std::vector<Define> missDefines(const FrameInput& in, PathUse use) {
   std::vector<Define> defines = sceneDefines(in, use);
   if (in.ground && use == PathUse::picture) defines.push_back({"GROUND_SEEN"});
-  if (in.list.features.environment && in.settings.frame.background == Background::environment)
+  if (seesBackground(in)) {
     defines.push_back({"BACKGROUND"});
+    if (use == PathUse::picture) std::ranges::copy(backgroundDefines(in), std::back_inserter(defines));
+  }
   return defines;
 }
 
@@ -65,6 +71,10 @@ std::vector<Define> classDefines(const FrameInput& in, const PathClass& shaded, 
   if (!in.paths->list.scene.placements.empty()) defines.push_back({"RAY_PLACEMENTS"});
   if (in.paths->list.media) defines.push_back({"SCENE_MEDIA"});
   if (looksAtGlow(in, use)) defines.push_back({"GLOWING"});
+  const bool passed = shading::usesFeature(shaded.key, shading::Feature::transmission) ||
+                      shading::usesFeature(shaded.key, shading::Feature::diffuseTransmission);
+  if (passed && use == PathUse::picture && seesBackground(in))
+    std::ranges::copy(backgroundDefines(in), std::back_inserter(defines));
   return defines;
 }
 

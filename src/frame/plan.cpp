@@ -63,7 +63,8 @@ Result<std::optional<PlanInputs>> inputsOf(const Plan& plan, const LoadedScene& 
   const Result<bool> measured = supplyMeasured(wish, supply, inputs.list);
   if (!measured) return tl::unexpected(measured.error());
   if (!*measured) return std::optional<PlanInputs>();
-  inputs.tables = {plan.environment, backgroundVisible(wish, lit), plan.moving && converges(wish),
+  const bool seen = backgroundVisible(wish, lit);
+  inputs.tables = {plan.environment, seen, seen ? wish.frame.backgroundBlur : 0, plan.moving && converges(wish),
                    wish.quality.maxError};
   return inputs;
 }
@@ -74,13 +75,13 @@ Result<void> makeList(Drawable& next, const Placement& placement) {
   if (!pose) return tl::unexpected(pose.error());
   next.list = buildDrawList(next.scene->model(), inputs.scene, inputs.options, *pose);
   if (next.list.features.shadows || next.list.features.horizons) next.screen = std::make_shared<Screen>();
-  next.notes = listNotes(next.list, next.list.needs(next.inputs.tables.background));
+  next.notes = listNotes(next.list, tableNeeds(next));
   return {};
 }
 
 Result<void> makeTables(Drawable& next, const Supply& supply) {
   const TableInputs& inputs = next.inputs.tables;
-  ibl::Needs needs = next.list.needs(inputs.background);
+  ibl::Needs needs = tableNeeds(next);
   needs.samples |= needs.irradiance && inputs.sampled;
   chooseMethod(*next.environment, inputs.maxError);
   return supply.tables(*next.environment, needs);
@@ -169,6 +170,11 @@ Result<void> prepareTables(LoadedEnvironment& environment, const ibl::Needs& nee
   return ibl::prepareTables(environment.tables, environment.environment.get(), environment.content, needs, programs,
                             environment.cache, environment.method, environment.prepared.get(),
                             environment.found ? &*environment.found : nullptr);
+}
+
+ibl::Needs tableNeeds(const Drawable& drawable) {
+  const TableInputs& tables = drawable.inputs.tables;
+  return drawable.list.needs(tables.background, tables.backgroundBlur);
 }
 
 ListInputs listInputs(const PictureSettings& settings, std::shared_ptr<const io::LoadedModel> model, int scene,

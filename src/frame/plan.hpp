@@ -97,6 +97,7 @@ struct ListInputs {
 struct TableInputs {
   const LoadedEnvironment* environment = nullptr;  // null: on its way
   bool background = false;                         // it is seen
+  float backgroundBlur = 0;                        // then
   bool sampled = false;                            // it will be sampled later
   std::optional<double> maxError;
 
@@ -130,6 +131,8 @@ struct Drawable {
   std::shared_ptr<Ground> ground = {};          // likewise, where there is a floor; its light is traced by who draws
   std::shared_ptr<Screen> screen = {};          // likewise, where shadow maps and horizons are; prepared by who draws
 };
+// What its picture reads of the environment.
+ibl::Needs tableNeeds(const Drawable& drawable);
 FrameInput frameInput(const Drawable& drawable, const scene::View& view, const PictureSettings& settings);
 // Of a part of its list (partOf).
 FrameInput frameInput(const Drawable& drawable, const DrawList& part, const scene::View& view,

@@ -16,6 +16,9 @@ void bindScene(const FrameInput& in);
 // The measured BRDF's table, or the model that was fitted to it.
 void bindMeasured(const FrameInput& in);
 
+// How the environment is seen behind the model (shaders/blurred_background.glsl).
+std::vector<shading::Define> backgroundDefines(const FrameInput& in);
+
 // offsetPixels: of the draw within its pixel.
 layout::FrameUniforms frameUniforms(const FrameInput& in, int draw, int draws, const glm::dvec2& offsetPixels);
 

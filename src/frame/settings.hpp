@@ -144,10 +144,13 @@ struct FrameSettings {
   int width = 1024, height = 1024;  // pixels, [1, 16384]
   Background background = Background::environment;
   glm::vec3 backgroundColor = glm::vec3(0);  // linear Rec. 709; Background::color only
-  bool ground = false;                       // a floor that shows the scene's shadow (ground.hpp)
-  float environmentRotationDeg = 0;          // about +Y
-  float environmentStrength = 1;             // factor, [0, 1e6]
-  float occlusion = 1;                       // scales every material's occlusion strength, [0, 1]
+  // Of the environment where it is seen behind the model, also through glass: perceptual roughness of the lobe that
+  // sees it, [0, 1]. Its light and its reflections are not blurred.
+  float backgroundBlur = 0;
+  bool ground = false;               // a floor that shows the scene's shadow (ground.hpp)
+  float environmentRotationDeg = 0;  // about +Y
+  float environmentStrength = 1;     // factor, [0, 1e6]
+  float occlusion = 1;               // scales every material's occlusion strength, [0, 1]
 
   bool operator==(const FrameSettings&) const = default;
 };

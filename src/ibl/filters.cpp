@@ -100,21 +100,28 @@ void addBlur(std::vector<Step>& steps, size_t index, const optics::BlurredCopy& 
   addByFaces(steps, "LD layers", copy.size, taps.size(), run);
 }
 
-// Weights of the parts that count; roughness 0 is the cube.
-std::vector<std::pair<size_t, float>> mixtureOf(double perceptualRoughness) {
-  if (perceptualRoughness == 0) return {{0, 1.0f}};
-  const auto layer = std::ranges::find(layers, perceptualRoughness, &Layer::perceptualRoughness);
-  assert(layer != layers.end());
-  const auto& weights = mixtures[static_cast<size_t>(layer - layers.begin() - 1)];
-  std::vector<std::pair<size_t, float>> parts;
+using MixtureParts = std::vector<std::pair<size_t, float>>;
+
+template <class Weights>
+MixtureParts partsThatCount(const Weights& weights) {
+  MixtureParts parts;
   for (size_t i = 0; i < weights.size(); ++i)
-    if (weights[i] > 0) parts.emplace_back(i, weights[i]);
+    if (weights[i] > 0) parts.emplace_back(i, static_cast<float>(weights[i]));
   return parts;
+}
+
+// Roughness 0 is the cube.
+MixtureParts mixtureOf(const LayerTarget& target) {
+  if (!target.mixture.empty()) return partsThatCount(target.mixture);
+  if (target.perceptualRoughness == 0) return {{0, 1.0f}};
+  const auto layer = std::ranges::find(layers, target.perceptualRoughness, &Layer::perceptualRoughness);
+  assert(layer != layers.end());
+  return partsThatCount(mixtures[static_cast<size_t>(layer - layers.begin() - 1)]);
 }
 
 void addMixture(std::vector<Step>& steps, const LayerTarget& layer, const ScratchPointer& scratch,
                 ProgramStore& programs) {
-  const auto parts = mixtureOf(layer.perceptualRoughness);
+  const auto parts = mixtureOf(layer);
   const auto run = [=, &programs](int face, int faces) -> Result<void> {
     const auto program = programs.compute("passes/mix.comp.glsl");
     if (!program) return tl::unexpected(program.error());
@@ -141,13 +148,14 @@ void addMixtures(std::vector<Step>& steps, const std::vector<LayerTarget>& wante
                  ProgramStore& programs, const Method& method) {
   std::vector<bool> used(mixturePartCount, false);
   for (const LayerTarget& layer : wanted)
-    for (const auto& [part, weight] : mixtureOf(layer.perceptualRoughness)) used[part] = true;
+    for (const auto& [part, weight] : mixtureOf(layer)) used[part] = true;
   const std::vector<optics::BlurredCopy> copies = optics::blurredCopies();
   assert(copies.size() == blurredCopyCount);
   scratch->blurred.resize(copies.size());
   size_t last = copies.size() - 1;
   while (last > 0 && !used[last]) --last;
-  for (size_t i = 1; i <= last; ++i) addBlur(steps, i, copies[i], scratch, programs);
+  size_t& planned = scratch->lastBlurPlanned;
+  for (; planned < last; ++planned) addBlur(steps, planned + 1, copies[planned + 1], scratch, programs);
   for (size_t i = 0; i < std::size(scratch->summed); ++i)
     if (used[blurredCopyCount + i] && !scratch->sumPlanned[i]) addSum(steps, "LD layers", i, scratch, programs, method);
   for (const LayerTarget& layer : wanted) addMixture(steps, layer, scratch, programs);

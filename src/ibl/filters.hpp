@@ -30,6 +30,7 @@ struct Scratch {
   gl::Texture cube;                                     // RGBA32F with levels; alpha of level 0 on: solid angle
   const gl::Texture* presentCube = nullptr;             // in its place where there is one already
   std::vector<gl::Texture> blurred;                     // optics::blurredCopies; [0] stays empty: the cube itself
+  size_t lastBlurPlanned = 0;                           // of these
   gl::Texture summed[std::size(optics::summedAlphas)];  // RGBA32F cubes; the last is irradiance / pi
   bool sumPlanned[std::size(optics::summedAlphas)] = {};
   CutTree tree;
@@ -43,6 +44,7 @@ struct LayerTarget {
   GLuint array = 0;
   int cube = 0, level = 0, size = 0;
   double perceptualRoughness = 0;
+  std::vector<double> mixture = {};  // of the copies and sums; empty: the layer's of that roughness
 };
 
 // Steps that make these layers from the environment's cube, which is made by then.

@@ -14,7 +14,12 @@ struct Needs {
   bool taps = false;        // fitted look-ups
   bool sheen = false;       // a sheen that anything lights
   bool background = false;  // the environment itself is visible
-  bool texels = false;      // how much each of its texels radiates, to draw directions by; with the background
+  // The background as a lobe of that perceptual roughness sees it; 0: as it is.
+  float backgroundBlur = 0;
+  bool texels = false;  // how much each of its texels radiates, to draw directions by; with the background
 };
+
+// Lobes that are narrower than the texels of cubes are seen in the map itself, too.
+constexpr bool showsMap(float backgroundBlur) { return backgroundBlur < 0.1f; }
 
 }  // namespace facet::ibl

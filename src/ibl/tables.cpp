@@ -11,6 +11,7 @@
 #include "ibl/layers.hpp"
 #include "ibl/taps.hpp"
 #include "optics/environment_texels.hpp"
+#include "optics/zonal.hpp"
 #include "paths.h"
 
 namespace facet::ibl {
@@ -91,6 +92,26 @@ std::vector<LayerTarget> missingLayers(const Tables& tables, Tables& made, const
   return targets;
 }
 
+// Nothing where the map itself is all that is seen.
+std::optional<LayerTarget> blurTarget(Tables& made, const scene::Environment& environment, float blur) {
+  BlurredBackground& blurred = made.blurred;
+  blurred.perceptualRoughness = blur;
+  const double alpha = double{blur} * blur;
+  LayerTarget target{.size = blur < 0.5f ? mirrorSize : roughSize, .perceptualRoughness = blur, .mixture = {}};
+  if (showsMap(blur)) {
+    target.mixture = optics::backgroundWeights(alpha, target.size, environment.width);
+    blurred.mapShare = static_cast<float>(target.mixture.back());
+    target.mixture.pop_back();
+  } else {
+    target.mixture = optics::mixtureWeights(alpha, target.size);
+  }
+  if (blurred.mapShare >= 1) return {};
+  for (double& weight : target.mixture) weight /= 1 - double{blurred.mapShare};
+  blurred.cube = cubeArray(target.size, 1, 1, "blurred background");
+  target.array = blurred.cube.id();
+  return target;
+}
+
 size_t bytesOf(const Tables& made, const Scratch& scratch, std::string_view table) {
   const auto of = [](const gl::Texture& texture) { return texture ? texture.bytes() : 0; };
   if (table == "DFG") return of(made.dfg);
@@ -98,6 +119,7 @@ size_t bytesOf(const Tables& made, const Scratch& scratch, std::string_view tabl
   if (table == "taps") return of(made.taps);
   if (table == "irradiance") return of(scratch.summed[1]);
   if (table == "background") return of(made.background);
+  if (table == "blurred background") return of(made.blurred.cube);
   if (table == "texels") return of(made.texels);
   if (table == "LD layers") return of(made.mirrorLayers) + of(made.roughLayers);
   if (table == "lamps") return of(made.rest) + of(made.lamps) + of(made.lampPoints);
@@ -109,7 +131,7 @@ size_t bytesOf(const Tables& made, const Scratch& scratch, std::string_view tabl
 size_t Tables::bytes() const {
   size_t sum = 0;
   for (const gl::Texture* texture : {&dfg, &sheen, &taps, &irradiance, &mirrorLayers, &roughLayers, &cube, &rest,
-                                     &lamps, &lampPoints, &background, &texels})
+                                     &lamps, &lampPoints, &background, &blurred.cube, &texels})
     if (*texture) sum += texture->bytes();
   return sum;
 }
@@ -122,6 +144,10 @@ LayerRange layersFor(float lowestRoughness, float highestRoughness) {
   while (range.first < layout::ldLayerCount - 2 && knot(range.first + 1) < lowestRoughness - room) ++range.first;
   while (range.last > range.first + 1 && knot(range.last - 1) > highestRoughness + room) --range.last;
   return range;
+}
+
+bool missesBlur(const Tables& tables, const Needs& needs) {
+  return needs.backgroundBlur > 0 && tables.blurred.perceptualRoughness != needs.backgroundBlur;
 }
 
 Precompute planTables(const Tables& tables, const scene::Environment* environment, const PreparedEnvironment* prepared,
@@ -145,7 +171,9 @@ Precompute planTables(const Tables& tables, const scene::Environment* environmen
   const std::vector<LayerTarget> targets =
       needs.layers ? missingLayers(tables, made, needs) : std::vector<LayerTarget>();
   const bool samples = needs.samples && !(tables.rest && tables.lamps && tables.lampPoints);
-  const bool filtered = work.keepIrradiance || work.keepCube || samples || !targets.empty();
+  std::optional<LayerTarget> blurred;
+  if (missesBlur(tables, needs)) blurred = blurTarget(made, *environment, needs.backgroundBlur);
+  const bool filtered = work.keepIrradiance || work.keepCube || samples || !targets.empty() || blurred;
   if (!background && !texels && !filtered) return work;
 
   assert(environment != nullptr && environment->width > 0);
@@ -170,6 +198,11 @@ Precompute planTables(const Tables& tables, const scene::Environment* environmen
   if (samples) addLampSteps(work.steps, made, work.scratch, programs);
   if (work.keepIrradiance) addIrradianceSteps(work.steps, work.scratch, programs, method);
   if (!targets.empty()) addLayerSteps(work.steps, targets, work.scratch, programs, method);
+  if (blurred) {
+    const size_t first = work.steps.size();
+    addLayerSteps(work.steps, {*blurred}, work.scratch, programs, method);
+    for (size_t i = first; i < work.steps.size(); ++i) work.steps[i].table = "blurred background";
+  }
   return work;
 }
 
@@ -187,6 +220,7 @@ void finish(Precompute&& work, Tables& tables) {
        {&Tables::dfg, &Tables::sheen, &Tables::taps, &Tables::mirrorLayers, &Tables::roughLayers, &Tables::rest,
         &Tables::lamps, &Tables::lampPoints, &Tables::background, &Tables::texels})
     if (made.*texture) tables.*texture = std::move(made.*texture);
+  if (made.blurred.perceptualRoughness > 0) tables.blurred = std::move(made.blurred);
   for (size_t i = 0; i < made.layersMade.size(); ++i) tables.layersMade[i] = tables.layersMade[i] || made.layersMade[i];
   if (work.keepIrradiance) tables.irradiance = std::move(work.scratch->summed[1]);
   if (work.keepCube) tables.cube = std::move(work.scratch->cube);

@@ -28,6 +28,13 @@ struct TableStatistics {
   double gpuMilliseconds = 0;  // 0: not measured
 };
 
+// The background as a lobe of that perceptual roughness sees it, but for the share that is seen in the map itself.
+struct BlurredBackground {
+  float perceptualRoughness = 0;  // 0: there is none
+  float mapShare = 0;             // [0, 1]; 1: no cube
+  gl::Texture cube;               // RGBA16F cube array of one, without the sun
+};
+
 struct Tables {
   gl::Texture dfg;           // RGBA16F, dfg_table.glsl
   gl::Texture sheen;         // R32F, sheen_table.glsl
@@ -36,11 +43,12 @@ struct Tables {
   gl::Texture mirrorLayers;  // RGBA16F cube array, LD layers 0 and 1
   gl::Texture roughLayers;   // RGBA16F cube array with levels, the rest
   std::array<bool, layout::ldLayerCount> layersMade = {};
-  gl::Texture cube;         // RGBA32F cube with levels; alpha = solid angle
-  gl::Texture rest;         // RGBA32F cube with levels: the environment without lamps (ibl/lamps.hpp)
-  gl::Texture lamps;        // RGBA32F cube: lamps; alpha = density of their samples [1/sr]; 1 x 1 where there are none
-  gl::Texture lampPoints;   // RG32F: LampPoint; 1 x 1 where there are none
-  gl::Texture background;   // RGBA16F equirectangular, full resolution
+  gl::Texture cube;        // RGBA32F cube with levels; alpha = solid angle
+  gl::Texture rest;        // RGBA32F cube with levels: the environment without lamps (ibl/lamps.hpp)
+  gl::Texture lamps;       // RGBA32F cube: lamps; alpha = density of their samples [1/sr]; 1 x 1 where there are none
+  gl::Texture lampPoints;  // RG32F: LampPoint; 1 x 1 where there are none
+  gl::Texture background;  // RGBA16F equirectangular, full resolution
+  BlurredBackground blurred;
   gl::Texture texels;       // RGBA32F with levels, environment_texels.glsl
   float radianceScale = 1;  // radiance = stored value * radianceScale (a power of two, so that half floats hold it)
   std::optional<scene::Sun> sun;  // taken out of all of these but the background (Method::takeSunOut)
@@ -70,6 +78,8 @@ inline constexpr size_t backgroundTexelsAtOnce = size_t{1} << 19;
 Precompute planTables(const Tables& tables, const scene::Environment* environment, const PreparedEnvironment* prepared,
                       const Needs& needs, shading::ProgramStore& programs, const Method& method = {},
                       const scene::FoundSun* found = nullptr);
+// The blur that is needed is not that of the tables.
+bool missesBlur(const Tables& tables, const Needs& needs);
 // One step. Errors: a shader does not compile.
 Result<void> runStep(Precompute& work);
 // Moves what was made to the tables. All steps are run.

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "optics/lights.hpp"
 #include "optics/microfacet.hpp"
 
 namespace facet::optics {
@@ -43,8 +45,10 @@ FitAngles fitAngles() {
   return angles;
 }
 
+using Kernels = std::vector<std::vector<double>>;
+
 // Values of every copy's kernel at the angles, as a layer of that size sees it.
-std::vector<std::vector<double>> copyKernels(const FitAngles& angles, int layerSize) {
+Kernels copyKernels(const FitAngles& angles, int layerSize) {
   const std::vector<BlurredCopy> copies = blurredCopies();
   std::vector<std::vector<double>> filters;  // coefficients
   std::vector<double> filter(degrees);
@@ -60,7 +64,7 @@ std::vector<std::vector<double>> copyKernels(const FitAngles& angles, int layerS
     for (size_t l = 0; l < degrees; ++l)
       seen[l] *= gaussianCoefficient(variance, l) * (2 * static_cast<double>(l) + 1) / (4 * pi);
   }
-  std::vector<std::vector<double>> kernels(filters.size(), std::vector<double>(angles.theta.size(), 0));
+  Kernels kernels(filters.size(), std::vector<double>(angles.theta.size(), 0));
   for (size_t a = 0; a < angles.theta.size(); ++a) {
     const std::vector<double> P = legendre(std::cos(angles.theta[a]), degrees);
     for (size_t i = 0; i < filters.size(); ++i)
@@ -71,6 +75,74 @@ std::vector<std::vector<double>> copyKernels(const FitAngles& angles, int layerS
     for (const double theta : angles.theta) kernel.push_back(prefilterKernel(alpha, theta));
   }
   return kernels;
+}
+
+// A map's texels under bilinear look-ups: a Gaussian of their variance.
+std::vector<double> mapKernel(const FitAngles& angles, int mapWidth) {
+  const double texel = 2 * pi / mapWidth, variance = texel * texel * (1.0 / 12 + 1.0 / 6);
+  std::vector<double> kernel;
+  for (const double theta : angles.theta)
+    kernel.push_back(std::exp(-theta * theta / (2 * variance)) / (2 * pi * variance));
+  return kernel;
+}
+Kernels backgroundKernels(const FitAngles& angles, int size, int mapWidth) {
+  Kernels kernels = copyKernels(angles, size);
+  kernels.push_back(mapKernel(angles, mapWidth));
+  return kernels;
+}
+
+std::vector<double> fittedWeights(double alpha, const FitAngles& angles, const Kernels& kernels) {
+  const size_t unknowns = kernels.size();
+  std::vector<std::vector<double>> normal(unknowns, std::vector<double>(unknowns, 0));
+  std::vector<double> right(unknowns, 0);
+  const auto addRow = [&](const auto& value, double target, double weight) {
+    for (size_t j = 0; j < unknowns; ++j) {
+      for (size_t k = 0; k < unknowns; ++k) normal[j][k] += weight * value(j) * value(k);
+      right[j] += weight * value(j) * target;
+    }
+  };
+  const double floor = 1e-3 * prefilterKernel(alpha, 0) * alpha * alpha + 1e-4;
+  for (size_t a = 0; a < angles.theta.size(); ++a) {
+    const double target = prefilterKernel(alpha, angles.theta[a]);
+    addRow([&](size_t j) { return kernels[j][a]; }, target, angles.weight[a] / (target + floor));
+  }
+  addRow([](size_t) { return 1.0; }, 1, 1);  // a constant map stays constant
+  std::vector<double> weights(unknowns, 0);
+  double change = 1;
+  for (int sweep = 0; sweep < 200000 && change > 1e-12; ++sweep) {
+    change = 0;
+    for (size_t j = 0; j < unknowns; ++j) {
+      double gradient = right[j];
+      for (size_t k = 0; k < unknowns; ++k)
+        if (k != j) gradient -= normal[j][k] * weights[k];
+      const double before = std::exchange(weights[j], std::max(0.0, gradient / normal[j][j]));
+      change = std::max(change, std::abs(weights[j] - before));
+    }
+  }
+  double sum = 0;
+  for (const double w : weights) sum += w;
+  for (double& w : weights) w = w / sum < 1e-3 ? 0 : w;  // not worth a look-up
+  sum = 0;
+  for (const double w : weights) sum += w;
+  for (double& w : weights) w /= sum;
+  return weights;
+}
+
+MixtureError errorOf(double alpha, const FitAngles& angles, const Kernels& kernels,
+                     const std::vector<double>& weights) {
+  MixtureError error;
+  double core = 0, scale = 0;
+  for (size_t a = 0; a < angles.theta.size(); ++a) {
+    double mixture = 0;
+    for (size_t j = 0; j < weights.size(); ++j) mixture += weights[j] * kernels[j][a];
+    const double kernel = prefilterKernel(alpha, angles.theta[a]);
+    error.l1 += angles.weight[a] * std::abs(mixture - kernel);
+    if (angles.theta[a] > 4 * alpha) continue;
+    core += angles.weight[a] * (mixture - kernel) * (mixture - kernel);
+    scale += angles.weight[a] * kernel * kernel;
+  }
+  error.core = std::sqrt(core / scale);
+  return error;
 }
 
 }  // namespace
@@ -155,55 +227,30 @@ std::vector<BlurredCopy> blurredCopies() {
 
 std::vector<double> mixtureWeights(double alpha, int layerSize) {
   const FitAngles angles = fitAngles();
-  const std::vector<std::vector<double>> kernels = copyKernels(angles, layerSize);
-  const size_t unknowns = kernels.size();
-  std::vector<std::vector<double>> normal(unknowns, std::vector<double>(unknowns, 0));
-  std::vector<double> right(unknowns, 0);
-  const auto addRow = [&](const auto& value, double target, double weight) {
-    for (size_t j = 0; j < unknowns; ++j) {
-      for (size_t k = 0; k < unknowns; ++k) normal[j][k] += weight * value(j) * value(k);
-      right[j] += weight * value(j) * target;
-    }
-  };
-  const double floor = 1e-3 * prefilterKernel(alpha, 0) * alpha * alpha + 1e-4;
-  for (size_t a = 0; a < angles.theta.size(); ++a) {
-    const double target = prefilterKernel(alpha, angles.theta[a]);
-    addRow([&](size_t j) { return kernels[j][a]; }, target, angles.weight[a] / (target + floor));
-  }
-  addRow([](size_t) { return 1.0; }, 1, 1);  // a constant map stays constant
-  std::vector<double> weights(unknowns, 0);
-  for (int sweep = 0; sweep < 200000; ++sweep)
-    for (size_t j = 0; j < unknowns; ++j) {
-      double gradient = right[j];
-      for (size_t k = 0; k < unknowns; ++k)
-        if (k != j) gradient -= normal[j][k] * weights[k];
-      weights[j] = std::max(0.0, gradient / normal[j][j]);
-    }
-  double sum = 0;
-  for (const double w : weights) sum += w;
-  for (double& w : weights) w = w / sum < 1e-3 ? 0 : w;  // not worth a look-up
-  sum = 0;
-  for (const double w : weights) sum += w;
-  for (double& w : weights) w /= sum;
+  return fittedWeights(alpha, angles, copyKernels(angles, layerSize));
+}
+
+std::vector<double> backgroundWeights(double alpha, int size, int mapWidth) {
+  const FitAngles angles = fitAngles();
+  Kernels kernels = backgroundKernels(angles, size, mapWidth);
+  if (alpha > narrowestBlur(mapWidth)) return fittedWeights(alpha, angles, kernels);
+  std::vector<double> weights(kernels.size(), 0);
+  weights.back() = 1;
   return weights;
 }
 
 MixtureError mixtureError(double alpha, int layerSize, const std::vector<double>& weights) {
   const FitAngles angles = fitAngles();
-  const std::vector<std::vector<double>> kernels = copyKernels(angles, layerSize);
-  MixtureError error;
-  double core = 0, scale = 0;
-  for (size_t a = 0; a < angles.theta.size(); ++a) {
-    double mixture = 0;
-    for (size_t j = 0; j < weights.size(); ++j) mixture += weights[j] * kernels[j][a];
-    const double kernel = prefilterKernel(alpha, angles.theta[a]);
-    error.l1 += angles.weight[a] * std::abs(mixture - kernel);
-    if (angles.theta[a] > 4 * alpha) continue;
-    core += angles.weight[a] * (mixture - kernel) * (mixture - kernel);
-    scale += angles.weight[a] * kernel * kernel;
-  }
-  error.core = std::sqrt(core / scale);
-  return error;
+  return errorOf(alpha, angles, copyKernels(angles, layerSize), weights);
+}
+
+MixtureError backgroundError(double alpha, int size, int mapWidth, const std::vector<double>& weights) {
+  const FitAngles angles = fitAngles();
+  return errorOf(alpha, angles, backgroundKernels(angles, size, mapWidth), weights);
+}
+
+double backgroundLightAlpha(double alpha, double share, double angularRadius) {
+  return std::min(1.0, alphaOfDisc(alpha / std::sqrt(share), angularRadius));
 }
 
 }  // namespace facet::optics

@@ -55,11 +55,23 @@ inline constexpr double summedAlphas[] = {0.64, 1};
 // coordinate descent. Costs some hundred milliseconds: what programs use is a table of them (ibl/mixtures.hpp).
 std::vector<double> mixtureWeights(double alpha, int layerSize);
 
+// The same at any alpha for a cube that is looked at itself, beside the map that the copies were made of: the last
+// weight is the map's, of so many texels around the equator. Lobes narrower than the copies are a little of both, and
+// one of narrowestBlur is the map.
+std::vector<double> backgroundWeights(double alpha, int size, int mapWidth);
+// alpha that shows a tenth of a texel's light beyond its edge.
+inline double narrowestBlur(int mapWidth) { return 0.5 / mapWidth; }
+
 // How far the mixture is from the kernel.
 struct MixtureError {
   double l1 = 0;    // int |mixture - kernel| dw: bounds the relative error of layers over maps without lamps
   double core = 0;  // RMS error over RMS within 4 alpha of the centre: that of a small lamp's image
 };
 MixtureError mixtureError(double alpha, int layerSize, const std::vector<double>& weights);
+MixtureError backgroundError(double alpha, int size, int mapWidth, const std::vector<double>& weights);
+
+// The kernel that shows a light of that angular radius [rad] under a share of a lobe: as wide as both, and far from its
+// centre as bright as the whole lobe, which the rest of it does not reach.
+double backgroundLightAlpha(double alpha, double share, double angularRadius);
 
 }  // namespace facet::optics

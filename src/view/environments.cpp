@@ -24,7 +24,8 @@ constexpr ibl::Method previewMethod{.cube = ibl::CubeMethod::oneTap,
 bool covers(const ibl::Needs& have, const ibl::Needs& wanted) {
   return have.background >= wanted.background && have.irradiance >= wanted.irradiance && have.layers >= wanted.layers &&
          have.cube >= wanted.cube && have.samples >= wanted.samples && have.texels >= wanted.texels &&
-         have.lowestRoughness <= wanted.lowestRoughness && have.highestRoughness >= wanted.highestRoughness;
+         have.backgroundBlur == wanted.backgroundBlur && have.lowestRoughness <= wanted.lowestRoughness &&
+         have.highestRoughness >= wanted.highestRoughness;
 }
 
 void logTables(const ibl::Tables& tables) {
@@ -34,6 +35,16 @@ void logTables(const ibl::Tables& tables) {
 
 bool isSmall(const EnvironmentSlot& slot) {
   return slot.environment && slot.environment->radiance.size() <= ibl::backgroundTexelsAtOnce;
+}
+
+// Of what depends on the environment.
+std::vector<gl::Texture ibl::Tables::*> absentTables(const ibl::Tables& tables) {
+  using ibl::Tables;
+  std::vector<gl::Texture Tables::*> absent;
+  for (gl::Texture Tables::*table : {&Tables::irradiance, &Tables::mirrorLayers, &Tables::roughLayers, &Tables::cube,
+                                     &Tables::rest, &Tables::lamps, &Tables::lampPoints, &Tables::background})
+    if (!(tables.*table)) absent.push_back(table);
+  return absent;
 }
 
 // Steps, waiting for each, until the time is over.
@@ -69,23 +80,26 @@ Result<void> provideTables(EnvironmentSlot& slot, const ibl::Needs& needs, shadi
   logTables(tables);
   const std::vector<ibl::Piece> missing = ibl::missingPieces(tables, needs);
   const bool texels = needs.texels && !tables.texels;
-  if (missing.empty() && (!needs.background || tables.background) && !texels) return {};
+  const bool blur = ibl::missesBlur(tables, needs);
+  if (missing.empty() && (!needs.background || tables.background) && !texels && !blur) return {};
   const ibl::PreparedEnvironment* const prepared = slot.prepared.get();
   ibl::Precompute work = ibl::planTables(tables, slot.environment.get(), prepared, needs, programs, slot.method);
   slot.toStore.insert(slot.toStore.end(), missing.begin(), missing.end());
   if (Result<void> r = runFor(work, immediateMs); !r) return r;
   if (work.done()) return ibl::finish(std::move(work), tables), Result<void>();
   // Of the reduced map, the background among them.
-  const bool coarseBackground = needs.background && !tables.background;
+  Sharpening sharpening{.work = std::move(work),
+                        .needs = needs,
+                        .method = slot.method,
+                        .timer = gl::Timer::create(),
+                        .coarse = absentTables(tables),
+                        .coarseBlur = blur,
+                        .finalLayers = tables.layersMade};
   const ibl::PreparedEnvironment small = ibl::reducedFurther(*prepared, previewMethod.equirectWidth);
   if (Result<void> r = ibl::computeTables(tables, &prepared->reduced, needs, programs, previewMethod, &small); !r)
     return r;
   logTables(tables);
-  slot.sharpening = Sharpening{.work = std::move(work),
-                               .needs = needs,
-                               .method = slot.method,
-                               .timer = gl::Timer::create(),
-                               .coarseBackground = coarseBackground};
+  slot.sharpening = std::move(sharpening);
   slot.preview = true;
   return {};
 }
@@ -124,18 +138,13 @@ Result<bool> sharpen(EnvironmentSlot& slot) {
 }
 
 void cancelSharpening(EnvironmentSlot& slot) {
-  const bool background = slot.sharpening && slot.sharpening->coarseBackground;
-  slot.sharpening.reset();
+  const std::optional<Sharpening> cancelled = std::exchange(slot.sharpening, std::nullopt);
   slot.toStore.clear();
   slot.packed.clear();
-  if (!slot.preview) return;
-  slot.preview = false;
-  ibl::Tables& tables = slot.tables;
-  for (gl::Texture* texture : {&tables.irradiance, &tables.mirrorLayers, &tables.roughLayers, &tables.cube,
-                               &tables.rest, &tables.lamps, &tables.lampPoints})
-    *texture = {};
-  if (background) tables.background = {};
-  tables.layersMade = {};
+  if (!std::exchange(slot.preview, false)) return;
+  for (gl::Texture ibl::Tables::*table : cancelled->coarse) slot.tables.*table = {};
+  if (cancelled->coarseBlur) slot.tables.blurred = {};
+  slot.tables.layersMade = cancelled->finalLayers;
 }
 
 EnvironmentSlot* findEnvironment(const Environments& environments, const std::string& source) {

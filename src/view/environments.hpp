@@ -22,14 +22,17 @@ struct Sharpening {
   gl::Timer timer;
   bool pending = false;  // steps are on their way through the GPU
   uint64_t issuedFetches = 0;
-  double issueMs = 0;             // CPU time of the last steps
-  double msPerFetch = 0;          // of the last steps; 0: not known yet
-  bool coarseBackground = false;  // the background that is shown is of the reduced map, too
+  double issueMs = 0;     // CPU time of the last steps
+  double msPerFetch = 0;  // of the last steps; 0: not known yet
+  // What of the slot's tables is coarse, and which layers are final.
+  std::vector<gl::Texture ibl::Tables::*> coarse = {};
+  bool coarseBlur = false;
+  std::array<bool, layout::ldLayerCount> finalLayers = {};
 };
 
 struct EnvironmentSlot : frame::LoadedEnvironment {
   bool stale = false;    // its file has been read again since
-  bool preview = false;  // what of the tables depends on the environment is coarse
+  bool preview = false;  // some of the tables are coarse
   std::optional<Sharpening> sharpening;
   std::vector<ibl::Piece> toStore;       // final, not in the disk cache yet
   std::vector<ibl::PackedPiece> packed;  // likewise, read back

@@ -45,7 +45,7 @@ Result<bool> prepare(Viewport& viewport, const ViewerState& state, const scene::
     frame::setTracing(viewport.shown.list, options);
   }
   EnvironmentSlot& environment = *viewport.environments.shown;
-  const ibl::Needs needs = viewport.shown.list.needs(viewport.shown.inputs.tables.background);
+  const ibl::Needs needs = frame::tableNeeds(viewport.shown);
   if (Result<void> provided = provideTables(environment, needs, viewport.programs, viewport.environments.immediateMs);
       !provided)
     return tl::unexpected(provided.error());

@@ -149,6 +149,9 @@ void environmentSection(ViewerState& state) {
       {Background::transparent, "", "transparent", "screenshots get an alpha channel"},
       {Background::color, "", "colour"}};
   chooseEnum("background", settings.frame.background, backgrounds, usual.frame.background, "what is behind the model");
+  if (settings.frame.background == frame::Background::environment)
+    slider("blur", settings.frame.backgroundBlur, 0, 1, "%.2f", usual.frame.backgroundBlur,
+           "the environment behind the model, as a surface of that roughness reflects it;\nits light stays as it is");
   if (settings.frame.background == frame::Background::color)
     editColor("background colour", settings.frame.backgroundColor, usual.frame.backgroundColor, "as it is shown");
   ImGui::Checkbox("floor", &settings.frame.ground);

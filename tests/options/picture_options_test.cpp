@@ -74,6 +74,7 @@ PictureSettings unusual() {
   s.sources.allowOutside = "/data store";
   s.frame.environmentRotationDeg = -0.1f, s.frame.environmentStrength = 1e-3f;
   s.frame.background = frame::Background::color;
+  s.frame.backgroundBlur = 0.35f;
   s.frame.backgroundColor = {0.3f, static_cast<float>(linearFromSrgb(7 / 255.0)), 1e-5f};
   s.look.lights = frame::Lights::demo, s.quality.transport = frame::Transport::paths;
   s.quality.visibility = frame::Visibility::rays;
@@ -161,6 +162,7 @@ TEST_CASE("each option sets its own field") {
   CHECK(set("env", "builtin:sky").sources.environment == "builtin:sky");
   CHECK(set("env-rotation", "-90").frame.environmentRotationDeg == -90);
   CHECK(set("env-strength", "0").frame.environmentStrength == 0);
+  CHECK(set("background-blur", "0.35").frame.backgroundBlur == 0.35f);
   CHECK(set("background", "transparent").frame.background == frame::Background::transparent);
   CHECK(set("background", "env").frame.background == frame::Background::environment);
   CHECK(set("background", "#ff0080").frame.background == frame::Background::color);
@@ -224,6 +226,7 @@ TEST_CASE("every way to be wrong has its sentence") {
       {"env", "", "--env: the value is empty; give a name or leave the option out."},
       {"env-rotation", "1e9", "--env-rotation: 1e9 is out of range; give a number from -36000 to 36000."},
       {"env-strength", "-1", "--env-strength: -1 is out of range; give a number from 0 to 1e+06."},
+      {"background-blur", "1.5", "--background-blur: 1.5 is out of range; give a number from 0 to 1."},
       {"background", "red", "--background: 'red' is no background; give env, transparent or a colour as #rrggbb."},
       {"background", "#12345",
        "--background: '#12345' is no background; give env, transparent or a colour as #rrggbb."},

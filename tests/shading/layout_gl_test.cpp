@@ -83,6 +83,8 @@ TEST_CASE("Uniform blocks lie in memory as C++ lays them out") {
                                  MEMBER(stored),
                                  MEMBER(backdrop),
                                  MEMBER(ground),
+                                 MEMBER(blurredSun),
+                                 MEMBER(blurredSunRadiance),
                                  MEMBER(screen)};
 #undef MEMBER
   CHECK(property(id, GL_UNIFORM_BLOCK, "FrameBlock", GL_NUM_ACTIVE_VARIABLES) == GLint(members.size()));

@@ -127,6 +127,16 @@ TEST_CASE("copied command: gives the bytes of the picture on the screen", "[gl]"
       {"orbit", [](view::ViewerState& s) { s.camera.theta = 33.25, s.camera.phi = 71, s.camera.radius = 2.7182818; }},
       {"file camera", [](view::ViewerState& s) { s.settings.viewpoint.camera = "gate"; }},
       {"floor", [](view::ViewerState& s) { s.settings.frame.ground = true, s.camera.phi = 50; }},
+      {"a blurred background",
+       [](view::ViewerState& s) {
+         s.settings.frame.backgroundBlur = 0.37f, s.settings.sources.environment = "builtin:sky";
+         s.settings.frame.environmentRotationDeg = 70;
+       }},
+      {"a blurred background, path traced",
+       [](view::ViewerState& s) {
+         s.settings.frame.backgroundBlur = 0.08f, s.settings.sources.environment = "builtin:sky";
+         s.settings.quality.samples = 6, s.settings.quality.transport = frame::Transport::paths;
+       }},
       {"floor, refined", [](view::ViewerState& s) { s.settings.frame.ground = true, s.settings.quality.samples = 20; }},
       {"orthographic", [](view::ViewerState& s) { s.settings.viewpoint.camera = "1"; }},
       {"file camera, time",

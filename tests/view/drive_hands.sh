@@ -128,4 +128,27 @@ for samples in 3 60; do
   eval "\"$facet\" $command" >/dev/null 2>&1 || fail "the copied command fails: $command"
   cmp window.png picture.png || fail "the copied command has other bytes: $command"
 done
+
+# The slider that blurs the background, dragged; the copied command knows of it.
+start builtin:metals --size 1280x800 --samples 1 --env builtin:studio --orbit 0,125 --visibility none
+await "frame drawn: builtin:metals, builtin:studio$" 1
+find_window
+sleep 0.5
+screenshot sharp
+xdotool mousemove --window "$window" 1003 388 mousedown 1
+for x in 1015 1030 1040; do sleep 1; xdotool mousemove --window "$window" $x 388; done
+sleep 1
+xdotool mouseup 1
+sleep 1
+xdotool mousemove --window "$window" 640 700
+await "table: blurred background" 1
+sleep 3 # coarse tables are sharpened
+screenshot window
+differ sharp window
+xdotool key ctrl+c
+await "copied: facet render builtin:metals .*--background-blur 0\.[0-9]" 1
+command=$(sed -n 's/.*copied: facet //p' log | tail -1)
+quit
+eval "\"$facet\" $command" >/dev/null 2>&1 || fail "the copied command fails: $command"
+cmp window.png picture.png || fail "the copied command has other bytes: $command"
 echo "passed"
