@@ -83,6 +83,7 @@ LAYOUT_CONST errorStopCount = 5;
 LAYOUT_CONST gatherShareLocation = 0;
 LAYOUT_CONST outlineLineLocation = 0;
 LAYOUT_CONST behindFineLevelLocation = 0;
+LAYOUT_CONST overlayDepthLocation = 0;
 LAYOUT_CONST cubeTapsLocation = 0;
 LAYOUT_CONST cubeSteepTapsLocation = 1;
 LAYOUT_CONST cubeSteepLocation = 2;

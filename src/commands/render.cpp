@@ -128,6 +128,7 @@ nlohmann::ordered_json statsJson(const Job& job, const frame::Session& session, 
                   {"draws", s.frame.draws},
                   {"instances", s.frame.instances},
                   {"triangles", s.frame.triangles}};
+  if (s.gridSpacing) out["overlay"] = {{"gridSpacing", *s.gridSpacing}};
   if (s.range)
     out["range"] = {{"channel", job.settings.look.channel},
                     {"from", s.range->range.from},
@@ -222,6 +223,13 @@ Result<JobOutcome> runJob(const Job& job, const RenderArguments& arguments, bool
                "--samples, or more than 4 with --visibility none or --light paths"
              : "--error-layer: only an EXR holds it; end -o in .exr"});
   std::string reached = tellReached(job, *picture, notes);
+  if (picture->statistics.gridSpacing) {
+    char text[48];
+    std::snprintf(text, sizeof text, "grid of %.3g m", *picture->statistics.gridSpacing);
+    reached += (reached.empty() ? ": " : "; ") + std::string(text);
+  }
+  if (job.settings.overlays.shown != 0 && exr)
+    notes.push_back({Note::Severity::warning, "", "--overlay: an EXR is the radiance below it; end -o in .png"});
   if (picture->statistics.range && !exr)
     reached += (reached.empty() ? ": " : "; ") + frame::describe(*picture->statistics.range);
   const bool warned = tell(job.model, notes);

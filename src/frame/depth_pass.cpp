@@ -27,7 +27,7 @@ Result<void> drawDepth(const FrameInput& in, const scene::View& view, const gl::
   const gl::Buffer frame =
       gl::Buffer::of(std::vector<layout::FrameUniforms>{frameUniforms(seen, 0, 1, glm::dvec2(0))}, "frame of depths");
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
-  glViewport(0, 0, size.x, size.y);
+  glViewport(0, -in.firstRow, size.x, size.y);
   glDepthMask(GL_TRUE);
   const float far = 0;
   glClearNamedFramebufferfv(framebuffer.id(), GL_DEPTH, 0, &far);

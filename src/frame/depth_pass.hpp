@@ -8,8 +8,8 @@ namespace facet::frame {
 
 enum class DepthOf { frontSides, bothSides };  // where the material has one side
 
-// Into the framebuffer's depth of that size, which is cleared; reversed. Instances, joints and weights need not be
-// bound.
+// Into the framebuffer's depth, which is cleared, of that size or, of the rows of in.firstRow and on, lower; reversed.
+// Instances, joints and weights need not be bound.
 Result<void> drawDepth(const FrameInput& in, const scene::View& view, const gl::Framebuffer& framebuffer,
                        const glm::ivec2& size, DepthOf sides, shading::ProgramStore& programs,
                        FrameStatistics& statistics);

@@ -10,6 +10,7 @@
 #include "frame/gather.hpp"
 #include "frame/ground.hpp"
 #include "frame/max_error.hpp"
+#include "frame/overlay.hpp"
 #include "frame/picture.hpp"
 #include "frame/screen.hpp"
 #include "frame/settings.hpp"
@@ -272,6 +273,30 @@ scene::Bounds framingOf(const Drawable& drawable, const PictureSettings& setting
   return animatedBounds(*drawable.scene, drawable.inputs.list.scene, placement, poseBounds);
 }
 
+// So many rows of lines at once: 128 MB.
+constexpr int64_t mostOverlayPixels = int64_t{1} << 24;
+
+// Lines over what is shown.
+Result<void> addOverlay(const FrameInput& in, const Drawable& drawable, Picture& picture,
+                        shading::ProgramStore& programs) {
+  const shading::ProgramStatistics before = programs.statistics();
+  const Result<OverlayLines> lines = overlayLines(drawable, in.settings);
+  if (!lines) return tl::unexpected(lines.error());
+  picture.statistics.gridSpacing = lines->gridSpacing;
+  const FrameSettings& frame = in.settings.frame;
+  const auto rows =
+      static_cast<int>(std::min<int64_t>(frame.height, std::max<int64_t>(1, mostOverlayPixels / frame.width)));
+  const OverlayTargets targets = createOverlayTargets(frame.width, rows);
+  FrameInput band = in;
+  for (band.firstRow = 0; band.firstRow < frame.height; band.firstRow += rows) {
+    if (Result<void> r = drawOverlay(band, drawable, *lines, targets, programs); !r) return r;
+    layOver(targets, band.firstRow, picture.display);
+  }
+  picture.statistics.programsCompiled += programs.statistics().compiled - before.compiled;
+  picture.statistics.programsFromDisk += programs.statistics().fromDisk - before.fromDisk;
+  return {};
+}
+
 }  // namespace
 
 Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& request, const Drawable& drawable,
@@ -338,6 +363,10 @@ Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& 
     if (!drawn) return tl::unexpected(drawn.error());
     statistics.frameMs.push_back(drawn->milliseconds);
     stages.mark("repeated frames");
+  }
+  if (settings.overlays.shown != 0 && request.display) {
+    if (Result<void> r = addOverlay(input, drawable, picture, programs); !r) return tl::unexpected(r.error());
+    stages.mark("overlay");
   }
   statistics.range = rangeShown(list, *view, settings.display.range);
   statistics.visibility = chosenVisibility(asked, list);

@@ -3,6 +3,7 @@
 // What a picture is to look like: plain structs, one for each step that reads them, made from the command line, a job
 // file or the panel by options/picture_options. A default that is "not given" leaves the choice to the reader.
 
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
@@ -198,6 +199,27 @@ struct Quality {
 // Width over height.
 inline double aspectOf(const FrameSettings& frame) { return static_cast<double>(frame.width) / frame.height; }
 
+// What is drawn over the picture as lines.
+enum class Overlay { wireframe, bounds, axes, grid, skeleton, normals, lights, cameras, sun };
+inline constexpr Choice<Overlay> overlayChoices[] = {
+    {Overlay::wireframe, "wireframe", "wireframe", "edges of triangles; those behind surfaces are hidden"},
+    {Overlay::bounds, "bounds", "boxes", "around the scene, and around each thing that is drawn"},
+    {Overlay::axes, "axes", "axes", "of the world: X red, Y green, Z blue"},
+    {Overlay::grid, "grid", "grid", "below the scene, in metres; every tenth line is stronger"},
+    {Overlay::skeleton, "skeleton", "skeleton", "joints of skins, and what joins them"},
+    {Overlay::normals, "normals", "normals", "of vertices"},
+    {Overlay::lights, "lights", "lights", "point, spot and directional ones: where, which way, how far"},
+    {Overlay::cameras, "cameras", "cameras", "of the file: what they see"},
+    {Overlay::sun, "sun", "sun", "of the environment, where it has one"}};
+static_assert(inOrder(overlayChoices));
+struct Overlays {
+  uint32_t shown = 0;  // a bit each
+
+  static constexpr uint32_t bitOf(Overlay overlay) { return 1u << static_cast<int>(overlay); }
+  bool has(Overlay overlay) const { return (shown & bitOf(overlay)) != 0; }
+  bool operator==(const Overlays&) const = default;
+};
+
 struct PictureSettings {
   Sources sources;
   Placement placement;
@@ -207,6 +229,7 @@ struct PictureSettings {
   Display display;
   BrdfComparison comparison;
   Quality quality;
+  Overlays overlays;
 
   bool operator==(const PictureSettings&) const = default;
 };

@@ -11,6 +11,7 @@ struct BrdfComparison;
 struct Display;
 struct FrameSettings;
 struct Look;
+struct Overlays;
 struct PictureSettings;
 struct Placement;
 struct Quality;

@@ -39,8 +39,9 @@ glm::vec3 unitOr(const glm::vec3& v) {
   return largest > 0 ? glm::normalize(v / largest) : glm::vec3(0);
 }
 
-// In the world, as shaders/passes/mesh.vert.glsl places its vertices.
-scene::Primitive deformed(const DrawList& list, const Draw& draw, const layout::Instance& instance) {
+}  // namespace
+
+scene::Primitive placedShape(const DrawList& list, const Draw& draw, const layout::Instance& instance) {
   scene::Primitive out = *draw.primitive;
   std::vector<glm::vec3> tangents;
   for (const glm::vec4& t : out.tangents) tangents.emplace_back(t);
@@ -70,6 +71,8 @@ scene::Primitive deformed(const DrawList& list, const Draw& draw, const layout::
   out.targets.clear(), out.influences.clear();
   return out;
 }
+
+namespace {
 
 void appendTriangles(std::vector<rays::Triangle>& triangles, const scene::Primitive& p, uint32_t primitive,
                      uint32_t instance, const glm::dmat4* world) {
@@ -141,7 +144,7 @@ class Lister {
       const size_t first = single_.triangles.size();
       if (deforms(draw)) {
         const auto world = static_cast<uint32_t>(list_.instances.size() + (draw.mirrored ? 1 : 0));
-        const scene::Primitive& moved = out_.deformed.emplace_back(deformed(list_, draw, instance));
+        const scene::Primitive& moved = out_.deformed.emplace_back(placedShape(list_, draw, instance));
         appendTriangles(single_.triangles, moved, partOf(draw, &moved) | flags(draw, true), world, nullptr);
         addGlow(draw, first);
         continue;

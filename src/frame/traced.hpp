@@ -45,6 +45,10 @@ struct TracedList {
   int thin = 0;        // draws of lines and points, which rays do not meet
 };
 
+// A draw's vertices in the world, as shaders/passes/mesh.vert.glsl places them: skinned, morphed, relative to the
+// list's origin.
+scene::Primitive placedShape(const DrawList& list, const Draw& draw, const layout::Instance& instance);
+
 // Points of the world relative to the list's origin, as on the GPU.
 TracedList tracedList(const DrawList& list);
 

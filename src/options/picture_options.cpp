@@ -334,6 +334,31 @@ Result<void> parseMaxError(Text text, PictureSettings& settings) {
   return {};
 }
 
+Result<void> parseOverlays(Text text, PictureSettings& settings) {
+  std::vector<Text> names;
+  for (const auto& choice : frame::overlayChoices) names.push_back(choice.word);
+  frame::Overlays overlays;
+  for (const Text word : split(text, ',')) {
+    const auto found = std::ranges::find(names, word);
+    if (found == names.end()) return fail({}, {}, inQuotes(word) + " is not known", suggestion(word, names));
+    overlays.shown |= frame::Overlays::bitOf(frame::Overlay(found - names.begin()));
+  }
+  settings.overlays = overlays;
+  return {};
+}
+std::string writeOverlays(const PictureSettings& settings) {
+  std::string text;
+  for (const auto& choice : frame::overlayChoices)
+    if (settings.overlays.has(choice.value)) text += (text.empty() ? "" : ",") + std::string(choice.word);
+  return text;
+}
+std::string overlayWords() { return wordsOf(frame::overlayChoices); }
+constexpr PictureOption overlayOption(Text name, Text help) {
+  PictureOption option{name, "NAME,...", help, parseOverlays, writeOverlays};
+  option.choices = overlayWords;
+  return option;
+}
+
 Result<void> parseGround(Text text, PictureSettings& settings) {
   if (text != "true" && text != "false") return fail({}, {}, inQuotes(text) + " is neither", "give true or false");
   settings.frame.ground = text == "true";
@@ -487,6 +512,7 @@ constexpr PictureOption optionTable[] = {
      "one sees, 0.01 or 1% of white; light tables keep to it, too (none: as many as --samples says, tables to 1%)",
      parseMaxError, writeNumber<&S::quality, &frame::Quality::maxError>},
     channelOption("channel", "what is shown"),
+    overlayOption("overlay", "lines over a picture that is shown, one or several of"),
     {"range", "FROM,TO",
      "what the ends of the colours stand for, of a --channel that shows quantities, such as depth (what the scene has)",
      parseRange, writeRange},

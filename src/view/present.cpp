@@ -26,6 +26,14 @@ void layOver(const gl::Texture& picture) {
                                            {0, 1}, {1, 0});
 }
 
+// The same of one whose colours are times its alpha.
+void layOverPremultiplied(const gl::Texture& picture) {
+  ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+  draw.AddCallback([](const ImDrawList*, const ImDrawCmd*) { glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA); }, nullptr);
+  layOver(picture);
+  draw.AddCallback(ImDrawCallback_ResetRenderState, nullptr);
+}
+
 // Behind a transparent picture: checks, over which ImGui blends the display picture's straight alpha.
 void drawOverChecks(const frame::Targets& targets) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
@@ -47,6 +55,7 @@ void present(GLFWwindow* window, const Viewport& viewport, const ViewerState& st
   const frame::Targets& shown = viewport.moving.showsSmall ? viewport.moving.small : viewport.targets;
   if (shown.shown && transparent) drawOverChecks(shown);
   if (viewport.errorView.shown && viewport.refinement.shown) layOver(viewport.errorView.picture);
+  if (viewport.overlay.shown) layOverPremultiplied(viewport.overlay.targets.color);
   if (viewport.outline.shown) layOver(viewport.outline.line);
   ImGui::Render();
   int width = 0, height = 0;

@@ -15,15 +15,17 @@ std::filesystem::path screenshotName(const std::tm& time, const std::filesystem:
   return path;
 }
 
-Result<std::string> writeScreenshot(const frame::Targets& targets, const frame::PictureSettings& settings) {
+Result<std::string> writeScreenshot(const frame::Targets& targets, const frame::PictureSettings& settings,
+                                    const frame::OverlayTargets* overlay) {
   const std::time_t now = std::time(nullptr);
   std::tm local{};
   localtime_r(&now, &local);
   std::error_code ignored;
   const std::string name = screenshotName(local, std::filesystem::current_path(ignored)).string();
   const bool withAlpha = settings.frame.background == frame::Background::transparent;
-  if (Result<void> written = io::writePng(name, frame::readDisplay(targets, withAlpha)); !written)
-    return tl::unexpected(written.error());
+  io::Pixels picture = frame::readDisplay(targets, withAlpha);
+  if (overlay) frame::layOver(*overlay, 0, picture);
+  if (Result<void> written = io::writePng(name, picture); !written) return tl::unexpected(written.error());
   return name;
 }
 

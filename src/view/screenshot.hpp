@@ -5,6 +5,7 @@
 #include <string>
 
 #include "frame/frame.hpp"
+#include "frame/overlay.hpp"
 
 namespace facet::view {
 
@@ -12,6 +13,8 @@ namespace facet::view {
 std::filesystem::path screenshotName(const std::tm& time, const std::filesystem::path& folder);
 
 // The picture in the targets, without the panel, into the working directory; its name. Waits for the GPU.
-Result<std::string> writeScreenshot(const frame::Targets& targets, const frame::PictureSettings& settings);
+// overlay: lines over the picture, or null.
+Result<std::string> writeScreenshot(const frame::Targets& targets, const frame::PictureSettings& settings,
+                                    const frame::OverlayTargets* overlay = nullptr);
 
 }  // namespace facet::view

@@ -313,6 +313,20 @@ void pictureSection(ViewerState& state) {
              "how slanted textures are read in pictures of at most 4 samples");
 }
 
+void overlaySection(ViewerState& state) {
+  if (!section(state.layout, "Overlays", false)) return;
+  for (const Choice<frame::Overlay>& choice : frame::overlayChoices) {
+    bool shown = state.settings.overlays.has(choice.value);
+    if (ImGui::Checkbox((std::string(choice.label) + "##overlay").c_str(), &shown))
+      state.settings.overlays.shown ^= frame::Overlays::bitOf(choice.value);
+    hint(std::string(choice.note));
+    if (shown && choice.value == frame::Overlay::grid && state.shown.gridSpacing)
+      ImGui::SameLine(), ImGui::TextDisabled("%.3g m", *state.shown.gridSpacing);
+  }
+  ImGui::Checkbox("in screenshots, too", &state.overlaysInPictures);
+  hint("and in what \"copy command\" copies");
+}
+
 void modelsSection(ViewerState& state) {
   if (!section(state.layout, "Models", false)) return;
   frame::PictureSettings& settings = state.settings;
@@ -489,6 +503,7 @@ void settingsPanel(ViewerState& state, PanelResult& result) {
   environmentSection(state);
   materialSection(state);
   pictureSection(state);
+  overlaySection(state);
   modelsSection(state);
   accuracySection(state);
   animationSection(state);

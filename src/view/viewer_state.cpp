@@ -120,6 +120,7 @@ const char* kindName(optics::MeasuredKind kind) { return kind == optics::Measure
 frame::PictureSettings commandSettings(const ViewerState& state) {
   frame::PictureSettings settings = frame::restingSettings(state.settings);
   settings.sources.environment = state.shown.environment;
+  if (!state.overlaysInPictures) settings.overlays = {};
   if (shading::showsLight(std::max(0, shading::channelIndex(settings.look.channel)))) {
     const std::optional<frame::MeasuredFacts>& measured = state.shown.measured;
     settings.sources.brdf = measured ? measured->source.name : std::string();

@@ -133,8 +133,9 @@ struct Inspection {
 struct ShownScene {
   std::optional<frame::RangeShown> range;  // of false colours, where a channel is shown in them
   std::shared_ptr<const scene::Model> content;
-  std::string model;        // source: a path or "builtin:NAME"
-  std::string environment;  // source, or "none"
+  std::string model;                  // source: a path or "builtin:NAME"
+  std::string environment;            // source, or "none"
+  std::optional<double> gridSpacing;  // metres; where a grid is shown
   scene::Bounds bounds;
   std::vector<CameraName> cameras;
   std::vector<AnimationName> animations;
@@ -183,12 +184,13 @@ struct ViewerState {
   std::string openGL;        // version and renderer
   bool helpVisible = false;
   std::string helpFilter;
-  bool searchAsked = false;      // the browser's search is to take the keyboard
-  bool messagesAsked = false;    // the list of messages is to open
-  bool screenshotAsked = false;  // as soon as a whole picture is there
-  bool screenshotWaits = false;  // for the picture to converge
-  bool errorsShown = false;      // each pixel's, in colours over the picture
-  bool panelVisible = true;      // the panels that are chosen to be shown; one key hides all
+  bool searchAsked = false;         // the browser's search is to take the keyboard
+  bool messagesAsked = false;       // the list of messages is to open
+  bool screenshotAsked = false;     // as soon as a whole picture is there
+  bool screenshotWaits = false;     // for the picture to converge
+  bool overlaysInPictures = false;  // screenshots and copied commands have settings.overlays
+  bool errorsShown = false;         // each pixel's, in colours over the picture
+  bool panelVisible = true;         // the panels that are chosen to be shown; one key hides all
   bool browserVisible = true, settingsVisible = true, timelineVisible = true;
 };
 

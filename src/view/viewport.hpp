@@ -17,6 +17,7 @@
 #include "view/measured.hpp"
 #include "view/moving.hpp"
 #include "view/outline.hpp"
+#include "view/overlay_view.hpp"
 #include "view/refinement.hpp"
 #include "view/trees.hpp"
 #include "view/viewer_state.hpp"
@@ -63,6 +64,7 @@ struct Viewport {
   Refinement refinement;
   Trees trees;
   Outline outline;
+  OverlayView overlay;
   ErrorView errorView;
   // Of what comes up, so much goes on the GPU in one turn: the window answers in between.
   std::chrono::milliseconds slice{20};

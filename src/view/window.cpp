@@ -174,7 +174,9 @@ void nameWhatLoads(const Loader& loader, const Viewport& viewport, const std::st
 void takeScreenshot(const Viewport& viewport, ViewerState& state) {
   if (!viewport.targets.shown) return;
   const std::string of = samplesShown(viewport, state);
-  const Result<std::string> written = writeScreenshot(viewport.targets, state.settings);
+  const Result<std::string> written =
+      writeScreenshot(viewport.targets, state.settings,
+                      viewport.overlay.shown && state.overlaysInPictures ? &viewport.overlay.targets : nullptr);
   if (!written) return complain(state, written.error());
   state.status = {
       "screenshot" + (of.empty() ? of : " of " + of) + ": " + *written +
@@ -298,6 +300,7 @@ bool turn(Loop& loop, ImGuiSession& imgui, Viewport& viewport, ViewerState& stat
     readRadianceThere(viewport, state);
   }
   if (updateOutline(viewport, state, imgui.scale)) loop.framesToDraw = std::max(loop.framesToDraw, 1);
+  if (updateOverlay(viewport, state)) loop.framesToDraw = std::max(loop.framesToDraw, 1);
   state.screenshotAsked |= actions.screenshot;
   if (state.screenshotAsked && !viewport.moving.underWay) {
     state.screenshotAsked = false;
@@ -387,6 +390,7 @@ Result<bool> runWindow(const WindowOptions& options) {
   ImGuiSession imgui(loop.window, state);
   listenToHands(loop.window);
   state.settings = options.settings;
+  state.overlaysInPictures = options.settings.overlays.shown != 0;
   state.playback.playing = !state.settings.placement.animation.empty();
   state.environments = builtinEnvironmentSources();
   state.openGL = openGLText(context->info());

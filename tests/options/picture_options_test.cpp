@@ -86,6 +86,7 @@ PictureSettings unusual() {
   s.quality.textureFilter = frame::TextureFilter::isotropic;
   s.quality.maxError = 0.02;
   s.look.channel = "texelDensity", s.display.range = glm::dvec2(1.0 / 3, 1e6);
+  s.overlays.shown = frame::Overlays::bitOf(frame::Overlay::grid) | frame::Overlays::bitOf(frame::Overlay::sun);
   s.sources.shaderDir = "my $HOME";
   return s;
 }
@@ -260,6 +261,10 @@ TEST_CASE("every way to be wrong has its sentence") {
       {"channel", "normals", "--channel: 'normals' is not known; perhaps normal is meant."},
       {"range", "2,1", "--range: '2,1' is no range; give FROM,TO such as 0,2.5."},
       {"range", "0,1", "--range: nothing is shown in false colours; give --channel depth, or another quantity."},
+      {"overlay", "grid,axis", "--overlay: 'axis' is not known; perhaps axes is meant."},
+      {"overlay", "everything",
+       "--overlay: 'everything' is not known; choose one of wireframe, bounds, axes, grid, skeleton, normals, lights, "
+       "cameras, sun."},
       {"shader-dir", "", "--shader-dir: the value is empty; give a name or leave the option out."},
       {"exposrue", "1", "--exposrue: there is no such option; perhaps exposure is meant."},
   }));
@@ -445,5 +450,5 @@ TEST_CASE("every row of a choice is an option's word, comes back as it was given
     REQUIRE_FALSE(wrong);
     CHECK(wrong.error().problem == "'nonsense' is not known");
   }
-  CHECK(choices == 16);
+  CHECK(choices == 17);
 }

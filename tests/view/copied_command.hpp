@@ -16,7 +16,10 @@ namespace facet::test {
 
 // Its picture has the bytes of the one on the screen.
 inline void checkCopiedCommand(const Viewer& viewer, const TemporaryFolder& folder) {
-  REQUIRE(io::writePng(folder.file("window.png"), viewer.display()));
+  io::Pixels shown = viewer.display();
+  if (viewer.viewport.overlay.shown && viewer.state.overlaysInPictures)
+    frame::layOver(viewer.viewport.overlay.targets, 0, shown);
+  REQUIRE(io::writePng(folder.file("window.png"), shown));
   const std::string line =
       options::commandLine(view::commandSettings(viewer.state), viewer.state.shown.model, folder.file("command.png"));
   INFO(line);

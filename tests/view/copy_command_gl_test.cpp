@@ -137,6 +137,18 @@ TEST_CASE("copied command: gives the bytes of the picture on the screen", "[gl]"
          s.settings.frame.backgroundBlur = 0.08f, s.settings.sources.environment = "builtin:sky";
          s.settings.quality.samples = 6, s.settings.quality.transport = frame::Transport::paths;
        }},
+      {"overlays",
+       [](view::ViewerState& s) {
+         s.overlaysInPictures = true;
+         s.settings.overlays.shown = (1u << std::size(frame::overlayChoices)) - 1;
+         s.settings.placement.animation = "rise", s.settings.placement.timeSeconds = 0.4;
+         s.settings.look.lights = frame::Lights::demo, s.camera.theta = 33;
+       }},
+      {"overlays that are not for pictures, path traced",
+       [](view::ViewerState& s) {
+         s.settings.overlays.shown = frame::Overlays::bitOf(frame::Overlay::grid);
+         s.settings.quality.samples = 6, s.settings.quality.transport = frame::Transport::paths;
+       }},
       {"floor, refined", [](view::ViewerState& s) { s.settings.frame.ground = true, s.settings.quality.samples = 20; }},
       {"orthographic", [](view::ViewerState& s) { s.settings.viewpoint.camera = "1"; }},
       {"file camera, time",
@@ -216,6 +228,7 @@ TEST_CASE("copied command: gives the bytes of the picture on the screen", "[gl]"
   viewer.settle();
   viewer.converge();
   view::updateOutline(viewer.viewport, viewer.state, 2);
+  view::updateOverlay(viewer.viewport, viewer.state);
   REQUIRE_FALSE(viewer.state.status.isError);
   test::checkCopiedCommand(viewer, folder);
 }

@@ -151,4 +151,31 @@ command=$(sed -n 's/.*copied: facet //p' log | tail -1)
 quit
 eval "\"$facet\" $command" >/dev/null 2>&1 || fail "the copied command fails: $command"
 cmp window.png picture.png || fail "the copied command has other bytes: $command"
+
+# Lines over the picture, chosen in their section: beside screenshots until that is chosen, too.
+start builtin:metals --size 1280x800 --samples 1 --env builtin:studio --visibility none
+await "frame drawn: builtin:metals, builtin:studio$" 1
+find_window
+sleep 0.5
+for header in 95 120 170 195; do # folded: Camera, Environment, Picture; unfolded: Overlays
+  xdotool mousemove --window "$window" 1100 $header click 1
+  sleep 1
+done
+screenshot plain
+for box in 220 270 295; do # wireframe, axes, grid
+  xdotool mousemove --window "$window" 1008 $box click 1
+  sleep 1
+done
+screenshot lines
+same plain lines
+xdotool mousemove --window "$window" 1008 445 click 1
+sleep 1
+screenshot window
+differ plain window
+xdotool key ctrl+c
+await "copied: facet render builtin:metals .*--overlay wireframe,axes,grid" 1
+command=$(sed -n 's/.*copied: facet //p' log | tail -1)
+quit
+eval "\"$facet\" $command" >/dev/null 2>&1 || fail "the copied command fails: $command"
+cmp window.png picture.png || fail "the copied command has other bytes: $command"
 echo "passed"
