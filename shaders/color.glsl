@@ -8,8 +8,15 @@ vec3 encodeSrgb(vec3 c) {
   return mix(c * 12.92, 1.055 * pow(max(c, 0.0031308), vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308)));
 }
 
+vec3 decodeSrgb(vec3 c) {
+  return mix(c / 12.92, pow((max(c, 0.04045) + 0.055) / 1.055, vec3(2.4)), greaterThan(c, vec3(0.04045)));
+}
+
 // Reinhard et al. 2002, eq. 3, per channel.
 vec3 toneReinhard(vec3 c) { return c / (1.0 + c); }
+
+// For bytes that are encoded by the power 1 / 2.2.
+vec3 toneReinhardPower(vec3 c) { return decodeSrgb(pow(toneReinhard(min(c, 1e15)), vec3(1.0 / 2.2))); }
 
 // Hable 2010, "Uncharted 2: HDR Lighting"; white 11.2, exposure bias 2.
 vec3 hable(vec3 x) {
@@ -66,6 +73,7 @@ vec3 toneMap(int mapper, vec3 c) {
     case TONE_ACES: return toneAces(c);
     case TONE_AGX: return toneAgx(c);
     case TONE_NEUTRAL: return toneNeutral(c);
+    case TONE_REINHARD_POWER: return toneReinhardPower(c);
     default: return min(c, 1.0);
   }
 }

@@ -36,6 +36,8 @@ float modelD(vec3 N, vec3 H, float alpha) {
 float modelV(float NoV, float NoL, float NoH, float VoH, float alpha) {
 #if MASKING_MODEL == MASKING_V_CAVITY
   return V_Cavity(NoV, NoL, NoH, VoH);
+#elif MASKING_MODEL == MASKING_REMAPPED
+  return V_SchlickRemapped(NoV, NoL, alpha);
 #elif NDF_MODEL == NDF_BLINN || (NDF_MODEL == NDF_BECKMANN && MASKING_MODEL == MASKING_APPROXIMATE)
   return V_BeckmannRational(NoV, NoL, alpha);
 #elif NDF_MODEL == NDF_BECKMANN

@@ -56,9 +56,15 @@ float V_BeckmannRational(float NoV, float NoL, float alpha) {
 }
 
 // Schlick 1994, with k = alpha / 2: Smith's G1 of GGX; error 0.16 at most.
-float V_SchlickGGX(float NoV, float NoL, float alpha) {
-  float k = 0.5 * alpha;
+float V_Schlick(float NoV, float NoL, float k) {
   return 0.25 / max((NoV + k * (1.0 - NoV)) * (NoL + k * (1.0 - NoL)), 1e-12);
+}
+float V_SchlickGGX(float NoV, float NoL, float alpha) { return V_Schlick(NoV, NoL, 0.5 * alpha); }
+
+// Karis 2013, eq. 4, for lights: k = (r + 1)^2 / 8, r^2 = alpha.
+float V_SchlickRemapped(float NoV, float NoL, float alpha) {
+  float r = sqrt(alpha) + 1.0;
+  return V_Schlick(NoV, NoL, 0.125 * r * r);
 }
 
 // V-cavities, Cook and Torrance 1982: min(1, 2 NoH NoV / VoH, 2 NoH NoL / VoH) / (4 NoV NoL). At both horizons 1e6 is

@@ -19,11 +19,6 @@ namespace facet::frame {
 
 namespace {
 
-// More than one sample is drawn after the other.
-bool gathers(const PictureSettings& settings) {
-  return settings.quality.samples > convergedAbove || tracesPaths(settings);
-}
-
 // The floor of a drawable that has one, as the whole wish asks for it.
 Result<std::optional<GroundStatistics>> traceGround(const FrameInput& in, const Drawable& drawable,
                                                     shading::ProgramStore& programs, const gl::ContextInfo& context) {
@@ -48,7 +43,7 @@ int bandRows(const PictureSettings& settings, const DrawList& list, const gl::Co
   for (const std::vector<Draw>* draws : list.classes())
     for (const Draw& draw : *draws)
       corners += std::max(draw.primitive->indices.size(), draw.primitive->positions.size()) * draw.instanceCount;
-  const bool gather = gathers(settings);
+  const bool gather = converges(settings);
   size_t budget = corners < 300'000 && !gather ? size_t{4} << 20 : size_t{1} << 30;
   if (!list.transmitting.empty()) budget = size_t{4} << 30;
   const auto samples = static_cast<size_t>(std::min(settings.quality.samples, context.maxSamples));
@@ -209,7 +204,7 @@ Targets pictureTargets(const PictureSettings& settings, const gl::ContextInfo& c
 
 Targets createTargets(const PictureSettings& settings, const gl::ContextInfo& context, int rows, bool precise,
                       bool corrected) {
-  const bool gather = gathers(settings) || corrected;
+  const bool gather = converges(settings) || corrected;
   return createTargets(settings.frame.width, rows > 0 ? rows : settings.frame.height,
                        gather ? 1 : std::min(settings.quality.samples, context.maxSamples), gather, precise);
 }
@@ -218,7 +213,7 @@ SlicedPicture beginSlices(const FrameInput& in, const gl::ContextInfo& context, 
   SlicedPicture out;
   const int height = in.settings.frame.height;
   out.bandRows =
-      inBands && !gathers(in.settings) ? std::min(height, bandRows(in.settings, in.list, context, false)) : height;
+      inBands && !converges(in.settings) ? std::min(height, bandRows(in.settings, in.list, context, false)) : height;
   if (out.bandRows == height) return out;
   out.band = createTargets(in.settings, context, out.bandRows);
   prepareBehind(out.band, in.list);
@@ -315,10 +310,10 @@ Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& 
   const bool precise = request.precise();
   const float unit = radianceUnit(settings.display, list.features.channel);
   const int rows = std::min(bandRows(settings, list, context, precise), settings.frame.height);
-  const bool converges = gathers(settings) && !list.features.difference;
+  const bool converging = converges(settings) && !list.features.difference;
   // Of a comparison the fitted model's share has another error.
-  const bool contrasts = request.standardError && converges && !list.compared;
-  const bool estimate = asked.quality.maxError || (request.estimate && converges) || contrasts;
+  const bool contrasts = request.standardError && converging && !list.compared;
+  const bool estimate = asked.quality.maxError || (request.estimate && converging) || contrasts;
   Targets targets = pictureTargets(settings, context, rows, list.features.difference, estimate, contrasts, precise);
   prepareBehind(targets, list);
   prepareComparison(targets, list);

@@ -78,22 +78,55 @@ std::vector<Define> classDefines(const FrameInput& in, const PathClass& shaded, 
   return defines;
 }
 
-struct Programs {
-  std::array<const gl::Program*, 3> plans;
-  const gl::Program *begin, *meet, *sort, *miss, *light, *end;
-  std::vector<const gl::Program*> classes;
+// By what they do. ProgramGetter, or what it gives.
+template <class T>
+struct PathPrograms {
+  std::array<T, 3> plans;
+  T begin, meet, sort, miss, light;
+  std::vector<T> classes;
+  T end;  // of pictures
 };
 
-Result<Programs> pathPrograms(const FrameInput& in, PathUse use, ProgramStore& store) {
-  std::vector<const gl::Program*> got;
-  for (const ProgramGetter& get : neededPathPrograms(in, use, store)) {
-    const Result<const gl::Program*> program = get();
-    if (!program) return tl::unexpected(program.error());
-    got.push_back(*program);
+PathPrograms<ProgramGetter> programGetters(const FrameInput& in, PathUse use, ProgramStore& store) {
+  const auto getter = [&](const char* name, std::vector<Define> defines) {
+    return [&store, entry = "passes/paths_" + std::string(name) + ".comp.glsl", defines = std::move(defines)] {
+      return store.compute(entry, defines);
+    };
+  };
+  const std::vector<Define> common = commonDefines(in, use), ofScene = sceneDefines(in, use);
+  PathPrograms<ProgramGetter> out;
+  for (size_t step = 0; step < out.plans.size(); ++step) {
+    std::vector<Define> defines = common;
+    defines.push_back({"STEP", std::to_string(step)});
+    out.plans[step] = getter("plan", std::move(defines));
   }
-  const gl::Program* end = nullptr;
-  if (use == PathUse::picture) end = got.back(), got.pop_back();
-  return Programs{{got[0], got[1], got[2]}, got[3], got[4], got[5], got[6], got[7], end, {got.begin() + 8, got.end()}};
+  out.begin = use == PathUse::ground ? getter("ground", ofScene) : getter("begin", common);
+  out.meet = getter("meet", ofScene), out.sort = getter("sort", common), out.light = getter("light", ofScene);
+  out.miss = getter("miss", missDefines(in, use));
+  for (const PathClass& shaded : in.paths->list.classes)
+    out.classes.emplace_back(getter("shade", classDefines(in, shaded, use)));
+  if (use == PathUse::picture) out.end = getter("end", {});  // else paths leave their light where they find it
+  return out;
+}
+
+using Programs = PathPrograms<const gl::Program*>;
+
+Result<Programs> pathPrograms(const FrameInput& in, PathUse use, ProgramStore& store) {
+  const PathPrograms<ProgramGetter> getters = programGetters(in, use, store);
+  Programs out{};
+  out.classes.resize(getters.classes.size());
+  std::optional<Error> failed;
+  const auto make = [&](const ProgramGetter& get, const gl::Program*& program) {
+    if (failed || !get) return;
+    const Result<const gl::Program*> made = get();
+    made ? void(program = *made) : void(failed = made.error());
+  };
+  for (size_t i = 0; i < out.plans.size(); ++i) make(getters.plans[i], out.plans[i]);
+  make(getters.begin, out.begin), make(getters.meet, out.meet), make(getters.sort, out.sort);
+  make(getters.miss, out.miss), make(getters.light, out.light), make(getters.end, out.end);
+  for (size_t i = 0; i < out.classes.size(); ++i) make(getters.classes[i], out.classes[i]);
+  if (failed) return tl::unexpected(*failed);
+  return out;
 }
 
 // As many paths as the rows have pixels.
@@ -313,25 +346,11 @@ Result<PathScene> pathScene(PathTrees trees, const DrawList& list, const scene::
 }
 
 std::vector<ProgramGetter> neededPathPrograms(const FrameInput& in, PathUse use, shading::ProgramStore& programs) {
-  std::vector<ProgramGetter> out;
-  const auto add = [&](const char* name, std::vector<Define> defines) {
-    out.emplace_back([&programs, entry = "passes/paths_" + std::string(name) + ".comp.glsl",
-                      defines = std::move(defines)] { return programs.compute(entry, defines); });
-  };
-  const std::vector<Define> common = commonDefines(in, use);
-  for (const char* step : {"0", "1", "2"}) {
-    std::vector<Define> defines = common;
-    defines.push_back({"STEP", step});
-    add("plan", std::move(defines));
-  }
-  if (use == PathUse::ground)
-    add("ground", sceneDefines(in, use));
-  else
-    add("begin", common);
-  add("meet", sceneDefines(in, use)), add("sort", common), add("miss", missDefines(in, use));
-  add("light", sceneDefines(in, use));
-  for (const PathClass& shaded : in.paths->list.classes) add("shade", classDefines(in, shaded, use));
-  if (use == PathUse::picture) add("end", {});  // else paths leave their light where they find it
+  PathPrograms<ProgramGetter> getters = programGetters(in, use, programs);
+  std::vector<ProgramGetter> out(getters.plans.begin(), getters.plans.end());
+  for (ProgramGetter* get : {&getters.begin, &getters.meet, &getters.sort, &getters.miss, &getters.light, &getters.end})
+    if (*get) out.push_back(std::move(*get));
+  std::ranges::move(getters.classes, std::back_inserter(out));
   return out;
 }
 

@@ -5,6 +5,7 @@
 
 #include "io/json_section.hpp"
 #include "io/uri.hpp"
+#include "optics/models.hpp"
 #include "scene/material_properties.hpp"
 #include "scene/usage.hpp"
 
@@ -89,6 +90,10 @@ Result<void> readModels(Document& doc, const Json& extension, const std::string&
       std::ranges::find(names, std::string_view(wanted), &std::pair<std::string_view, Microfacets>::first);
   if (found == std::end(names)) return doc.error(place + "/microfacets", "is not ggx, beckmann or blinn");
   material.microfacets = found->second;
+  material.masking = stringAt(extension, "masking");
+  if (!material.masking.empty() && std::ranges::find(optics::maskings, material.masking,
+                                                     &Choice<optics::Masking>::word) == std::end(optics::maskings))
+    return doc.error(place + "/masking", "is not smith, approximate, v-cavity or remapped");
   material.conductor = stringAt(extension, "conductor");
   return {};
 }

@@ -108,6 +108,8 @@ glm::dvec3 toneMap(ToneMapper mapper, const glm::dvec3& radiance) {
       return each(agxOutset * each(agxInset * c, agxCurve), [](double x) { return std::pow(saturate(x), 2.2); });
     case ToneMapper::pbrNeutral:
       return each(pbrNeutral(c), saturate);
+    case ToneMapper::reinhardPower:
+      return each(c, [](double x) { return decodeSRGB(std::pow(x / (1 + x), 1 / 2.2)); });
   }
   return c;
 }

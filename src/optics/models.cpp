@@ -31,6 +31,7 @@ double distributionOf(NormalDistribution distribution, const Angles& angles, dou
 
 double visibilityOf(NormalDistribution distribution, Masking masking, const Angles& angles, double alpha) {
   if (masking == Masking::cavity) return V_Cavity(angles);
+  if (masking == Masking::remapped) return V_SchlickRemapped(angles.NoV, angles.NoL, alpha);
   const bool exact = masking == Masking::smith;
   if (distribution == NormalDistribution::ggx)
     return exact ? V_SmithGGXCorrelated(angles.NoV, angles.NoL, alpha) : V_SchlickGGX(angles.NoV, angles.NoL, alpha);

@@ -15,7 +15,7 @@ namespace facet::optics {
 // The order of each is that of shaders/models.glsl.
 enum class FresnelModel : uint8_t { schlick, exact, f82Tint };
 enum class NormalDistribution : uint8_t { ggx, beckmann, blinn };
-enum class Masking : uint8_t { smith, approximate, cavity };
+enum class Masking : uint8_t { smith, approximate, cavity, remapped };
 
 // Where the look-ups of the environment's prefiltered radiance go for a specular lobe (shaders/image_light_*.glsl):
 //   mirror   at the mirror direction, with the lobe of N = V = R (Karis 2013)
@@ -37,9 +37,11 @@ inline constexpr Choice<FresnelModel> fresnelModels[] = {
 inline constexpr Choice<NormalDistribution> distributions[] = {{NormalDistribution::ggx, "ggx", "GGX", "glTF's"},
                                                                {NormalDistribution::beckmann, "beckmann", "Beckmann"},
                                                                {NormalDistribution::blinn, "blinn", "Blinn"}};
-inline constexpr Choice<Masking> maskings[] = {{Masking::smith, "smith", "Smith", "glTF's"},
-                                               {Masking::approximate, "approximate", "approximate masking"},
-                                               {Masking::cavity, "v-cavity", "V-cavities"}};
+inline constexpr Choice<Masking> maskings[] = {
+    {Masking::smith, "smith", "Smith", "glTF's"},
+    {Masking::approximate, "approximate", "approximate masking"},
+    {Masking::cavity, "v-cavity", "V-cavities"},
+    {Masking::remapped, "remapped", "remapped masking", "k = (r + 1)² / 8, of tutorials; the horizon reflects less"}};
 inline constexpr Choice<ImageLight> imageLights[] = {
     {ImageLight::automatic, "auto", "automatic", "taps3; above 4 samples sampled"},
     {ImageLight::mirror, "mirror", "mirror direction", "the usual split sum: N = V = R"},
@@ -72,6 +74,7 @@ double distributionOf(NormalDistribution distribution, const Angles& angles, dou
 //   smith        GGX and Beckmann: height-correlated, exact. Blinn has no closed form: as `approximate`.
 //   approximate  GGX: Schlick's; Beckmann and Blinn: Walter's rational function; the two directions' product.
 //   cavity       V-cavities, for any distribution.
+//   remapped     Schlick's with Karis' k for lights, for any distribution.
 double visibilityOf(NormalDistribution distribution, Masking masking, const Angles& angles, double alpha);
 
 // A and B of the lobe (energy.hpp: integrateDfg is GGX with Smith's term), by adaptive quadrature: about 1e-6,

@@ -133,10 +133,21 @@ double G1_SchlickGGX(double cosine, double alpha) {
   return c / (c + k * (1 - c));
 }
 
-double V_SchlickGGX(double NoV, double NoL, double alpha) {
+namespace {
+
+double V_Schlick(double NoV, double NoL, double k) {
   if (NoV < 0 || NoL < 0) return 0;
-  const double k = alpha / 2, v = floored(NoV), l = floored(NoL);
+  const double v = floored(NoV), l = floored(NoL);
   return 1 / (4 * (v + k * (1 - v)) * (l + k * (1 - l)));
+}
+
+}  // namespace
+
+double V_SchlickGGX(double NoV, double NoL, double alpha) { return V_Schlick(NoV, NoL, alpha / 2); }
+
+double V_SchlickRemapped(double NoV, double NoL, double alpha) {
+  const double r = std::sqrt(alpha) + 1;
+  return V_Schlick(NoV, NoL, r * r / 8);
 }
 
 double G_Cavity(const Angles& angles) {

@@ -48,6 +48,10 @@ double G1_SchlickGGX(double cosine, double alpha);
 // Product of both over 4 NoV NoL. Finite for alpha > 0.
 double V_SchlickGGX(double NoV, double NoL, double alpha);
 
+// The same with k = (r + 1)^2 / 8, r the perceptual roughness: "to reduce hotness" of lights (Karis 2013, eq. 4; r + 1
+// halved is Disney's). alpha = 0: k = 1/8, so that mirrors lose light too.
+double V_SchlickRemapped(double NoV, double NoL, double alpha);
+
 // V-cavities, Cook and Torrance 1982 eq. in section "The geometrical attenuation factor": min(1, 2 NoH NoV / VoH,
 // 2 NoH NoL / VoH), independent of alpha.
 double G_Cavity(const Angles& angles);

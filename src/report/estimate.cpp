@@ -77,20 +77,23 @@ std::optional<double> oracleSamples(const std::vector<ConvergencePoint>& points,
 
 Result<EstimateMeasure> measureEstimate(const PictureSettings& settings, const EstimateOptions& options,
                                         const DrawEstimated& draw) {
-  const Result<Reference> reference = drawReference(settings, options.reference, draw);
+  PictureSettings kept = settings, plain = settings;
+  kept.quality.maxError = 0.01;
+  kept.quality.samples = options.most;
+  // Held against what an error is kept to with: few samples alone would be drawn otherwise.
+  if (frame::tracesPaths(kept)) plain.quality.transport = frame::Transport::paths;
+  const Result<Reference> reference = drawReference(plain, options.reference, draw);
   if (!reference) return tl::unexpected(reference.error());
   EstimateMeasure measure;
   measure.floor = std::sqrt(reference->noise2);
   for (int samples = 2 * frame::convergedAbove; samples <= options.most; samples *= 2) {
-    const Result<Picture> picture = draw(frame::withSamples(settings, samples));
+    const Result<Picture> picture = draw(frame::withSamples(plain, samples));
     if (!picture) return tl::unexpected(picture.error());
     measure.points.push_back({samples, frame::errorEstimate(picture->statistics.frame.parts),
                               trueError(*picture, *reference, settings.display)});
   }
   for (const double wanted : options.errors) {
-    PictureSettings kept = settings;
     kept.quality.maxError = wanted;
-    kept.quality.samples = options.most;
     const Result<Picture> picture = draw(kept);
     if (!picture) return tl::unexpected(picture.error());
     const std::vector<frame::Attempt>& attempts = picture->statistics.attempts;

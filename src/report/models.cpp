@@ -196,7 +196,10 @@ Table lobeTable() {
   constexpr struct {
     const char* name;
     Masking masking;
-  } maskings[] = {{"Smith", Masking::smith}, {"approximate", Masking::approximate}, {"V-cavities", Masking::cavity}};
+  } maskings[] = {{"Smith", Masking::smith},
+                  {"approximate", Masking::approximate},
+                  {"V-cavities", Masking::cavity},
+                  {"remapped", Masking::remapped}};
   for (const auto& [name, distribution] : distributions)
     for (const auto& [maskingName, masking] : maskings) {
       // Smith's is the approximation there.

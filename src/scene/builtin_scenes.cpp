@@ -11,6 +11,7 @@
 #include "optics/presets.hpp"
 #include "scene/builtin_marbles.hpp"
 #include "scene/builtin_robot.hpp"
+#include "scene/builtin_tutorial.hpp"
 #include "scene/glb_writer.hpp"
 #include "scene/shapes.hpp"
 
@@ -18,12 +19,16 @@ namespace facet::scene {
 
 namespace {
 
-const std::array<BuiltinScene, 9> scenes = {{
+const std::array<BuiltinScene, 10> scenes = {{
     {"poster", "a golden trefoil among spheres of many materials", "builtin:studio", {-20, 75, 7.3, {0, 0.82, 0}, 35}},
     {"spheres",
      "roughness (to the right) by metallic (upwards) under four point lights",
      "builtin:studio",
      {0, 90, 9.2, {0, 0, 0}, 45}},
+    {"tutorial",
+     "the spheres of learnopengl.com, by its formulas (its picture: reinhard-power, nothing hides light)",
+     "none",
+     {0, 90, 8, {0, 0, 0}, 45}},
     {"furnace",
      "white metal and white dielectric, roughness 0 to 1: invisible if no energy is lost",
      "builtin:white",
@@ -294,6 +299,7 @@ Result<std::vector<uint8_t>> builtinScene(std::string_view name) {
     return fail(std::string(name), "", "there is no such built-in scene", "choose one of " + known);
   }
   if (scene->name == "spheres") return spheres();
+  if (scene->name == "tutorial") return tutorial();
   if (scene->name == "furnace") return furnace();
   if (scene->name == "crowd") return crowd();
   if (scene->name == "palette") return palette();

@@ -25,6 +25,7 @@ const BuiltinScene* findBuiltinScene(std::string_view name);
 
 // A .glb. An error names the scenes that exist.
 //   spheres  7 x 7 spheres of one colour, roughness 0 ... 1 to the right, metallic 0 ... 1 upwards; four point lights.
+//   tutorial the chart that many begin with, as it has it: builtin_tutorial.hpp.
 //   furnace  2 x 11 spheres, roughness 0 ... 1 to the right; white metal (F0 = 1) above, white dielectric below.
 //   ndf      3 x 6 metal spheres: GGX, Beckmann, Blinn, roughness 0.15 ... 1 to the right; one point light. Each
 //            material names its distribution (FACET_materials_models).

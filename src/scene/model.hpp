@@ -170,6 +170,7 @@ struct Material {
 
   // FACET_materials_models, of our own built-in scenes
   Microfacets microfacets = Microfacets::any;
+  std::string masking;    // word of optics::maskings; empty: the picture's choice
   std::string conductor;  // metal preset (optics/presets.hpp) whose complex index is the metal's; empty: not known
 };
 

@@ -190,6 +190,7 @@ std::vector<Check> choiceChecks() {
       checkModel("Blinn", {.distribution = NormalDistribution::blinn}, 1e-4, "as Beckmann"),
       checkModel("approximate masking", {.masking = Masking::approximate}, 3e-5, lobes),
       checkModel("V-cavities", {.masking = Masking::cavity}, 3e-5, lobes),
+      checkModel("remapped masking", {.masking = Masking::remapped}, 3e-5, lobes),
       checkMissingOnAverage(),
       checkKullaConty(),
       checkKullaContyShape(),

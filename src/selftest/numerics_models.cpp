@@ -194,6 +194,7 @@ std::vector<Check> modelChecks() {
       checkVisibility("V_BeckmannCorrelated", optics::V_BeckmannCorrelated, 32,
                       "erfc is a fit with an error of 1.5e-7"),
       checkVisibility("V_SchlickGGX", optics::V_SchlickGGX, 12, "12 roundings, nothing cancels"),
+      checkVisibility("V_SchlickRemapped", optics::V_SchlickRemapped, 16, "16 roundings, nothing cancels"),
       checkCavity(),
   };
 }

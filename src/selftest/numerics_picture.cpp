@@ -409,7 +409,9 @@ std::vector<Check> displayChecks() {
       checkToneMapper(ToneMapper::agx, "toneAgx", 256 * floatEpsilon,
                       "terms up to 40 add up to 1, and the precision of log2 and pow is the driver's; 256 epsilon are "
                       "1 / 130 of an 8-bit step"),
-      checkToneMapper(ToneMapper::pbrNeutral, "toneNeutral", 16 * floatEpsilon, "16 roundings of numbers near 1")};
+      checkToneMapper(ToneMapper::pbrNeutral, "toneNeutral", 16 * floatEpsilon, "16 roundings of numbers near 1"),
+      checkToneMapper(ToneMapper::reinhardPower, "toneReinhardPower", 64 * floatEpsilon,
+                      "two powers of the driver's, of numbers up to 1")};
 }
 
 std::vector<Check> mappingChecks() {

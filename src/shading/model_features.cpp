@@ -1,5 +1,6 @@
 #include "shading/model_features.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "optics/fresnel.hpp"
@@ -53,7 +54,8 @@ void setModels(const FeatureInput& in, VariantKey& key) {
   if (lights && !usesFeature(key, Feature::anisotropy)) {  // a grain is GGX's
     const auto own = static_cast<int>(m.microfacets) - static_cast<int>(scene::Microfacets::ggx);
     key.distribution = static_cast<uint8_t>(own >= 0 ? own : static_cast<int>(models.distribution));
-    key.masking = static_cast<uint8_t>(models.masking);
+    const auto* masking = std::ranges::find(optics::maskings, m.masking, &Choice<optics::Masking>::word);
+    key.masking = static_cast<uint8_t>(masking == std::end(optics::maskings) ? models.masking : masking->value);
   }
   key.energy = energyIndex(in, key);
   if (environment && !sampled && models.imageLight != optics::usualLookUp)

@@ -100,6 +100,7 @@ TEST_CASE("Chosen models under a point light, against the double-precision surfa
   check("Blinn", {.distribution = NormalDistribution::blinn}, nullptr, 0.5);
   check("approximate masking", {.masking = Masking::approximate}, nullptr, 0.5);
   check("V-cavities", {.masking = Masking::cavity}, nullptr, 0.5);
+  check("remapped masking", {.masking = Masking::remapped}, nullptr, 0.5);
   check("single scattering", {.energy = EnergyModel::none}, nullptr, 0.5);
   check("Fdez-Aguera", {.energy = EnergyModel::fdezAguera}, nullptr, 0.5);
   check("Kulla and Conty", {.energy = EnergyModel::kullaConty}, nullptr, 0.5);

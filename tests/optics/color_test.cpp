@@ -23,6 +23,9 @@ TEST_CASE("Tone mappers: values from their publications") {
   CHECK(grey(ToneMapper::none, 3) == 1);
   CHECK(grey(ToneMapper::reinhard, 1) == 0.5);
   CHECK(grey(ToneMapper::reinhard, 3) == 0.75);
+  CHECK(encodeSRGB(grey(ToneMapper::reinhardPower, 3)) == Approx(std::pow(0.75, 1 / 2.2)).epsilon(1e-13));
+  CHECK(grey(ToneMapper::reinhardPower, 0) == 0);
+  CHECK(grey(ToneMapper::reinhardPower, 1e300) == Approx(1));
 
   // Hable: 5.6 x 2 is the white point; 1 through the published expression, by hand:
   // f(2) = (2 (0.3 + 0.05) + 0.004) / (2 (0.3 + 0.5) + 0.06) - 1 / 15, f(11.2) likewise.

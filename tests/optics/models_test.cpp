@@ -40,7 +40,7 @@ TEST_CASE("Lobe albedo: Beckmann along the normal is its share of facets below 4
 TEST_CASE("Lobes: none returns more than it gets, but for what their masking only approximates") {
   double most = 0, mostApproximate = 0;
   for (const auto distribution : {NormalDistribution::ggx, NormalDistribution::beckmann, NormalDistribution::blinn})
-    for (const auto masking : {Masking::smith, Masking::approximate, Masking::cavity})
+    for (const auto masking : {Masking::smith, Masking::approximate, Masking::cavity, Masking::remapped})
       for (const double NoV : {0.02, 0.17, 0.5, 1.0})
         for (const double alpha : {0.04, 0.25, 0.5, 1.0}) {
           const bool approximates = masking == Masking::approximate || distribution == NormalDistribution::blinn;

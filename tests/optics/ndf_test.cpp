@@ -134,6 +134,15 @@ TEST_CASE("V-cavities: the visible area is right for any distribution, V is G / 
   }
 }
 
+TEST_CASE("NDF: masking remapped for lights is Schlick's of k = (r + 1)^2 / 8") {
+  for (const double r : {0.0, 0.05, 0.5, 1.0}) {
+    const double k = (r + 1) * (r + 1) / 8, NoV = 0.3, NoL = 0.7;
+    const double G = NoV / (NoV * (1 - k) + k) * NoL / (NoL * (1 - k) + k);
+    CHECK(V_SchlickRemapped(NoV, NoL, r * r) == Approx(G / (4 * NoV * NoL)).epsilon(1e-14));
+  }
+  CHECK(V_SchlickRemapped(0.2, 0.9, 1) == Approx(V_SchlickGGX(0.2, 0.9, 1)).epsilon(1e-14));  // the same at r = 1
+}
+
 TEST_CASE("NDF: extremes are finite") {
   size_t bad = 0;
   const auto finite = [&](double x) { bad += !(std::isfinite(x) && x >= 0); };
@@ -147,6 +156,7 @@ TEST_CASE("NDF: extremes are finite") {
       for (double d : {0.0, 1e-12, 0.3, 1.0}) {
         finite(V_BeckmannCorrelated(c, d, alpha));
         finite(V_SchlickGGX(c, d, alpha));
+        finite(V_SchlickRemapped(c, d, alpha));
         finite(V_Cavity(anglesBetween({0, 0, 1}, direction(c, 0), direction(d, 1))));
       }
     }

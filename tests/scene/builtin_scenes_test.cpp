@@ -217,7 +217,7 @@ TEST_CASE("Built-in scenes are listed with an environment that exists and a came
   CHECK(findBuiltinScene("nonsense") == nullptr);
   const auto unknown = builtinScene("builtin:cube");
   REQUIRE_FALSE(unknown);
-  CHECK(facet::describe(unknown.error()).find("choose one of poster, spheres, furnace") != std::string::npos);
+  CHECK(facet::describe(unknown.error()).find("choose one of poster, spheres, tutorial, furnace") != std::string::npos);
 }
 
 TEST_CASE("builtin:ndf and builtin:metals name their models") {

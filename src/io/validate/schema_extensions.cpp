@@ -132,7 +132,7 @@ Types makeTypes() {
   add("MSFT_lod", "material", {indices("ids", "materials").required()});
   add("KHR_gaussian_splatting", "mesh.primitive",
       {text("kernel").required(), text("colorSpace").required(), text("projection"), text("sortingMethod")});
-  add("FACET_materials_models", "material", {text("microfacets"), text("conductor")});
+  add("FACET_materials_models", "material", {text("microfacets"), text("masking"), text("conductor")});
   return types;
 }
 
