@@ -67,7 +67,7 @@ TEST_CASE("Choices: shaders read the rows' numbers by name", "[shading]") {
   REQUIRE(assembled);
   for (const char* line : {"#define DIFFUSE_LAMBERT 0\n", "#define DIFFUSE_OREN_NAYAR 3\n", "#define FRESNEL_F82 2\n",
                            "#define ENERGY_KULLA_CONTY 3\n", "#define IMAGE_LIGHT_USUAL 6\n",
-                           "#define CHANNEL_GEOMETRY_NORMAL 2\n", "#define TONE_NEUTRAL 5\n"})
+                           "#define CHANNEL_GEOMETRY_NORMAL 2\n", "#define TONE_NEUTRAL 6\n"})
     CHECK(assembled->text.find(line) != std::string::npos);
 }
 
