@@ -49,10 +49,6 @@ double steadyFrameMs(const std::vector<double>& frameMs) {
   return (steady[(steady.size() - 1) / 2] + steady[steady.size() / 2]) / 2;
 }
 
-// Of what is stated as `most`: by chi-squared it should be frame::errorConfidence, but samples do not know what none of
-// them has met. Of 544 estimates so many were not below the true error (src/frame/README.md).
-constexpr double measuredConfidence = 0.78;
-
 // The same for the same picture: without a date, and wherever it is written to.
 Origin pictureOrigin(const Job& job, const frame::Session& session, bool errorLayer = false) {
   Origin origin = gl::originOn(session.context());
@@ -91,7 +87,7 @@ nlohmann::ordered_json statsJson(const Job& job, const frame::Session& session, 
                           {"most", a.error.most / 255},
                           {"ms", a.milliseconds}});
     out["error"] = {{"wanted", *job.settings.quality.maxError},   {"likely", s.attempts.back().error.likely / 255},
-                    {"most", s.attempts.back().error.most / 255}, {"confidence", measuredConfidence},
+                    {"most", s.attempts.back().error.most / 255}, {"confidence", frame::errorConfidence},
                     {"samples", s.attempts.back().samples},       {"attempts", attempts}};
   }
   if (s.frameMs.size() > 1) out["steadyFrameMs"] = steadyFrameMs(s.frameMs);

@@ -43,7 +43,7 @@ Fall errorByFall(std::span<const PartDifference> parts) {
   return {std::exp((y1 + 2 * rate * x1) / weights) / differenceOverError(1, 1, rate), rate};
 }
 
-// By what a sum of squares whose relative variance is that may be too small, with errorConfidence: chi-squared with 2 /
+// By what a sum of squares whose relative variance is that may be too small, at 95 %: chi-squared with 2 /
 // variance degrees of freedom (Satterthwaite 1946), as the cube of a normal number (Wilson and Hilferty 1931). The more
 // of the sum comes from few pixels, the less is known of it.
 double mostOverSum(double variance) {
@@ -64,7 +64,7 @@ ErrorEstimate errorEstimate(std::span<const PartDifference> parts) {
   const Fall fall = errorByFall(parts);
   const double likely = 255 * std::pow(independent * fall.square, 0.25);
   const double variance = all.fourths / (all.squares * all.squares);
-  const double unmet = 1 + 0.5 / (all.first + all.next);  // what few draws have not met
+  const double unmet = 1 + 1.0 / (all.first + all.next);  // what few draws have not met
   return {likely, likely * unmet * std::sqrt(mostOverSum(variance)), fall.rate};
 }
 

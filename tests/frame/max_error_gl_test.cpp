@@ -30,14 +30,14 @@ TEST_CASE("max error: as many samples as the fall of the error says") {
     return frame::nextSamples(settings, attempts);
   };
   CHECK(frame::firstSamples(settings) == 8);
-  CHECK(next({{8, 2.55}}) == 0);
-  CHECK(next({{8, 2.6}}) == 10);
-  CHECK(next({{8, 5.1}}) == 32);
-  CHECK(next({{8, 5.1}}, 0.8) == 20);               // 19.03; 4 ... 7 times a power of two
-  CHECK(next({{8, 25.5}}) == 448);                  // half of 800
-  CHECK(next({{8, 25.5}, {224, 5.1}}) == 1024);     // fell by N^-0.483: 224 * 2^(1 / 0.483) = 941
-  CHECK(next({{8, 25.5}, {64, 5.1}}, 0.5) == 160);  // N^-0.774: 64 * 2^(1 / 0.774) = 156.8
-  CHECK(next({{8, 25.5}, {224, 2.55}}) == 0);
+  CHECK(next({{8, 2.21}}) == 0);  // 1.15 times below
+  CHECK(next({{8, 2.23}}) == 10);
+  CHECK(next({{8, 4.4}}) == 32);                    // 31.5
+  CHECK(next({{8, 5.1}}, 0.8) == 24);               // 22.66; 4 ... 7 times a power of two
+  CHECK(next({{8, 25.5}}) == 640);                  // half of 1058
+  CHECK(next({{8, 25.5}, {224, 5.1}}) == 1280);     // fell by N^-0.483: 224 * 2.3^(1 / 0.483) = 1257
+  CHECK(next({{8, 25.5}, {64, 5.1}}, 0.5) == 192);  // N^-0.774: 64 * 2.3^(1 / 0.774) = 187.7
+  CHECK(next({{8, 25.5}, {224, 2.21}}) == 0);
   CHECK(next({{8, 1e9}}) == 4096);
   CHECK(next({{4096, 3}}) == 0);
   settings.quality.samples = 100;
