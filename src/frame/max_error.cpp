@@ -11,11 +11,6 @@ namespace facet::frame {
 
 namespace {
 
-// A picture stops at the first estimate that is low enough, and of those more are too low than too high. So it goes on
-// until the estimate is below by this: with 1 the true error is within E in 88 % of pictures, with 1.15 in 96 %,
-// for 1.3 times the samples (README.md).
-constexpr double margin = 1.15;
-
 int most(const PictureSettings& settings) {
   return settings.quality.samples > convergedAbove ? settings.quality.samples : mostSamples;
 }
@@ -34,7 +29,7 @@ int firstSamples(const PictureSettings& settings) { return std::min(2 * converge
 int nextSamples(const PictureSettings& settings, std::span<const Attempt> attempts) {
   assert(settings.quality.maxError && !attempts.empty());
   const Attempt &first = attempts.front(), &last = attempts.back();
-  const double ratio = margin * last.error.most / (255 * *settings.quality.maxError);
+  const double ratio = errorMargin * last.error.most / (255 * *settings.quality.maxError);
   if (ratio <= 1 || last.samples >= most(settings)) return 0;
   // What two attempts have shown of how the error falls holds for the next; the first one tells by its parts.
   double rate = last.error.rate;

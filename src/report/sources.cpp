@@ -62,6 +62,35 @@ constexpr optics::Sources sources[] = {
 
 }  // namespace
 
+namespace {
+
+constexpr optics::Sources methods[] = {
+    {"GGX", "Walter2007"},
+    {"Beckmann", "Walter2007"},
+    {"Blinn", "Blinn1977"},
+    {"Smith", "Heitz2014"},
+    {"V-cavities", "Cook1982"},
+    {"approximate", "Schlick1994 Walter2007"},
+    {"remapped", "Schlick1994 Karis2013"},
+    {"Lambert", ""},
+    {"Burley", "Burley2012"},
+    {"Frostbite", "Lagarde2014"},
+    {"Oren-Nayar", "Oren1994"},
+    {"EON", "Portsmouth2024"},
+    {"Call of Duty WWII", "Chan2018"},
+    {"single scattering", "Karis2013"},
+    {"Fdez-Aguera", "FdezAguera2019"},
+    {"Kulla and Conty", "Kulla2017 Hill2018"},
+    {"Turquin", "Turquin2019"},
+    {"Halton", "Halton1960"},
+    {"Sobol", "Sobol1967"},
+    {"Owen-scrambled Sobol", "Owen1995 Burley2020"},
+};
+
+}  // namespace
+
+std::span<const optics::Sources> methodSources() { return methods; }
+
 std::span<const optics::Sources> tableSources() { return sources; }
 
 }  // namespace facet::report

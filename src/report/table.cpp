@@ -38,11 +38,26 @@ std::string markdownCell(const std::string& text) {
   return out;
 }
 
-std::string sourcesText(const Table& table) {
+std::string sourcesText(const std::vector<std::string>& keys) {
   std::string sources;
-  for (const std::string& key : optics::sourcesOf(tableSources(), table.name))
-    sources += (sources.empty() ? "" : " ") + key;
+  for (const std::string& key : keys) sources += (sources.empty() ? "" : " ") + key;
   return sources;
+}
+
+std::string sourcesText(const Table& table) { return sourcesText(optics::sourcesOf(tableSources(), table.name)); }
+
+// Of the methods that it names; where it names none the table's.
+std::string sourcesText(const Table& table, const std::vector<Cell>& row) {
+  std::vector<std::string> keys;
+  bool named = false;
+  for (const Cell& cell : row)
+    if (const std::string* text = std::get_if<std::string>(&cell);
+        text && optics::namesSources(methodSources(), *text)) {
+      named = true;
+      for (std::string& key : optics::sourcesOf(methodSources(), *text))
+        if (std::ranges::find(keys, key) == keys.end()) keys.push_back(std::move(key));
+    }
+  return named ? sourcesText(keys) : sourcesText(table);
 }
 
 // Columns padded, so that the text reads as a table too.
@@ -90,14 +105,14 @@ std::string csv(const Table& table, const Origin& origin) {
   for (const auto& [name, value] : originFields(origin))
     if (std::ranges::find(table.columns, name) == table.columns.end())
       names += "," + name, values += "," + csvField(value);
-  names += ",sources", values += "," + csvField(sourcesText(table));
+  names += ",sources";
   const auto addLine = [&](const auto& fields, const std::string& last, auto text) {
     for (size_t i = 0; i < fields.size(); ++i) out.append(i == 0 ? "" : ",").append(csvField(text(fields[i])));
     out += last + "\n";
   };
   addLine(table.columns, names, [](const std::string& name) { return name; });
   for (const std::vector<Cell>& row : table.rows)
-    addLine(row, values, [](const Cell& cell) {
+    addLine(row, values + "," + csvField(sourcesText(table, row)), [](const Cell& cell) {
       const double* value = std::get_if<double>(&cell);
       return value ? number(*value) : std::get<std::string>(cell);
     });

@@ -55,7 +55,7 @@ TEST_CASE("error estimate: where errors fall faster, halves say too much, and ha
 TEST_CASE("error estimate: the fewer pixels bear the noise, the more it may be") {
   const auto most = [](double noisy) {
     const ErrorEstimate estimate = frame::errorEstimate(differences(doublings, 0.1, 0.5, noisy));
-    return std::pow(estimate.most / estimate.likely / (1 + 0.5 / 64), 2);
+    return std::pow(estimate.most / estimate.likely / (1 + 1.0 / 64), 2);
   };
   // 2 n degrees of freedom over the 5 % quantile of chi-squared.
   CHECK(most(1e4) == Approx(20000 / 19671.9).epsilon(1e-3));

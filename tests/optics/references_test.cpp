@@ -255,7 +255,7 @@ TEST_CASE("References: whatever is cited has an entry, and every entry is cited"
     keys.insert(reference.key);
     if (table.contains(reference.key)) cited.insert(reference.key);
   }
-  for (const auto rows : {selftest::checkSources(), report::tableSources()})
+  for (const auto rows : {selftest::checkSources(), report::tableSources(), report::methodSources()})
     for (const optics::Sources& row : rows)
       for (const std::string& key : optics::sourcesOf(rows, row.name)) {
         INFO(row.name << " names " << key);

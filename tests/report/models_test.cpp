@@ -103,6 +103,9 @@ TEST_CASE("Tables: their sources") {
   CHECK(json[1]["sources"] == nlohmann::json::array());
   CHECK(report::csv(tables[0], {}).find(",seed,sources\n1,") != std::string::npos);
   CHECK(report::csv(tables[0], {}).ends_with(",Dupuy2015\n"));
+  // A row that names methods has theirs.
+  const std::vector<std::vector<report::Cell>> rows = {{std::string("Blinn"), std::string("V-cavities")}};
+  CHECK(report::csv(Table{"lobes", "L", "", {"a", "b"}, rows}, {}).ends_with(",Blinn1977 Cook1982\n"));
 }
 
 TEST_CASE("Tables: Markdown, CSV, JSON") {
