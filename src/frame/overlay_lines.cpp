@@ -177,8 +177,12 @@ double addGrid(Pen pen, const DrawList& list) {
   const double radius = sceneRadius(list), spacing = gridSpacing(4 * radius);
   const glm::dvec3 center = sceneCenter(list);
   const double y = list.bounds.empty() ? 0 : list.bounds.min.y;
-  const auto firstOf = [&](double c) { return static_cast<int64_t>(std::floor((c - 2 * radius) / spacing)); };
-  const auto lastOf = [&](double c) { return static_cast<int64_t>(std::ceil((c + 2 * radius) / spacing)); };
+  // So far away that doubles hold no whole multiples: there are none to be drawn.
+  const auto whole = [](double multiple) {
+    return std::abs(multiple) < 1e15 ? static_cast<int64_t>(multiple) : int64_t{0};
+  };
+  const auto firstOf = [&](double c) { return whole(std::floor((c - 2 * radius) / spacing)); };
+  const auto lastOf = [&](double c) { return whole(std::ceil((c + 2 * radius) / spacing)); };
   const int64_t x0 = firstOf(center.x), x1 = lastOf(center.x), z0 = firstOf(center.z), z1 = lastOf(center.z);
   pen.hidden = 0;
   const auto ink = [&](int64_t i, const glm::vec4& axis) {

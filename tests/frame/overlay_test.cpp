@@ -55,6 +55,15 @@ TEST_CASE("Overlays: a scene of a micrometre and one of a thousand kilometres ha
     }
 }
 
+TEST_CASE("Overlays: what is farther away than a grid can count has none to speak of") {
+  test::GltfBuilder builder = test::emptyScene();
+  test::addMeshNode(builder, test::addQuad(builder, {-1, -1}, {1, 1}),
+                    builder.append("materials", test::unlit({1, 1, 1, 1})), {{"translation", {1e17, 0, -1e17}}});
+  const io::LoadedModel model = test::loadBuilt(builder);
+  const frame::DrawList list = frame::buildDrawList(model.model, 0, {});
+  CHECK(linesOf(model.model, list, Overlay::grid).lines.size() <= 100);
+}
+
 TEST_CASE("Overlays: each edge once where instances are, and normals as long everywhere") {
   test::GltfBuilder builder = test::emptyScene();
   test::addMeshNode(builder, test::addQuad(builder, {-1, -1}, {1, 1}),
