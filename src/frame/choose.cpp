@@ -143,6 +143,7 @@ DrawOptions drawOptions(const PictureSettings& settings, bool hasEnvironment) {
   if (isPart(settings) && !isPart(settings, {lightsDiffuse, lightsSpecular}))
     options.sceneLights = options.demoLights = false;
   options.moving = !settings.placement.animation.empty();
+  options.without = settings.look.without;
   if (settings.look.material.on) options.material = settings.look.material;
   return options;
 }

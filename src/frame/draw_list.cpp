@@ -168,6 +168,9 @@ void addMaterials(DrawList& list, const scene::Model& model, const DrawOptions& 
     list.materials = model.materials;
     for (const auto& [index, material] : pose.materials.changed) list.materials[static_cast<size_t>(index)] = material;
   }
+  for (scene::Material& material : list.materials)
+    for (const scene::Effect effect : scene::effects)
+      if (options.without & scene::bitOf(effect)) scene::leaveOut(material, effect);
   list.materials.emplace_back();
   const bool showsAlpha = shading::isChannel(options.features.channel, shading::Channel::alpha);
   for (size_t i = 0; i < list.materials.size(); ++i)

@@ -26,6 +26,7 @@ struct DrawOptions {
   bool sceneLights = true;               // the file's lights
   bool demoLights = false;               // four point lights around the scene
   std::optional<scene::Sun> sun = {};    // the environment's, where its tables do without it
+  uint32_t without = 0;                  // layers that are left out of all materials (scene::Effect, a bit each)
   MaterialChoice material = {};          // in place of the file's, where it is on
   int variant = -1;                      // index in Model::variants; -1: the primitives' own materials
   Tracing tracing = Tracing::none;       // where anything is lit

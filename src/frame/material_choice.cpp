@@ -1,7 +1,7 @@
 #include "frame/material_choice.hpp"
 
 #include "optics/presets.hpp"
-#include "scene/model.hpp"
+#include "scene/usage.hpp"
 
 namespace facet::frame {
 
@@ -14,6 +14,12 @@ void choosePreset(MaterialChoice& choice, std::string_view name) {
     choice.ior = static_cast<float>(dielectric->ior);
     choice.metallic = 0;
   }
+}
+
+std::vector<std::string_view> layerWords() {
+  std::vector<std::string_view> words;
+  for (const scene::Effect effect : scene::effects) words.push_back(scene::word(effect));
+  return words;
 }
 
 scene::Material overridingMaterial(const MaterialChoice& choice) {

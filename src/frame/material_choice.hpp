@@ -3,6 +3,7 @@
 #include <glm/glm.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace facet::scene {
 struct Material;
@@ -26,6 +27,10 @@ struct MaterialChoice {
 // A metal sets the base colour to its F at normal incidence and metallic to 1, a dielectric the index of refraction and
 // metallic to 0. Roughness, and a dielectric's colour, are not the substance's: they stay. Empty: all stays.
 void choosePreset(MaterialChoice& choice, std::string_view name);
+
+// Layers that extensions add to a material, as the command line calls them, in the order of scene::Effect: bit i of
+// Look::without is of word i.
+std::vector<std::string_view> layerWords();
 
 // What everything is made of where the choice is on.
 scene::Material overridingMaterial(const MaterialChoice& choice);

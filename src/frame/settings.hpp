@@ -127,6 +127,7 @@ struct Viewpoint {
 struct Look {
   std::string variant;  // KHR_materials_variants: name or index; empty: the file's own materials
   MaterialChoice material;
+  uint32_t without = 0;  // layers that no material has (scene::Effect, a bit each)
   Lights lights = Lights::scene;
   // Models for comparison. Of the environment: diffuse and energy; Fresnel's terms only where it is sampled; the rest
   // is GGX.

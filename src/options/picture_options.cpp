@@ -324,6 +324,33 @@ std::string writeBackground(const PictureSettings& settings) {
   return settings.frame.background == frame::Background::environment ? "env" : "transparent";
 }
 
+// Bit i of Look::without is of word i.
+Result<void> parseWithout(Text text, PictureSettings& settings) {
+  const std::vector<Text> names = frame::layerWords();
+  uint32_t without = 0;
+  for (const Text name : split(text, ',')) {
+    const auto found = std::ranges::find(names, name);
+    if (found == names.end()) return fail({}, {}, inQuotes(name) + " is not known", suggestion(name, names));
+    without |= 1u << (found - names.begin());
+  }
+  settings.look.without = without;
+  return {};
+}
+std::string joinedWords(uint32_t chosen, Text separator) {
+  std::string text;
+  const std::vector<Text> names = frame::layerWords();
+  for (size_t i = 0; i < names.size(); ++i)
+    if (chosen & 1u << i) text += (text.empty() ? "" : std::string(separator)) + std::string(names[i]);
+  return text;
+}
+std::string writeWithout(const PictureSettings& settings) { return joinedWords(settings.look.without, ","); }
+std::string layerWords() { return joinedWords(~0u, ", "); }
+constexpr PictureOption withoutOption(Text name, Text help) {
+  PictureOption option{name, "LAYER,...", help, parseWithout, writeWithout};
+  option.choices = layerWords;
+  return option;
+}
+
 Result<void> parseMaxError(Text text, PictureSettings& settings) {
   const bool percent = text.ends_with('%');
   const Result<double> value = parseNumber(text.substr(0, text.size() - (percent ? 1 : 0)), 0, percent ? 100 : 1);
@@ -419,6 +446,7 @@ constexpr PictureOption optionTable[] = {
      writeMaterialNumber<&M::perceptualRoughness>},
     {"material-ior", "1..3", "its index of refraction (1.5; a substance's own)", parseMaterialNumber<&M::ior, 1, 3>,
      writeMaterialNumber<&M::ior>},
+    withoutOption("without", "layers of the materials that are left out, one or several of"),
     {"bump", "HEIGHT.png", "grey height map for the materials of a built-in scene (none)",
      parseText<&S::sources, &frame::Sources::bump>, writeString<&S::sources, &frame::Sources::bump>, ',', true},
     {"bump-scale", "X", "height of its white above its black, in widths of the map (0.02)",

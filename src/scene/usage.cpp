@@ -111,6 +111,52 @@ const char* name(Effect effect) {
   return names[size_t(effect)];
 }
 
+std::string_view word(Effect effect) {
+  constexpr std::string_view words[] = {
+#define EFFECT(name, ...) #name,
+#include "scene/material_effects.inc"
+#undef EFFECT
+  };
+  return words[size_t(effect)];
+}
+
+void leaveOut(Material& m, Effect effect) {
+  const Material plain;
+  switch (effect) {
+    case Effect::dielectricSpecular:
+      m.ior = plain.ior, m.specularWeight = plain.specularWeight, m.specularColorFactor = plain.specularColorFactor;
+      m.specular = m.specularColor = {};
+      return;
+    case Effect::clearcoat:
+      m.clearcoatFactor = 0;
+      return;
+    case Effect::sheen:
+      m.sheenColorFactor = plain.sheenColorFactor;
+      return;
+    case Effect::anisotropy:
+      m.anisotropyStrength = 0;
+      return;
+    case Effect::iridescence:
+      m.iridescenceFactor = 0;
+      return;
+    case Effect::transmission:
+      m.transmissionFactor = 0;
+      return;
+    case Effect::volume:
+      m.thicknessFactor = 0;
+      return;
+    case Effect::dispersion:
+      m.dispersion = 0;
+      return;
+    case Effect::diffuseTransmission:
+      m.diffuseTransmissionFactor = 0;
+      return;
+    case Effect::diffuseRoughness:
+      m.diffuseRoughnessFactor = 0;
+      return;
+  }
+}
+
 bool has(const Material& m, Effect effect) {
   switch (effect) {
 #define EFFECT(name, define, words, kind, ...) \

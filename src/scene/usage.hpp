@@ -31,8 +31,13 @@ inline constexpr Effect effects[] = {
 #include "scene/material_effects.inc"
 #undef EFFECT
 };
-const char* name(Effect effect);  // for people: "diffuse transmission"
+const char* name(Effect effect);       // for people: "diffuse transmission"
+std::string_view word(Effect effect);  // "diffuseTransmission"
 bool has(const Material& material, Effect effect);
+// The material as if it had no such extension.
+void leaveOut(Material& material, Effect effect);
+// Effects as a bit each.
+constexpr uint32_t bitOf(Effect effect) { return 1u << static_cast<int>(effect); }
 
 // What the shaders read of a slot's texture.
 struct TexelUse {

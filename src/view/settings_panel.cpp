@@ -10,6 +10,7 @@
 #include "ibl/choice.hpp"
 #include "io/sources.hpp"
 #include "optics/presets.hpp"
+#include "scene/usage.hpp"
 #include "shading/features.hpp"
 #include "view/error_view.hpp"
 #include "view/measured_panel.hpp"
@@ -210,6 +211,20 @@ void presetChoice(MaterialChoice& material) {
   ImGui::EndCombo();
 }
 
+// Those that the model's materials have, and what is left out anyway.
+void layerChoice(ViewerState& state) {
+  if (!state.shown.content) return;
+  uint32_t& without = state.settings.look.without;
+  for (const scene::Effect effect : scene::effects) {
+    const bool there = std::ranges::any_of(state.shown.content->materials,
+                                           [&](const scene::Material& m) { return scene::has(m, effect); });
+    bool kept = !(without & scene::bitOf(effect));
+    if (!there && kept) continue;
+    if (ImGui::Checkbox((std::string(scene::name(effect)) + "##layer").c_str(), &kept)) without ^= scene::bitOf(effect);
+    hint("of the file's materials; off: as if none had it");
+  }
+}
+
 void materialSection(ViewerState& state) {
   MaterialChoice& material = state.settings.look.material;
   MaterialSource source = materialSource(state.settings);
@@ -221,6 +236,7 @@ void materialSection(ViewerState& state) {
       {MaterialSource::measured, "", "measured", "a BRDF of MERL's or UTIA's kind in the place of all materials"}};
   if (chooseEnum("source", source, sources, MaterialSource::file, "where materials come from"))
     chooseMaterialSource(state, source);
+  if (source == MaterialSource::file) layerChoice(state);
   if (source == MaterialSource::measured) measuredChoice(state);
   if (source != MaterialSource::one) return;
   const MaterialChoice plain;

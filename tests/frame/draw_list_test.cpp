@@ -8,6 +8,7 @@
 #include "frame/settings.hpp"
 #include "scene/builtin_scenes.hpp"
 #include "scene/geometry.hpp"
+#include "scene/usage.hpp"
 #include "support/gltf_load.hpp"
 
 using namespace facet;
@@ -96,6 +97,30 @@ TEST_CASE("Draw list: blended draws come one by one with their own bounds, opaqu
   CHECK(list.opaque[1].material == 3);
   CHECK(list.opaque[2].material == 2);
   CHECK(list.opaque[2].doubleSided);
+}
+
+TEST_CASE("Draw list: each layer can be left out of all materials, and is as if no file had it") {
+  scene::Model model = load(placed({json::object()}));
+  scene::Material& m = model.materials.empty() ? model.materials.emplace_back() : model.materials[0];
+  m = {}, m.metallicFactor = 0.5f;
+  m.ior = 1.8f, m.clearcoatFactor = 1, m.sheenColorFactor = glm::vec3(0.5f), m.anisotropyStrength = 0.5f;
+  m.iridescenceFactor = 1, m.transmissionFactor = 0.5f, m.thicknessFactor = 1, m.dispersion = 0.1f;
+  m.diffuseTransmissionFactor = 0.2f, m.diffuseRoughnessFactor = 0.5f;
+  for (const scene::Effect effect : scene::effects) {
+    INFO(scene::name(effect));
+    REQUIRE(scene::has(m, effect));
+    const frame::DrawList list = frame::buildDrawList(model, 0, {.without = scene::bitOf(effect)});
+    CHECK_FALSE(scene::has(list.materials[0], effect));
+    for (const scene::Effect other : scene::effects)  // what passes through a body depends on what passes at all
+      if (other != effect && other < scene::Effect::transmission) CHECK(scene::has(list.materials[0], other));
+  }
+  const frame::DrawList none = frame::buildDrawList(model, 0, {.without = (1u << std::size(scene::effects)) - 1});
+  scene::Model plain = model;
+  plain.materials[0] = {};
+  const frame::DrawList bare = frame::buildDrawList(plain, 0, {});
+  REQUIRE(none.opaque.size() == bare.opaque.size());
+  CHECK(none.opaque[0].key == bare.opaque[0].key);
+  CHECK(none.transmitting.empty());
 }
 
 TEST_CASE("Draw list: what the draws need of the tables") {

@@ -59,6 +59,7 @@ PictureSettings unusual() {
   s.viewpoint.fovYDeg = 33.3;
   s.placement.scene = 3;
   s.look.variant = "night & day";
+  s.look.without = 0b101;
   s.look.material = {true, {0.1f, 1.0f / 3, 0.7f}, 0.25f, 0.05f, 2.125f, "diamond"};
   s.sources.bump = "h.png", s.sources.bumpScale = -0.125;
   s.look.models.diffuse = optics::DiffuseModel::callOfDuty, s.look.models.fresnel = optics::FresnelModel::f82Tint;
@@ -241,6 +242,7 @@ TEST_CASE("every way to be wrong has its sentence") {
       {"material-metallic", "-1", "--material-metallic: -1 is out of range; give a number from 0 to 1."},
       {"material-roughness", "2", "--material-roughness: 2 is out of range; give a number from 0 to 1."},
       {"material-ior", "0.9", "--material-ior: 0.9 is out of range; give a number from 1 to 3."},
+      {"without", "clearcoat,shen", "--without: 'shen' is not known; perhaps sheen is meant."},
       {"lights", "secne", "--lights: 'secne' is not known; perhaps scene is meant."},
       {"lights", "all", "--lights: 'all' is not known; choose one of scene, none, demo."},
       {"brdf-compare", "diff", "--brdf-compare: 'diff' is not known; choose one of none, fit, split, difference."},
@@ -450,5 +452,5 @@ TEST_CASE("every row of a choice is an option's word, comes back as it was given
     REQUIRE_FALSE(wrong);
     CHECK(wrong.error().problem == "'nonsense' is not known");
   }
-  CHECK(choices == 17);
+  CHECK(choices == 18);
 }

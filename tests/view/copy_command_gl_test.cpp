@@ -3,6 +3,7 @@
 #include "io/image.hpp"
 #include "io/utia.hpp"
 #include "optics/synthetic_brdf.hpp"
+#include "scene/usage.hpp"
 #include "support/picture.hpp"
 #include "support/temporary_folder.hpp"
 #include "view/camera_control.hpp"
@@ -149,6 +150,8 @@ TEST_CASE("copied command: gives the bytes of the picture on the screen", "[gl]"
          s.settings.overlays.shown = frame::Overlays::bitOf(frame::Overlay::grid);
          s.settings.quality.samples = 6, s.settings.quality.transport = frame::Transport::paths;
        }},
+      {"without a layer",
+       [](view::ViewerState& s) { s.settings.look.without = scene::bitOf(scene::Effect::dielectricSpecular); }},
       {"floor, refined", [](view::ViewerState& s) { s.settings.frame.ground = true, s.settings.quality.samples = 20; }},
       {"orthographic", [](view::ViewerState& s) { s.settings.viewpoint.camera = "1"; }},
       {"file camera, time",
