@@ -5,7 +5,7 @@ layout(location = 0) noperspective in vec2 inAt;
 layout(location = 1) flat in vec2 inSize;
 layout(location = 2) flat in vec4 inColor;
 layout(location = 3) flat in float inHidden;
-layout(location = 4) noperspective in float inDepth;
+layout(location = 4) flat in vec2 inDepths;
 layout(location = 0) out vec4 outColor;
 layout(binding = sourceUnit) uniform sampler2D surfaces;  // depth
 layout(location = overlayDepthLocation) uniform vec4 behind;  // factor on a surface's distance and what is added to it
@@ -23,7 +23,8 @@ float surfaceDepth(ivec2 pixel) {
 void main() {
   float beyond = max(max(-inAt.x, inAt.x - inSize.x), 0.0);
   float covered = clamp(inSize.y + 0.5 - length(vec2(beyond, inAt.y)), 0.0, 1.0);
-  bool hidden = distanceFromDepth(clamp(inDepth, 0.0, 1.0)) > distanceFromDepth(surfaceDepth(ivec2(gl_FragCoord.xy))) * behind.x + behind.y;
+  float along = inSize.x > 1e-4 ? clamp(inAt.x / inSize.x, 0.0, 1.0) : 0.0;  // its soft ends are no farther than the line
+  bool hidden = distanceFromDepth(clamp(mix(inDepths.x, inDepths.y, along), 0.0, 1.0)) > distanceFromDepth(surfaceDepth(ivec2(gl_FragCoord.xy))) * behind.x + behind.y;
   float alpha = inColor.a * covered * (hidden ? inHidden : 1.0);
   if (alpha <= 0.0) discard;
   outColor = vec4(inColor.rgb * alpha, alpha);

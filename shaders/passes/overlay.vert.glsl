@@ -13,7 +13,7 @@ layout(location = 0) noperspective out vec2 outAt;  // along and across the line
 layout(location = 1) flat out vec2 outSize;         // length, half the width
 layout(location = 2) flat out vec4 outColor;
 layout(location = 3) flat out float outHidden;
-layout(location = 4) noperspective out float outDepth;
+layout(location = 4) flat out vec2 outDepths;  // at the ends
 
 void main() {
   Line line = lines[gl_InstanceID];
@@ -22,7 +22,7 @@ void main() {
   outColor = line.color;
   outHidden = line.to.w;
   outAt = outSize = vec2(0.0);
-  outDepth = 0.0;
+  outDepths = vec2(0.0);
   gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // nowhere
   if (beyondA < 0.0 && beyondB < 0.0) return;
   if (beyondA < 0.0) a = mix(a, b, beyondA / (beyondA - beyondB));
@@ -34,7 +34,6 @@ void main() {
   bool end = gl_VertexID >= 2;
   outAt = vec2(end ? len + pad : -pad, (gl_VertexID & 1) == 0 ? -pad : pad);
   outSize = vec2(len, halfWidth);
-  float depthA = a.z / a.w, depthB = b.z / b.w;
-  outDepth = len > 1e-4 ? mix(depthA, depthB, outAt.x / len) : depthA;
+  outDepths = vec2(a.z / a.w, b.z / b.w);
   gl_Position = vec4((from + along * outAt.x + across * outAt.y) / pixels, 0.5, 1.0);
 }

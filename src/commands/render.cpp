@@ -18,6 +18,7 @@
 #include "commands/picture_arguments.hpp"
 #include "commands/shard.hpp"
 #include "frame/left_out.hpp"
+#include "frame/max_error.hpp"
 #include "frame/session.hpp"
 
 namespace facet::commands {
@@ -191,10 +192,12 @@ std::string tellReached(const Job& job, const frame::Picture& picture, Notes& no
   const frame::Attempt& last = picture.statistics.attempts.back();
   const std::string samples = std::to_string(last.samples) + " samples";
   const std::string reached = percent(last.error.most / 255);
-  if (last.error.most / 255 > *job.settings.quality.maxError)
+  const double wanted = *job.settings.quality.maxError;
+  if (frame::errorMargin * last.error.most / 255 > wanted)
     notes.push_back({Note::Severity::warning, "",
-                     "--max-error: after " + samples + " the error may be up to " + reached +
-                         "; give more --samples, or a larger error than " + percent(*job.settings.quality.maxError)});
+                     "--max-error: after " + samples + " the error may be up to " + reached + ", where " +
+                         percent(wanted / frame::errorMargin) +
+                         " would keep to it; give more --samples, or a larger error than " + percent(wanted)});
   return ": " + samples + ", error up to " + reached;
 }
 
@@ -224,6 +227,11 @@ Result<JobOutcome> runJob(const Job& job, const RenderArguments& arguments, bool
     std::snprintf(text, sizeof text, "grid of %.3g m", *picture->statistics.gridSpacing);
     reached += (reached.empty() ? ": " : "; ") + std::string(text);
   }
+  if (job.settings.frame.backgroundBlur > 0 &&
+      (job.settings.frame.background != frame::Background::environment || job.settings.sources.environment == "none"))
+    notes.push_back({Note::Severity::warning, "", "--background-blur: no environment is seen behind the model"});
+  if (!picture->statistics.overlayRemark.empty())
+    notes.push_back({Note::Severity::warning, "", "--overlay: " + picture->statistics.overlayRemark});
   if (job.settings.overlays.shown != 0 && exr)
     notes.push_back({Note::Severity::warning, "", "--overlay: an EXR is the radiance below it; end -o in .png"});
   if (picture->statistics.range && !exr)

@@ -278,6 +278,7 @@ Result<void> addOverlay(const FrameInput& in, const Drawable& drawable, Picture&
   const Result<OverlayLines> lines = overlayLines(drawable, in.settings);
   if (!lines) return tl::unexpected(lines.error());
   picture.statistics.gridSpacing = lines->gridSpacing;
+  picture.statistics.overlayRemark = lines->remark;
   const FrameSettings& frame = in.settings.frame;
   const auto rows =
       static_cast<int>(std::min<int64_t>(frame.height, std::max<int64_t>(1, mostOverlayPixels / frame.width)));

@@ -15,7 +15,7 @@ namespace facet::frame {
 inline constexpr int mostSamples = 4096;  // a pixel
 
 // A picture would stop at the first estimate that is low enough, and of those more are too low than too high. So it
-// goes on until the estimate is below by this: the true error is within E in 96 % of pictures, where with 1 it is in 88
+// goes on until the estimate is below by this: the true error is within E in 95 % of pictures, where with 1 it is in 88
 // %, for 1.3 times the samples (README.md).
 inline constexpr double errorMargin = 1.15;
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
+#include <tuple>
 #include <utility>
 
 #include "base/angle.hpp"
@@ -104,31 +106,61 @@ void forEachShape(const DrawList& list, const See& see) {
 }
 
 using Edge = std::pair<uint32_t, uint32_t>;
+// The first vertex at the same place, of each: seams of normals and texture coordinates, and what has no indices, have
+// several.
+std::vector<uint32_t> firstAtPlace(const std::vector<glm::vec3>& positions) {
+  std::vector<uint32_t> order(positions.size()), first(positions.size());
+  std::iota(order.begin(), order.end(), 0u);
+  const auto key = [&](uint32_t v) {
+    const glm::vec3& p = positions[v];
+    return std::tuple(p.x, p.y, p.z);
+  };
+  std::ranges::stable_sort(order, [&](uint32_t a, uint32_t b) { return key(a) < key(b); });
+  for (size_t i = 0; i < order.size(); ++i)
+    first[order[i]] = i > 0 && key(order[i - 1]) == key(order[i]) ? first[order[i - 1]] : order[i];
+  return first;
+}
+
+// Each once.
 std::vector<Edge> edgesOf(const scene::Primitive& p) {
+  const std::vector<uint32_t> first = firstAtPlace(p.positions);
   std::vector<Edge> edges;
   const size_t count = scene::triangleCount(p);
   edges.reserve(3 * count);
   for (size_t t = 0; t < count; ++t) {
     const std::array<uint32_t, 3> v = scene::triangleVertices(p, t);
-    for (size_t k = 0; k < 3; ++k) edges.push_back(std::minmax(v[k], v[(k + 1) % 3]));
+    for (size_t k = 0; k < 3; ++k)
+      if (const Edge edge = std::minmax(first[v[k]], first[v[(k + 1) % 3]]); edge.first != edge.second)
+        edges.push_back(edge);
   }
   std::ranges::sort(edges);
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   return edges;
 }
 
-void addWireframe(const DrawList& list, std::vector<OverlayLine>& out) {
+bool room(const std::vector<OverlayLine>& out, size_t lines) { return out.size() + lines <= mostOverlayLines; }
+
+// False: there are too many.
+bool addWireframe(const DrawList& list, std::vector<OverlayLine>& out) {
   std::map<const void*, std::vector<Edge>> known;  // by indices: instances share them
+  size_t all = 0;
   for (const std::vector<Draw>* draws : list.classes())
     for (const Draw& draw : *draws) {
       const auto [found, fresh] = known.try_emplace(draw.primitive);
       if (fresh) found->second = edgesOf(*draw.primitive);
+      all += found->second.size() * draw.instanceCount;
+    }
+  if (!room(out, all)) return false;
+  for (const std::vector<Draw>* draws : list.classes())
+    for (const Draw& draw : *draws) {
+      const auto found = known.find(draw.primitive);
       for (uint32_t i = draw.firstInstance; i < draw.firstInstance + draw.instanceCount; ++i) {
         const scene::Primitive shape = placedShape(list, draw, list.instances[i]);
         for (const auto& [a, b] : found->second)
           out.push_back({shape.positions[a], 1.25f, shape.positions[b], 0, wireColor});
       }
     }
+  return true;
 }
 
 // Of its triangles; infinite where it has none.
@@ -140,13 +172,18 @@ double meanEdge(const scene::Primitive& shape) {
 }
 
 // As long as the shape's edges, so that neighbours can be told apart, and no longer than what fits the scene.
-void addNormals(const DrawList& list, std::vector<OverlayLine>& out) {
+bool addNormals(const DrawList& list, std::vector<OverlayLine>& out) {
+  size_t all = 0;
+  for (const std::vector<Draw>* draws : list.classes())
+    for (const Draw& draw : *draws) all += draw.primitive->normals.size() * draw.instanceCount;
+  if (!room(out, all)) return false;
   forEachShape(list, [&](const scene::Primitive& shape) {
     if (shape.normals.empty()) return;
     const auto length = static_cast<float>(std::min(0.03 * sceneRadius(list), meanEdge(shape)));
     for (size_t v = 0; v < shape.normals.size(); ++v)
       out.push_back({shape.positions[v], 1.25f, shape.positions[v] + length * shape.normals[v], 0, normalColor});
   });
+  return true;
 }
 
 void addBounds(Pen pen, const DrawList& list) {
@@ -331,19 +368,38 @@ Result<OverlayLines> overlayLines(const OverlayScene& of, const Placement& place
   OverlayLines out;
   const Pen pen(of.list, out.lines);
   using enum Overlay;
-  if (overlays.has(grid)) out.gridSpacing = addGrid(pen, of.list);
-  if (overlays.has(wireframe)) addWireframe(of.list, out.lines);
-  if (overlays.has(normals)) addNormals(of.list, out.lines);
-  if (overlays.has(bounds)) addBounds(pen, of.list);
+  std::optional<scene::Pose> pose;
   if (overlays.has(skeleton)) {
-    const Result<scene::Pose> pose = choosePose(placement, of.model);
-    if (!pose) return tl::unexpected(pose.error());
-    addSkeletons(pen, of, scene::flatten(of.model, of.scene, *pose));
+    Result<scene::Pose> chosen = choosePose(placement, of.model);
+    if (!chosen) return tl::unexpected(chosen.error());
+    pose = std::move(*chosen);
   }
-  if (overlays.has(lights)) addLights(pen, of.list);
-  if (overlays.has(cameras)) addCameras(pen, of);
-  if (overlays.has(sun)) addSun(pen, of);
-  if (overlays.has(axes)) addAxes(pen, of.list);
+  std::string nothing, tooMuch;
+  // add: false where there are too many lines.
+  const auto draw = [&](Overlay overlay, const auto& add) {
+    if (!overlays.has(overlay)) return;
+    const size_t before = out.lines.size();
+    const auto append = [&](std::string& to) {
+      to += (to.empty() ? "" : ", ") + std::string(rowOf(overlayChoices, overlay).label);
+    };
+    if (!add())
+      append(tooMuch);
+    else if (out.lines.size() == before)
+      append(nothing);
+  };
+  draw(grid, [&] { return out.gridSpacing = addGrid(pen, of.list), true; });
+  draw(wireframe, [&] { return addWireframe(of.list, out.lines); });
+  draw(normals, [&] { return addNormals(of.list, out.lines); });
+  draw(bounds, [&] { return addBounds(pen, of.list), true; });
+  draw(skeleton, [&] { return addSkeletons(pen, of, scene::flatten(of.model, of.scene, *pose)), true; });
+  draw(lights, [&] { return addLights(pen, of.list), true; });
+  draw(cameras, [&] { return addCameras(pen, of), true; });
+  draw(sun, [&] { return addSun(pen, of), true; });
+  draw(axes, [&] { return addAxes(pen, of.list), true; });
+  if (!nothing.empty()) out.remark = "there is nothing to show of: " + nothing;
+  if (!tooMuch.empty())
+    out.remark += (nothing.empty() ? "" : "; ") + ("not shown, having more than " + std::to_string(mostOverlayLines)) +
+                  " lines: " + tooMuch;
   return out;
 }
 

@@ -3,6 +3,7 @@
 // What is drawn over a picture, as lines in the world: pure, no OpenGL.
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "base/error.hpp"
@@ -21,9 +22,13 @@ struct OverlayLine {
 };
 static_assert(sizeof(OverlayLine) == 12 * sizeof(float));
 
+// As many as any driver takes in one storage buffer.
+inline constexpr size_t mostOverlayLines = (size_t{1} << 27) / sizeof(OverlayLine);
+
 struct OverlayLines {
   std::vector<OverlayLine> lines;
   std::optional<double> gridSpacing;  // metres; where there is a grid
+  std::string remark;                 // what has nothing to show, or too much of it; empty: nothing
 };
 
 struct OverlayScene {

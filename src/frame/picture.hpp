@@ -50,6 +50,7 @@ struct PictureStatistics {
   std::vector<double> frameMs;                  // the first frame, then the repeated ones; each waited for
   std::optional<ComparisonFigures> comparison;  // of a measured BRDF with the model fitted to it, where both are drawn
   std::optional<double> gridSpacing;            // metres; where a grid is drawn over the picture
+  std::string overlayRemark;                    // OverlayLines::remark
   std::optional<RangeShown> range;              // where a channel is shown in false colours
   VisibilityChosen visibility;
   std::optional<TracedStatistics> traced;  // where paths are

@@ -362,6 +362,10 @@ Result<void> parseMaxError(Text text, PictureSettings& settings) {
 }
 
 Result<void> parseOverlays(Text text, PictureSettings& settings) {
+  if (text == "none") {
+    settings.overlays = {};
+    return {};
+  }
   std::vector<Text> names;
   for (const auto& choice : frame::overlayChoices) names.push_back(choice.word);
   frame::Overlays overlays;

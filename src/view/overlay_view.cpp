@@ -10,7 +10,7 @@ bool updateOverlay(Viewport& viewport, ViewerState& state) {
   const frame::PictureSettings& settings = state.settings;
   if (settings.overlays.shown == 0 || !viewport.scene || viewport.shadersBroken) {
     overlay = {};
-    state.shown.gridSpacing.reset();
+    state.shown.gridSpacing.reset(), state.shown.overlayRemark.clear();
     return wasShown;
   }
   const std::optional<scene::View> view = currentView(viewport, state);
@@ -24,7 +24,7 @@ bool updateOverlay(Viewport& viewport, ViewerState& state) {
     Result<frame::OverlayLines> lines = frame::overlayLines(viewport.shown, settings);
     if (!lines) return complain(state, lines.error()), false;
     overlay.lines = std::move(*lines);
-    state.shown.gridSpacing = overlay.lines.gridSpacing;
+    state.shown.gridSpacing = overlay.lines.gridSpacing, state.shown.overlayRemark = overlay.lines.remark;
   }
   if (overlay.width != width || overlay.height != height) overlay.targets = frame::createOverlayTargets(width, height);
   overlay.overlays = settings.overlays, overlay.listNumber = viewport.listNumber;

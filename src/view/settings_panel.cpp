@@ -339,6 +339,7 @@ void overlaySection(ViewerState& state) {
     if (shown && choice.value == frame::Overlay::grid && state.shown.gridSpacing)
       ImGui::SameLine(), ImGui::TextDisabled("%.3g m", *state.shown.gridSpacing);
   }
+  if (!state.shown.overlayRemark.empty()) ImGui::TextWrapped("%s", state.shown.overlayRemark.c_str());
   ImGui::Checkbox("in screenshots, too", &state.overlaysInPictures);
   hint("and in what \"copy command\" copies");
 }

@@ -136,6 +136,7 @@ struct ShownScene {
   std::string model;                  // source: a path or "builtin:NAME"
   std::string environment;            // source, or "none"
   std::optional<double> gridSpacing;  // metres; where a grid is shown
+  std::string overlayRemark;          // frame::OverlayLines::remark
   scene::Bounds bounds;
   std::vector<CameraName> cameras;
   std::vector<AnimationName> animations;

@@ -64,6 +64,26 @@ TEST_CASE("Overlays: what is farther away than a grid can count has none to spea
   CHECK(linesOf(model.model, list, Overlay::grid).lines.size() <= 100);
 }
 
+TEST_CASE("Overlays: edges are those of places, and what is not there or too much is told") {
+  test::GltfBuilder builder = test::emptyScene();
+  // Two triangles without indices: the diagonal's ends are two vertices each. And one of no extent.
+  const int position =
+      builder.add(std::vector<float>{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0, 1, 0, 0, 1, 0, 0, 1, 1, 0},
+                  test::floatType, "VEC3");
+  test::addMeshNode(builder, {{"attributes", {{"POSITION", position}}}},
+                    builder.append("materials", test::unlit({1, 1, 1, 1})));
+  const io::LoadedModel model = test::loadBuilt(builder);
+  const frame::DrawList list = frame::buildDrawList(model.model, 0, {});
+  CHECK(linesOf(model.model, list, Overlay::wireframe).lines.size() == 5);
+  CHECK(linesOf(model.model, list, Overlay::wireframe).remark.empty());
+  for (const Overlay absent : {Overlay::skeleton, Overlay::lights, Overlay::cameras, Overlay::sun})
+    CHECK(linesOf(model.model, list, absent).remark.starts_with("there is nothing to show of: "));
+  const io::LoadedModel crowd = test::loadBuiltin("builtin:crowd");
+  const frame::OverlayLines many = linesOf(crowd.model, frame::buildDrawList(crowd.model, 0, {}), Overlay::wireframe);
+  CHECK(many.lines.empty());
+  CHECK(many.remark == "not shown, having more than 2796202 lines: wireframe");
+}
+
 TEST_CASE("Overlays: each edge once where instances are, and normals as long everywhere") {
   test::GltfBuilder builder = test::emptyScene();
   test::addMeshNode(builder, test::addQuad(builder, {-1, -1}, {1, 1}),
@@ -78,6 +98,7 @@ TEST_CASE("Overlays: each edge once where instances are, and normals as long eve
   CHECK(right == Approx(6));
   const frame::OverlayLines normals = linesOf(model.model, list, Overlay::normals);
   CHECK(normals.lines.size() == 8);
+  CHECK(normals.remark.empty());
   for (const frame::OverlayLine& line : normals.lines) {
     CHECK(lengthOf(line) == Approx(0.03 * list.bounds.radius()));
     CHECK(line.to.z > line.from.z);
