@@ -254,7 +254,8 @@ TEST_CASE("every way to be wrong has its sentence") {
       {"exposure", "", "--exposure: '' is not a number; give a number from -32 to 32."},
       {"exposure", "+-1", "--exposure: '+-1' is not a number; give a number from -32 to 32."},
       {"tonemap", "filmic",
-       "--tonemap: 'filmic' is not known; choose one of none, reinhard, uncharted2, aces, agx, neutral."},
+       "--tonemap: 'filmic' is not known; choose one of none, reinhard, reinhard-power, uncharted2, aces, agx, "
+       "neutral."},
       {"tonemap", "ACES", "--tonemap: 'ACES' is not known; perhaps aces is meant."},
       {"max-error", "0", "--max-error: '0' is no error that a picture could keep to; give a share such as 0.01 or 1%."},
       {"max-error", "120%",

@@ -87,7 +87,7 @@ TEST_CASE("Report: shadowing terms, and what lobes return") {
   }
   CHECK(at(tables[0], tables[0].rows.size() - 1, "GGX") == Approx(0).margin(1e-12));  // alpha = 1: none
   const Table& lobes = tables[1];
-  CHECK(lobes.rows.size() == 8 * 4);
+  CHECK(lobes.rows.size() == 11 * 4);
   const optics::Dfg sharp = optics::integrateDfg(1, 0.04);
   CHECK(at(lobes, rowOf(lobes, "GGX", 0.2), "view at 0") == Approx(sharp.A + sharp.B).margin(1e-6));
   CHECK(at(lobes, rowOf(lobes, "GGX", 1), "view at 0") < at(lobes, rowOf(lobes, "Beckmann", 1), "view at 0"));
