@@ -324,27 +324,34 @@ std::string writeBackground(const PictureSettings& settings) {
   return settings.frame.background == frame::Background::environment ? "env" : "transparent";
 }
 
-// Bit i of Look::without is of word i.
-Result<void> parseWithout(Text text, PictureSettings& settings) {
-  const std::vector<Text> names = frame::layerWords();
-  uint32_t without = 0;
+// Names with commas between, bit i for name i; "none": none.
+Result<uint32_t> parseBits(Text text, const std::vector<Text>& names) {
+  uint32_t bits = 0;
+  if (text == "none") return bits;
   for (const Text name : split(text, ',')) {
     const auto found = std::ranges::find(names, name);
     if (found == names.end()) return fail({}, {}, inQuotes(name) + " is not known", suggestion(name, names));
-    without |= 1u << (found - names.begin());
+    bits |= 1u << (found - names.begin());
   }
-  settings.look.without = without;
-  return {};
+  return bits;
 }
-std::string joinedWords(uint32_t chosen, Text separator) {
+std::string writeBits(uint32_t bits, const std::vector<Text>& names, Text separator = ",") {
   std::string text;
-  const std::vector<Text> names = frame::layerWords();
   for (size_t i = 0; i < names.size(); ++i)
-    if (chosen & 1u << i) text += (text.empty() ? "" : std::string(separator)) + std::string(names[i]);
+    if (bits & 1u << i) text += (text.empty() ? "" : std::string(separator)) + std::string(names[i]);
   return text;
 }
-std::string writeWithout(const PictureSettings& settings) { return joinedWords(settings.look.without, ","); }
-std::string layerWords() { return joinedWords(~0u, ", "); }
+
+Result<void> parseWithout(Text text, PictureSettings& settings) {
+  const Result<uint32_t> without = parseBits(text, frame::layerWords());
+  if (!without) return tl::unexpected(without.error());
+  settings.look.without = *without;
+  return {};
+}
+std::string writeWithout(const PictureSettings& settings) {
+  return writeBits(settings.look.without, frame::layerWords());
+}
+std::string layerWords() { return writeBits(~0u, frame::layerWords(), ", "); }
 constexpr PictureOption withoutOption(Text name, Text help) {
   PictureOption option{name, "LAYER,...", help, parseWithout, writeWithout};
   option.choices = layerWords;
@@ -361,27 +368,19 @@ Result<void> parseMaxError(Text text, PictureSettings& settings) {
   return {};
 }
 
-Result<void> parseOverlays(Text text, PictureSettings& settings) {
-  if (text == "none") {
-    settings.overlays = {};
-    return {};
-  }
+std::vector<Text> overlayNames() {
   std::vector<Text> names;
   for (const auto& choice : frame::overlayChoices) names.push_back(choice.word);
-  frame::Overlays overlays;
-  for (const Text word : split(text, ',')) {
-    const auto found = std::ranges::find(names, word);
-    if (found == names.end()) return fail({}, {}, inQuotes(word) + " is not known", suggestion(word, names));
-    overlays.shown |= frame::Overlays::bitOf(frame::Overlay(found - names.begin()));
-  }
-  settings.overlays = overlays;
+  return names;
+}
+Result<void> parseOverlays(Text text, PictureSettings& settings) {
+  const Result<uint32_t> shown = parseBits(text, overlayNames());
+  if (!shown) return tl::unexpected(shown.error());
+  settings.overlays.shown = *shown;
   return {};
 }
 std::string writeOverlays(const PictureSettings& settings) {
-  std::string text;
-  for (const auto& choice : frame::overlayChoices)
-    if (settings.overlays.has(choice.value)) text += (text.empty() ? "" : ",") + std::string(choice.word);
-  return text;
+  return writeBits(settings.overlays.shown, overlayNames());
 }
 std::string overlayWords() { return wordsOf(frame::overlayChoices); }
 constexpr PictureOption overlayOption(Text name, Text help) {

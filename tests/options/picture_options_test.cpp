@@ -286,6 +286,16 @@ TEST_CASE("every option of the table has a row above: its parser refuses somethi
   }
 }
 
+TEST_CASE("where several may be named, none is a word") {
+  for (const char* name : {"overlay", "without"}) {
+    CAPTURE(name);
+    const Result<PictureSettings> none = fromArguments({{name, "none"}});
+    REQUIRE(none);
+    checkEqual(*none, PictureSettings());
+    CHECK_FALSE(fromArguments({{name, "none,none"}}));
+  }
+}
+
 TEST_CASE("a substance comes before what differs from it, in whatever order both are given") {
   const Result<PictureSettings> words = fromWords({"--material-metallic", "0.5", "--material", "gold"});
   const Result<PictureSettings> job = fromJson({{"material-metallic", 0.5}, {"material", "gold"}});
