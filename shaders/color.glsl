@@ -69,11 +69,11 @@ vec3 toneMap(int mapper, vec3 c) {
   c = max(c, 0.0);
   switch (mapper) {
     case TONE_REINHARD: return toneReinhard(c);
+    case TONE_REINHARD_POWER: return toneReinhardPower(c);
     case TONE_UNCHARTED2: return toneUncharted2(c);
     case TONE_ACES: return toneAces(c);
     case TONE_AGX: return toneAgx(c);
     case TONE_NEUTRAL: return toneNeutral(c);
-    case TONE_REINHARD_POWER: return toneReinhardPower(c);
     default: return min(c, 1.0);
   }
 }

@@ -55,10 +55,12 @@ float V_BeckmannRational(float NoV, float NoL, float alpha) {
   return 0.25 * beckmannRationalOverCosine(NoV, alpha) * beckmannRationalOverCosine(NoL, alpha);
 }
 
-// Schlick 1994, with k = alpha / 2: Smith's G1 of GGX; error 0.16 at most.
+// Schlick 1994.
 float V_Schlick(float NoV, float NoL, float k) {
   return 0.25 / max((NoV + k * (1.0 - NoV)) * (NoL + k * (1.0 - NoL)), 1e-12);
 }
+
+// k = alpha / 2: Smith's G1 of GGX; error 0.16 at most.
 float V_SchlickGGX(float NoV, float NoL, float alpha) { return V_Schlick(NoV, NoL, 0.5 * alpha); }
 
 // Karis 2013, eq. 4, for lights: k = (r + 1)^2 / 8, r^2 = alpha.

@@ -1,11 +1,10 @@
 #include "frame/overlay_lines.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
-#include <tuple>
 #include <utility>
 
 #include "base/angle.hpp"
@@ -15,6 +14,7 @@
 #include "scene/camera.hpp"
 #include "scene/nodes.hpp"
 #include "scene/pick.hpp"
+#include "scene/weld.hpp"
 
 namespace facet::frame {
 
@@ -96,34 +96,22 @@ double sceneRadius(const DrawList& list) {
 }
 glm::dvec3 sceneCenter(const DrawList& list) { return list.bounds.empty() ? list.origin : list.bounds.center(); }
 
-// Calls with each primitive where it is drawn: positions from the list's origin.
+// Calls with each draw and its primitive where an instance is: positions from the list's origin.
 template <class See>
 void forEachShape(const DrawList& list, const See& see) {
   for (const std::vector<Draw>* draws : list.classes())
     for (const Draw& draw : *draws)
       for (uint32_t i = draw.firstInstance; i < draw.firstInstance + draw.instanceCount; ++i)
-        see(placedShape(list, draw, list.instances[i]));
+        see(draw, placedShape(list, draw, list.instances[i]));
 }
 
 using Edge = std::pair<uint32_t, uint32_t>;
-// The first vertex at the same place, of each: seams of normals and texture coordinates, and what has no indices, have
-// several.
-std::vector<uint32_t> firstAtPlace(const std::vector<glm::vec3>& positions) {
-  std::vector<uint32_t> order(positions.size()), first(positions.size());
-  std::iota(order.begin(), order.end(), 0u);
-  const auto key = [&](uint32_t v) {
-    const glm::vec3& p = positions[v];
-    return std::tuple(p.x, p.y, p.z);
-  };
-  std::ranges::stable_sort(order, [&](uint32_t a, uint32_t b) { return key(a) < key(b); });
-  for (size_t i = 0; i < order.size(); ++i)
-    first[order[i]] = i > 0 && key(order[i - 1]) == key(order[i]) ? first[order[i - 1]] : order[i];
-  return first;
-}
-
-// Each once.
+// Each once: seams of normals and texture coordinates, and what has no indices, have several vertices at a place.
 std::vector<Edge> edgesOf(const scene::Primitive& p) {
-  const std::vector<uint32_t> first = firstAtPlace(p.positions);
+  const std::vector<uint32_t> first = scene::weld(p.positions.size(), [&](size_t v) {
+    const glm::vec3& at = p.positions[v];
+    return std::array{scene::floatBits(at.x), scene::floatBits(at.y), scene::floatBits(at.z)};
+  });
   std::vector<Edge> edges;
   const size_t count = scene::triangleCount(p);
   edges.reserve(3 * count);
@@ -138,48 +126,53 @@ std::vector<Edge> edgesOf(const scene::Primitive& p) {
   return edges;
 }
 
-bool room(const std::vector<OverlayLine>& out, size_t lines) { return out.size() + lines <= mostOverlayLines; }
+// Of all that is drawn: instances share them.
+using EdgesOf = std::map<const scene::Primitive*, std::vector<Edge>>;
+EdgesOf edgesOf(const DrawList& list) {
+  EdgesOf edges;
+  for (const std::vector<Draw>* draws : list.classes())
+    for (const Draw& draw : *draws)
+      if (const auto [found, fresh] = edges.try_emplace(draw.primitive); fresh)
+        found->second = edgesOf(*draw.primitive);
+  return edges;
+}
+
+// For so many lines of each instance of a primitive.
+template <class LinesOf>
+bool room(const std::vector<OverlayLine>& out, const DrawList& list, const LinesOf& linesOf) {
+  size_t all = out.size();
+  for (const std::vector<Draw>* draws : list.classes())
+    for (const Draw& draw : *draws) all += linesOf(*draw.primitive) * draw.instanceCount;
+  return all <= mostOverlayLines;
+}
 
 // False: there are too many.
 bool addWireframe(const DrawList& list, std::vector<OverlayLine>& out) {
-  std::map<const void*, std::vector<Edge>> known;  // by indices: instances share them
-  size_t all = 0;
-  for (const std::vector<Draw>* draws : list.classes())
-    for (const Draw& draw : *draws) {
-      const auto [found, fresh] = known.try_emplace(draw.primitive);
-      if (fresh) found->second = edgesOf(*draw.primitive);
-      all += found->second.size() * draw.instanceCount;
-    }
-  if (!room(out, all)) return false;
-  for (const std::vector<Draw>* draws : list.classes())
-    for (const Draw& draw : *draws) {
-      const auto found = known.find(draw.primitive);
-      for (uint32_t i = draw.firstInstance; i < draw.firstInstance + draw.instanceCount; ++i) {
-        const scene::Primitive shape = placedShape(list, draw, list.instances[i]);
-        for (const auto& [a, b] : found->second)
-          out.push_back({shape.positions[a], 1.25f, shape.positions[b], 0, wireColor});
-      }
-    }
+  const EdgesOf edges = edgesOf(list);
+  if (!room(out, list, [&](const scene::Primitive& p) { return edges.at(&p).size(); })) return false;
+  forEachShape(list, [&](const Draw& draw, const scene::Primitive& shape) {
+    for (const auto& [a, b] : edges.at(draw.primitive))
+      out.push_back({shape.positions[a], 1.25f, shape.positions[b], 0, wireColor});
+  });
   return true;
 }
 
-// Of its triangles; infinite where it has none.
-double meanEdge(const scene::Primitive& shape) {
-  const std::vector<Edge> edges = edgesOf(shape);
+// Infinite where there are none.
+double meanEdge(const scene::Primitive& shape, const std::vector<Edge>& edges) {
   double sum = 0;
   for (const auto& [a, b] : edges) sum += double{glm::length(shape.positions[a] - shape.positions[b])};
   return edges.empty() ? std::numeric_limits<double>::infinity() : sum / static_cast<double>(edges.size());
 }
 
-// As long as the shape's edges, so that neighbours can be told apart, and no longer than what fits the scene.
+// As long as the shape's edges, so that neighbours can be told apart, and no longer than what fits the scene. False:
+// there are too many.
 bool addNormals(const DrawList& list, std::vector<OverlayLine>& out) {
-  size_t all = 0;
-  for (const std::vector<Draw>* draws : list.classes())
-    for (const Draw& draw : *draws) all += draw.primitive->normals.size() * draw.instanceCount;
-  if (!room(out, all)) return false;
-  forEachShape(list, [&](const scene::Primitive& shape) {
+  if (!room(out, list, [](const scene::Primitive& p) { return p.normals.size(); })) return false;
+  const EdgesOf edges = edgesOf(list);
+  forEachShape(list, [&](const Draw& draw, const scene::Primitive& shape) {
     if (shape.normals.empty()) return;
-    const auto length = static_cast<float>(std::min(0.03 * sceneRadius(list), meanEdge(shape)));
+    const auto length =
+        static_cast<float>(std::min(0.03 * sceneRadius(list), meanEdge(shape, edges.at(draw.primitive))));
     for (size_t v = 0; v < shape.normals.size(); ++v)
       out.push_back({shape.positions[v], 1.25f, shape.positions[v] + length * shape.normals[v], 0, normalColor});
   });

@@ -100,6 +100,8 @@ glm::dvec3 toneMap(ToneMapper mapper, const glm::dvec3& radiance) {
       return each(c, saturate);
     case ToneMapper::reinhard:
       return each(c, [](double x) { return x / (1 + x); });
+    case ToneMapper::reinhardPower:
+      return each(c, [](double x) { return decodeSRGB(std::pow(x / (1 + x), 1 / 2.2)); });
     case ToneMapper::uncharted2:
       return each(c, [](double x) { return saturate(hable(2 * x) / hable(11.2)); });
     case ToneMapper::aces:
@@ -108,8 +110,6 @@ glm::dvec3 toneMap(ToneMapper mapper, const glm::dvec3& radiance) {
       return each(agxOutset * each(agxInset * c, agxCurve), [](double x) { return std::pow(saturate(x), 2.2); });
     case ToneMapper::pbrNeutral:
       return each(pbrNeutral(c), saturate);
-    case ToneMapper::reinhardPower:
-      return each(c, [](double x) { return decodeSRGB(std::pow(x / (1 + x), 1 / 2.2)); });
   }
   return c;
 }

@@ -28,6 +28,12 @@ double cosineLambdaBeckmann(double cosine, double alpha) {
   return cosine * lambdaOf(a);
 }
 
+double V_Schlick(double NoV, double NoL, double k) {
+  if (NoV < 0 || NoL < 0) return 0;
+  const double v = floored(NoV), l = floored(NoL);
+  return 1 / (4 * (v + k * (1 - v)) * (l + k * (1 - l)));
+}
+
 }  // namespace
 
 double D_BeckmannFromSin2(double sin2NoH, double alpha) {
@@ -132,16 +138,6 @@ double G1_SchlickGGX(double cosine, double alpha) {
   const double c = floored(cosine), k = alpha / 2;
   return c / (c + k * (1 - c));
 }
-
-namespace {
-
-double V_Schlick(double NoV, double NoL, double k) {
-  if (NoV < 0 || NoL < 0) return 0;
-  const double v = floored(NoV), l = floored(NoL);
-  return 1 / (4 * (v + k * (1 - v)) * (l + k * (1 - l)));
-}
-
-}  // namespace
 
 double V_SchlickGGX(double NoV, double NoL, double alpha) { return V_Schlick(NoV, NoL, alpha / 2); }
 

@@ -1,52 +1,18 @@
 #include "scene/tangents.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cfloat>
 #include <cmath>
 #include <cstring>
 
 #include "scene/geometry.hpp"
+#include "scene/weld.hpp"
 
 namespace facet::scene {
 
 namespace {
 
 constexpr uint32_t none = 0xffffffffu;
-
-// -0 and 0 are the same place.
-uint32_t bits(float x) { return std::bit_cast<uint32_t>(x + 0.0f); }
-
-uint64_t mixed(uint64_t hash, uint32_t word) {
-  hash = (hash ^ word) * 0x9E3779B97F4A7C15u;
-  return hash ^ hash >> 32;
-}
-
-// For each item the first one that is equal: hashOf(i), equal(i, j).
-template <class HashOf, class Equal>
-std::vector<uint32_t> weld(size_t count, const HashOf& hashOf, const Equal& equal) {
-  std::vector<uint32_t> first(count);
-  std::vector<uint32_t> table(std::bit_ceil(std::max<size_t>(2 * count, 2)), none);
-  const size_t mask = table.size() - 1;
-  for (size_t i = 0; i < count; ++i) {
-    size_t slot = size_t(hashOf(i)) & mask;
-    while (table[slot] != none && !equal(size_t(table[slot]), i)) slot = (slot + 1) & mask;
-    if (table[slot] == none) table[slot] = uint32_t(i);
-    first[i] = table[slot];
-  }
-  return first;
-}
-
-// keyOf(i): std::array<uint32_t, N>.
-template <class KeyOf>
-std::vector<uint32_t> weld(size_t count, const KeyOf& keyOf) {
-  const auto hashOf = [&](size_t i) {
-    uint64_t hash = 0;
-    for (const uint32_t word : keyOf(i)) hash = mixed(hash, word);
-    return hash;
-  };
-  return weld(count, hashOf, [&](size_t i, size_t j) { return keyOf(i) == keyOf(j); });
-}
 
 struct Face {
   glm::dvec3 s = glm::dvec3(0), t = glm::dvec3(0);  // unit directions of growing u and v on the face (or 0)
@@ -84,8 +50,8 @@ uint32_t previous(uint32_t corner) { return corner % 3 == 0 ? corner + 2 : corne
 void weldCorners(Builder& b) {
   const auto keyOf = [&](size_t i) {
     const glm::vec3 &x = b.p.positions[i], &n = b.p.normals[i];
-    return std::array{bits(x.x), bits(x.y), bits(x.z),       bits(n.x),
-                      bits(n.y), bits(n.z), bits(b.uv[i].x), bits(b.uv[i].y)};
+    return std::array{floatBits(x.x), floatBits(x.y), floatBits(x.z),       floatBits(n.x),
+                      floatBits(n.y), floatBits(n.z), floatBits(b.uv[i].x), floatBits(b.uv[i].y)};
   };
   const std::vector<uint32_t> first = weld(b.p.positions.size(), keyOf);
   b.vertex.resize(3 * b.faceCount);
@@ -288,7 +254,7 @@ std::vector<uint32_t> weldAll(const Primitive& p) {
   const auto hashOf = [&](size_t v) {
     uint64_t hash = 0;
     for (const Column& column : columns)
-      for (size_t i = 0; i < column.words; ++i) hash = mixed(hash, column.word(v, i));
+      for (size_t i = 0; i < column.words; ++i) hash = mixedHash(hash, column.word(v, i));
     return hash;
   };
   const auto equal = [&](size_t v, size_t w) {
@@ -361,14 +327,16 @@ void reindex(Primitive& p, const std::vector<Tangent>& tangents,
     const std::vector<uint32_t> canonical = weldAll(p);
     const auto wordsOf = [&](size_t c, const auto& use) {
       const glm::vec4& t = tangents[c].tangent;
-      for (const uint32_t word : {canonical[sourceOf(c)], bits(t.x), bits(t.y), bits(t.z), bits(t.w)}) use(word);
+      for (const uint32_t word :
+           {canonical[sourceOf(c)], floatBits(t.x), floatBits(t.y), floatBits(t.z), floatBits(t.w)})
+        use(word);
       for (const std::vector<glm::vec3>& target : differences)
         if (!target.empty())
-          for (int i = 0; i < 3; ++i) use(bits(target[c][i]));
+          for (int i = 0; i < 3; ++i) use(floatBits(target[c][i]));
     };
     const auto hashOf = [&](size_t c) {
       uint64_t hash = 0;
-      wordsOf(c, [&](uint32_t word) { hash = mixed(hash, word); });
+      wordsOf(c, [&](uint32_t word) { hash = mixedHash(hash, word); });
       return hash;
     };
     const auto equal = [&](size_t c, size_t d) {
