@@ -30,6 +30,14 @@ constexpr const Choice<T>& rowOf(const Choice<T> (&rows)[count], T value) {
   return rows[static_cast<size_t>(value)];
 }
 
+// The row of a word, null where there is none.
+template <class T, size_t count>
+constexpr const Choice<T>* rowOfWord(const Choice<T> (&rows)[count], std::string_view word) {
+  for (const Choice<T>& row : rows)
+    if (row.word == word) return &row;
+  return nullptr;
+}
+
 // "lambert, burley, frostbite"
 template <class T, size_t count>
 std::string wordsOf(const Choice<T> (&rows)[count]) {

@@ -91,8 +91,7 @@ Result<void> readModels(Document& doc, const Json& extension, const std::string&
   if (found == std::end(names)) return doc.error(place + "/microfacets", "is not ggx, beckmann or blinn");
   material.microfacets = found->second;
   material.masking = stringAt(extension, "masking");
-  if (!material.masking.empty() && std::ranges::find(optics::maskings, material.masking,
-                                                     &Choice<optics::Masking>::word) == std::end(optics::maskings))
+  if (!material.masking.empty() && !rowOfWord(optics::maskings, material.masking))
     return doc.error(place + "/masking", "is not smith, approximate, v-cavity or remapped");
   material.conductor = stringAt(extension, "conductor");
   return {};

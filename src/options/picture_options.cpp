@@ -56,14 +56,19 @@ std::string writeNumber(const PictureSettings& settings) {
   }
 }
 
+template <class T, size_t count>
+tl::unexpected<Error> unknownWord(Text text, const Choice<T> (&choices)[count]) {
+  std::vector<Text> words;
+  for (const Choice<T>& choice : choices) words.push_back(choice.word);
+  return fail({}, {}, inQuotes(text) + " is not known", suggestion(text, words));
+}
+
 template <const auto& choices, auto... members>
 Result<void> parseName(Text text, PictureSettings& settings) {
-  std::vector<Text> names;
-  for (const auto& choice : choices) {
-    if (choice.word == text) return (at<members...>(settings) = choice.value), Result<void>();
-    names.push_back(choice.word);
-  }
-  return fail({}, {}, inQuotes(text) + " is not known", suggestion(text, names));
+  const auto* choice = rowOfWord(choices, text);
+  if (!choice) return unknownWord(text, choices);
+  at<members...>(settings) = choice->value;
+  return {};
 }
 
 template <const auto& choices, auto... members>
@@ -187,12 +192,10 @@ std::string writeTime(const PictureSettings& settings) {
 }
 
 Result<void> parseChannel(Text text, PictureSettings& settings) {
-  std::vector<Text> names;
-  for (const Choice<int>& channel : shading::channels) {
-    if (channel.word == text) return (settings.look.channel = shading::channelSetting(channel.value)), Result<void>();
-    names.push_back(channel.word);
-  }
-  return fail({}, {}, inQuotes(text) + " is not known", suggestion(text, names));
+  const Choice<int>* channel = rowOfWord(shading::channels, text);
+  if (!channel) return unknownWord(text, shading::channels);
+  settings.look.channel = shading::channelSetting(channel->value);
+  return {};
 }
 
 bool showsQuantity(const PictureSettings& settings) {

@@ -54,8 +54,8 @@ void setModels(const FeatureInput& in, VariantKey& key) {
   if (lights && !usesFeature(key, Feature::anisotropy)) {  // a grain is GGX's
     const auto own = static_cast<int>(m.microfacets) - static_cast<int>(scene::Microfacets::ggx);
     key.distribution = static_cast<uint8_t>(own >= 0 ? own : static_cast<int>(models.distribution));
-    const auto* masking = std::ranges::find(optics::maskings, m.masking, &Choice<optics::Masking>::word);
-    key.masking = static_cast<uint8_t>(masking == std::end(optics::maskings) ? models.masking : masking->value);
+    const auto* masking = rowOfWord(optics::maskings, m.masking);
+    key.masking = static_cast<uint8_t>(masking ? masking->value : models.masking);
   }
   key.energy = energyIndex(in, key);
   if (environment && !sampled && models.imageLight != optics::usualLookUp)
