@@ -3,7 +3,14 @@
 include(GNUInstallDirs)
 set(desktop ${PROJECT_SOURCE_DIR}/resources/desktop)
 
-install(TARGETS facet)
+install(TARGETS facet facet_shared)
+set(library ${PROJECT_SOURCE_DIR}/src/library)
+install(FILES ${library}/facet.h ${library}/facet.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(FILES ${library}/facet.py DESTINATION lib/python3/dist-packages)  # where Debian's Python looks below /usr
+install(FILES ${library}/example.c DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
+file(RELATIVE_PATH facet_up /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+configure_file(${library}/facet.pc.in ${PROJECT_BINARY_DIR}/facet.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/facet.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 install(FILES ${desktop}/facet.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
 install(FILES ${desktop}/facet.thumbnailer DESTINATION ${CMAKE_INSTALL_DATADIR}/thumbnailers)
 install(FILES ${desktop}/facet.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages)

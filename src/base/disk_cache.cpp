@@ -168,7 +168,17 @@ void writeCached(const DiskCache& cache, std::string_view key, std::span<const s
 
 std::string buildId() {
   std::string id;
+  // Program or library: the one that holds this function.
+  static constexpr auto isOurs = [](const dl_phdr_info& info) {
+    const auto here = reinterpret_cast<ElfW(Addr)>(&buildId);
+    for (int i = 0; i < info.dlpi_phnum; ++i) {
+      const ElfW(Phdr)& segment = info.dlpi_phdr[i];
+      if (segment.p_type == PT_LOAD && here - info.dlpi_addr - segment.p_vaddr < segment.p_memsz) return true;
+    }
+    return false;
+  };
   const auto visit = [](dl_phdr_info* info, size_t, void* out) {
+    if (!isOurs(*info)) return 0;
     for (int i = 0; i < info->dlpi_phnum; ++i) {
       const ElfW(Phdr)& segment = info->dlpi_phdr[i];
       if (segment.p_type != PT_NOTE) continue;
@@ -189,7 +199,7 @@ std::string buildId() {
         }
       }
     }
-    return 1;  // the program itself is the first
+    return 1;
   };
   dl_iterate_phdr(visit, &id);
   return id;

@@ -20,6 +20,7 @@
 #include "frame/left_out.hpp"
 #include "frame/max_error.hpp"
 #include "frame/session.hpp"
+#include "options/remarks.hpp"
 
 namespace facet::commands {
 
@@ -177,29 +178,8 @@ bool tell(const std::string& model, const Notes& notes) {
 
 struct JobOutcome {
   bool warned = false;
-  std::string reached;  // samples and error, where --max-error decides
+  std::string reached;  // options::Remarks
 };
-
-std::string percent(double share) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2g %%", 100 * share);
-  return text;
-}
-
-// What --max-error came to; a warning where that is not what was asked for.
-std::string tellReached(const Job& job, const frame::Picture& picture, Notes& notes) {
-  if (picture.statistics.attempts.empty()) return {};
-  const frame::Attempt& last = picture.statistics.attempts.back();
-  const std::string samples = std::to_string(last.samples) + " samples";
-  const std::string reached = percent(last.error.most / 255);
-  const double wanted = *job.settings.quality.maxError;
-  if (frame::errorMargin * last.error.most / 255 > wanted)
-    notes.push_back({Note::Severity::warning, "",
-                     "--max-error: after " + samples + " the error may be up to " + reached + ", where " +
-                         percent(wanted / frame::errorMargin) +
-                         " would keep to it; give more --samples, or a larger error than " + percent(wanted)});
-  return ": " + samples + ", error up to " + reached;
-}
 
 Result<JobOutcome> runJob(const Job& job, const RenderArguments& arguments, bool last, frame::Session& session,
                           const Confined& confined, Stages stages) {
@@ -212,30 +192,14 @@ Result<JobOutcome> runJob(const Job& job, const RenderArguments& arguments, bool
                                       .last = last};
   Result<frame::Picture> picture = session.render(job.model, job.settings, request, notes, stages);
   if (!picture) return tl::unexpected(picture.error());
-  if (picture->statistics.nonFinitePixels > 0)
-    notes.push_back(
-        {Note::Severity::warning, "", std::to_string(picture->statistics.nonFinitePixels) + " pixels are not finite"});
   if (arguments.errorLayer && picture->standardError.pixels.empty())
     notes.push_back(
         {Note::Severity::warning, "",
          exr ? "--error-layer: the picture does not converge, and has no error to be told; give more than 16 "
                "--samples, or more than 4 with --visibility none or --light paths"
              : "--error-layer: only an EXR holds it; end -o in .exr"});
-  std::string reached = tellReached(job, *picture, notes);
-  if (picture->statistics.gridSpacing) {
-    char text[48];
-    std::snprintf(text, sizeof text, "grid of %.3g m", *picture->statistics.gridSpacing);
-    reached += (reached.empty() ? ": " : "; ") + std::string(text);
-  }
-  if (job.settings.frame.backgroundBlur > 0 &&
-      (job.settings.frame.background != frame::Background::environment || job.settings.sources.environment == "none"))
-    notes.push_back({Note::Severity::warning, "", "--background-blur: no environment is seen behind the model"});
-  if (!picture->statistics.overlayRemark.empty())
-    notes.push_back({Note::Severity::warning, "", "--overlay: " + picture->statistics.overlayRemark});
-  if (job.settings.overlays.shown != 0 && exr)
-    notes.push_back({Note::Severity::warning, "", "--overlay: an EXR is the radiance below it; end -o in .png"});
-  if (picture->statistics.range && !exr)
-    reached += (reached.empty() ? ": " : "; ") + frame::describe(*picture->statistics.range);
+  const options::Remarks remarks = options::remarksOn(job.settings, picture->statistics, exr);
+  notes.insert(notes.end(), remarks.notes.begin(), remarks.notes.end());
   const bool warned = tell(job.model, notes);
   if (Result<void> written = writeOutput(job, session, *picture); !written) return tl::unexpected(written.error());
   stages.mark("write");
@@ -244,7 +208,7 @@ Result<JobOutcome> runJob(const Job& job, const RenderArguments& arguments, bool
                                  .dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
     if (Result<void> written = writeWholeFile(job.stats, text + "\n"); !written) return tl::unexpected(written.error());
   }
-  return JobOutcome{warned, reached};
+  return JobOutcome{warned, remarks.reached};
 }
 
 // Frame by frame from --time on.

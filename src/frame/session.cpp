@@ -78,12 +78,12 @@ Session::Session(gl::HeadlessContext context, const SessionOptions& options)
       shelf_{userTables(context_.info(), options.shaderDir, options.diskCache)} {}
 
 Result<std::unique_ptr<Session>> Session::create(const SessionOptions& options) {
-  Result<gl::HeadlessContext> context = gl::HeadlessContext::create(options.debug);
+  Result<gl::HeadlessContext> context = gl::HeadlessContext::create(options.debug, options.among);
   if (!context) return tl::unexpected(context.error());
   return std::unique_ptr<Session>(new Session(std::move(*context), options));
 }
 
-Result<void> Session::loadScene(const std::string& source, const Sources& sources, Notes& notes) {
+Result<void> Session::load(const std::string& source, const Sources& sources, Notes& notes) {
   const io::Bump bump{sources.bump, sources.bumpScale};
   if (scene_ && scene_->source == source && scene_->bump == bump && allowOutside_ == sources.allowOutside) return {};
   scene_.reset(), model_.reset();  // frees the old one before the new one grows
@@ -107,7 +107,7 @@ Result<Picture> Session::render(const std::string& model, const PictureSettings&
 Result<Picture> Session::draw(const std::string& model, const PictureSettings& settings, const PictureRequest& request,
                               Notes& notes, Stages& stages) {
   programs_.keepLatest(shading::keptPrograms);
-  if (Result<void> r = loadScene(model, settings.sources, notes); !r) return tl::unexpected(r.error());
+  if (Result<void> r = load(model, settings.sources, notes); !r) return tl::unexpected(r.error());
   stages.mark("read model");
   PictureStatistics statistics;
   const Supply supply = supplyAtOnce(shelf_, programs_, notes);

@@ -28,12 +28,16 @@ struct SessionOptions {
   std::string shaderDir;  // empty: the embedded shaders
   bool diskCache = true;  // program binaries, tables
   bool debug = false;     // KHR_debug
+  bool among = false;     // gl::HeadlessContext
 };
 
 class Session {
  public:
   // Errors: no usable OpenGL.
   static Result<std::unique_ptr<Session>> create(const SessionOptions& options);
+
+  // Reads a model unless it is there already; the next picture of it finds it. After an error there is none.
+  Result<void> load(const std::string& model, const Sources& sources, Notes& notes);
 
   // Loads what the picture names and is not there yet, then renders it. Notes: the model's (only when it was loaded by
   // this call), the environment's, the picture's. After an error of the driver (gl::isOfDriver) what the session keeps
@@ -50,7 +54,6 @@ class Session {
   explicit Session(gl::HeadlessContext context, const SessionOptions& options);
   Result<Picture> draw(const std::string& model, const PictureSettings& settings, const PictureRequest& request,
                        Notes& notes, Stages& stages);
-  Result<void> loadScene(const std::string& source, const Sources& sources, Notes& notes);
 
   gl::HeadlessContext context_;  // first: everything below is freed before it
   shading::ProgramStore programs_;

@@ -50,10 +50,10 @@ bool drawsBySoftware();
 int debugErrorCount();
 
 // A context without a window: EGL surfaceless, else EGL device, else EGL default display. Current on the creating
-// thread.
+// thread. among: others in this process may use EGL, whose display stays open for them.
 class HeadlessContext {
  public:
-  static Result<HeadlessContext> create(bool debug);
+  static Result<HeadlessContext> create(bool debug, bool among = false);
   HeadlessContext(HeadlessContext&&) noexcept;
   HeadlessContext& operator=(HeadlessContext&&) noexcept;
   ~HeadlessContext();

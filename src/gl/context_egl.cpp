@@ -11,12 +11,13 @@ namespace facet::gl {
 struct HeadlessContext::Egl {
   EGLDisplay display = EGL_NO_DISPLAY;
   EGLContext context = EGL_NO_CONTEXT;
+  bool among = false;
 
   ~Egl() {
     if (display == EGL_NO_DISPLAY) return;
     eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     if (context != EGL_NO_CONTEXT) eglDestroyContext(display, context);
-    eglTerminate(display);
+    if (!among) eglTerminate(display);
   }
 };
 
@@ -79,11 +80,12 @@ HeadlessContext::HeadlessContext(HeadlessContext&&) noexcept = default;
 HeadlessContext& HeadlessContext::operator=(HeadlessContext&&) noexcept = default;
 HeadlessContext::~HeadlessContext() = default;
 
-Result<HeadlessContext> HeadlessContext::create(bool debug) {
+Result<HeadlessContext> HeadlessContext::create(bool debug, bool among) {
   debug = debug || debugBuild;
   std::string tried;
   for (const Candidate& candidate : candidates()) {
     HeadlessContext out;
+    out.egl_->among = among;
     const auto note = [&](const std::string& text) {
       tried += (tried.empty() ? "" : ", ") + std::string(candidate.platform) + " " + text;
     };

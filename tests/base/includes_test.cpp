@@ -32,6 +32,7 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"selftest", {"base", "optics", "scene", "io", "gl", "shading", "ibl", "frame"}},
     {"report", {"base", "optics", "scene", "io", "gl", "shading", "ibl", "frame", "compare", "selftest"}},
     {"options", {"base", "optics", "io", "shading", "frame"}},  // the words that set what a picture reads
+    {"library", {"base", "gl", "frame", "options"}},            // what other programs call
     // The window knows no command, comparison or report.
     {"view", {"base", "optics", "scene", "io", "gl", "shading", "ibl", "frame", "options"}},
     {"commands",
