@@ -51,13 +51,16 @@ void removeOldest(const DiskCache& cache, const fs::path& written) {
   std::vector<CacheFile> files;
   uintmax_t sum = 0;
   const auto now = fs::file_time_type::clock::now();
+  constexpr auto hour = std::chrono::hours(1);
   for (fs::directory_iterator it(cache.folder, ignored), end; it != end; it.increment(ignored)) {
     std::error_code gone;
     CacheFile file{it->path(), it->last_write_time(gone), 0};
     if (!gone) file.bytes = it->file_size(gone);
     if (gone) continue;
+    // A time to come is of a clock that went wrong: such a file must not outlive all others.
+    if (file.used > now + hour) file.used = fs::file_time_type::min();
     // Left by a process that ended while writing.
-    if (file.path.extension() != ".bin" && now - file.used > std::chrono::hours(1)) fs::remove(file.path, gone);
+    if (file.path.extension() != ".bin" && file.used < now - hour) fs::remove(file.path, gone);
     sum += file.bytes;
     if (file.path.extension() == ".bin" && file.path != written) files.push_back(std::move(file));
   }

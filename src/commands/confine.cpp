@@ -4,6 +4,7 @@
 
 #include "base/disk_cache.hpp"
 #include "base/log.hpp"
+#include "io/gltf_environment.hpp"
 #include "io/measured.hpp"
 #include "io/sources.hpp"
 
@@ -23,6 +24,12 @@ bool isFile(const std::string& source) {
   return !source.empty() && source != "none" && !source.starts_with(io::builtinPrefix);
 }
 
+// What a glTF file names lies beside it; through a link, beside the link.
+void needModel(Needed& needed, const fs::path& file) {
+  std::error_code ignored;
+  needed.read.push_back(folderOf(file)), needed.read.push_back(fs::absolute(file, ignored).parent_path());
+}
+
 // Mesa's and NVIDIA's.
 constexpr const char* driverCaches[] = {"MESA_SHADER_CACHE_DIR", "__GL_SHADER_DISK_CACHE_PATH"};
 
@@ -30,13 +37,14 @@ constexpr const char* driverCaches[] = {"MESA_SHADER_CACHE_DIR", "__GL_SHADER_DI
 
 void needPicture(Needed& needed, const std::string& model, const frame::PictureSettings& settings) {
   const frame::Sources& sources = settings.sources;
-  // Through a link its files are those beside the link.
-  std::error_code ignored;
-  if (isFile(model))
-    needed.read.push_back(folderOf(model)), needed.read.push_back(fs::absolute(model, ignored).parent_path());
+  if (isFile(model)) needModel(needed, model);
   for (const std::string& folder : {sources.allowOutside, sources.shaderDir})
     if (!folder.empty()) needed.read.emplace_back(folder);
-  if (isFile(sources.environment)) needed.read.emplace_back(io::splitLayer(sources.environment).file);
+  if (isFile(sources.environment)) {
+    const std::string file = io::splitLayer(sources.environment).file;
+    needed.read.emplace_back(file);
+    if (io::isGltfName(file)) needModel(needed, file);  // its images may be files of their own
+  }
   if (!sources.bump.empty()) needed.read.emplace_back(sources.bump);
   if (isFile(sources.brdf)) needMeasured(needed, sources.brdf, sources.brdfDir);
 }

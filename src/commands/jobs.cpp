@@ -78,7 +78,7 @@ Result<void> checkOutputName(const std::filesystem::path& output) {
   std::string extension = output.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   if (extension == ".png" || extension == ".exr") return {};
-  return fail({}, {}, "'" + output.string() + "' is neither a .png nor an .exr",
+  return fail({}, {}, inQuotes(output.string()) + " is neither a .png nor an .exr",
               "name the picture .png (after tone mapping) or .exr (scene-linear)");
 }
 

@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <set>
 
+#include "base/text.hpp"
 #include "base/whole_number.hpp"
 #include "frame/settings.hpp"
 #include "io/sources.hpp"
@@ -26,7 +27,7 @@ Result<FileCamera> findCamera(const std::string& wanted, const scene::Model& mod
   if (const std::optional<int> index = wholeNumber(wanted))
     for (const FileCamera& camera : list.cameras)
       if (camera.placed.camera == *index) return camera;
-  return fail(model.name, "", "the scene has no camera '" + wanted + "'",
+  return fail(model.name, "", "the scene has no camera " + inQuotes(wanted),
               known.empty() ? "it has none at all: choose no camera of the file" : "it has " + known, Setting::camera);
 }
 
@@ -176,7 +177,7 @@ Result<int> chooseVariant(const Look& look, const scene::Model& model) {
     known += (i == 0 ? "" : ", ") + std::to_string(i) + (name.empty() ? "" : " (" + name + ")");
   }
   if (const std::optional<int> index = wholeNumber(look.variant); index && *index >= 0 && *index < count) return *index;
-  return fail(model.name, "", "the file has no material variant '" + look.variant + "'",
+  return fail(model.name, "", "the file has no material variant " + inQuotes(look.variant),
               known.empty() ? "it has none at all: choose none" : "it has " + known, Setting::variant);
 }
 

@@ -57,9 +57,11 @@ Result<void> readFaces(const Document& doc, const Json& json, ImageLight& light)
 Json lightsOf(const Document& doc) {
   const JsonMember* member = doc.outline.find("extensions");
   if (member == nullptr) return Json::array();
-  const Json root = Json::parse(doc.json.substr(member->begin, member->end - member->begin), nullptr, false);
-  const Json lights = root.is_object() ? root.value(Json::json_pointer("/EXT_lights_image_based/lights"), Json::array())
-                                       : Json::array();
+  Json lights = Json::parse(doc.json.substr(member->begin, member->end - member->begin), nullptr, false);
+  for (const char* key : {"EXT_lights_image_based", "lights"}) {
+    if (!lights.is_object() || !lights.contains(key)) return Json::array();
+    lights = Json(lights[key]);
+  }
   return lights.is_array() ? lights : Json::array();
 }
 
@@ -81,8 +83,10 @@ Result<ImageLight> readImageLight(Document& doc, size_t wanted) {
       doc.warning(light.place + "/intensity", "is no number from 0 on: 1 is used");
   }
   const auto q = json.contains("rotation") ? numbersOf(json["rotation"], 4) : std::nullopt;
-  if (q) light.rotation = glm::dquat((*q)[3], (*q)[0], (*q)[1], (*q)[2]);
-  const bool turned = !json.contains("rotation") || (q && glm::length(light.rotation) > 0);
+  const double largest = q ? std::abs(std::ranges::max(*q, {}, [](double value) { return std::abs(value); })) : 0;
+  if (largest > 0)  // squares of the numbers themselves may be none
+    light.rotation = glm::dquat((*q)[3] / largest, (*q)[0] / largest, (*q)[1] / largest, (*q)[2] / largest);
+  const bool turned = !json.contains("rotation") || largest > 0;
   if (!turned) doc.warning(light.place + "/rotation", "is no quaternion: not turned");
   light.rotation = turned ? glm::normalize(light.rotation) : glm::dquat(1, 0, 0, 0);
   const auto coefficients = json.find("irradianceCoefficients");

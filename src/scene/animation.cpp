@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "base/text.hpp"
 #include "base/whole_number.hpp"
 #include "scene/material_properties.hpp"
 #include "scene/nodes.hpp"
@@ -234,8 +235,9 @@ Result<std::vector<int>> chooseAnimations(const Model& model, const std::string&
   const std::optional<int> index = wholeNumber(wanted);
   if (index && *index >= 0 && size_t(*index) < model.animations.size()) return std::vector{*index};
   if (model.animations.empty())
-    return fail(model.name, "", "there are no animations", "leave out \"" + wanted + "\"", Setting::animation);
-  return fail(model.name, "", "there is no animation \"" + wanted + "\"",
+    return fail(model.name, "", "there are no animations", "leave out \"" + printable(wanted, 80) + "\"",
+                Setting::animation);
+  return fail(model.name, "", "there is no animation \"" + printable(wanted, 80) + "\"",
               "choose all or one of " + listed(model.animations), Setting::animation);
 }
 

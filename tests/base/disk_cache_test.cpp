@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <fstream>
 #include <set>
 
@@ -46,6 +47,21 @@ TEST_CASE("disk cache: what was written under a key is read under it, and under 
   CHECK(files(cache.folder).size() == 2);
   CHECK_FALSE(readCached(DiskCache{}, "a"));
   writeCached(DiskCache{}, "a", first);
+}
+
+TEST_CASE("disk cache: files of a clock that was ahead go first, and parts that it left, too") {
+  const test::TemporaryFolder folder;
+  const DiskCache cache{folder.path(), 2500};
+  writeCached(cache, "ahead", value(1000, 1));
+  const fs::path ahead = *files(folder.path()).begin();
+  folder.write("left.part", std::string("x"));
+  for (const fs::path& file : {ahead, folder.path() / "left.part"})
+    fs::last_write_time(file, fs::file_time_type::clock::now() + std::chrono::hours(24 * 365));
+  for (const char* key : {"a", "b"}) writeCached(cache, key, value(1000, 2));
+  CHECK_FALSE(readCached(cache, "ahead"));
+  CHECK(readCached(cache, "a"));
+  CHECK(readCached(cache, "b"));
+  CHECK_FALSE(fs::exists(folder.path() / "left.part"));
 }
 
 TEST_CASE("disk cache: a damaged, cut, longer or foreign file is not read") {

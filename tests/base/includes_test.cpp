@@ -160,3 +160,19 @@ TEST_CASE("Below the commands nobody names an option of the command line", "[bas
   }
   CHECK(named == std::vector<std::string>());
 }
+
+// The date that a file says it was made on, the name of a screenshot and the time beside a message are told to people;
+// what a sweep and the caches ask is when files were written. All else is measured with a clock that nobody sets.
+TEST_CASE("No clock that people set decides anything", "[base][includes]") {
+  const std::map<std::string, int> known = {{"base/origin.cpp", 2},
+                                            {"base/disk_cache.cpp", 1},
+                                            {"report/visibility.cpp", 1},
+                                            {"view/screenshot.cpp", 1},
+                                            {"view/viewer_state.cpp", 1}};
+  std::map<std::string, int> found;
+  for (const auto& [path, text] : sources())
+    for (const std::string clock : {"system_clock", "high_resolution_clock", "file_time_type::clock", "file_clock",
+                                    "utc_clock", "std::time(", "gettimeofday", "CLOCK_REALTIME"})
+      for (size_t at = text.find(clock); at != std::string::npos; at = text.find(clock, at + 1)) ++found[path];
+  CHECK(found == known);
+}

@@ -7,27 +7,6 @@
 #include "support/command.hpp"
 
 using namespace facet;
-using test::Outcome;
-
-namespace {
-
-bool says(const Outcome& outcome, const std::string& part) { return outcome.text.find(part) != std::string::npos; }
-
-// Runs as it is and without its sandbox: good both times, and the same but for the line about it.
-void confined(const std::vector<std::string>& words) {
-  std::vector<std::string> told = words;
-  told.insert(told.end(), {"--log-level", "debug"});
-  const Outcome usual = test::runFacet(told);
-  INFO(words.front() << ": " << usual.text);
-  CHECK(usual.status == 0);
-  CHECK(says(usual, "sandbox: files "));
-  told.emplace_back("--no-sandbox");
-  const Outcome open = test::runFacet(told);
-  CHECK(open.status == 0);
-  CHECK_FALSE(says(open, "sandbox: files "));
-}
-
-}  // namespace
 
 TEST_CASE("confined: commands without OpenGL reach what they name, and links in named folders") {
   namespace fs = std::filesystem;
@@ -42,18 +21,18 @@ TEST_CASE("confined: commands without OpenGL reach what they name, and links in 
   fs::create_symlink("../elsewhere/a.png", at("reference/a.png"));
   fs::copy_file(at("elsewhere/a.png"), at("pictures/a.png"));
 
-  confined({"compare", at("reference"), at("pictures")});
-  confined({"compare", at("reference/a.png"), at("pictures/a.png"), "--diff", at("out/d.png"), "--maps",
-            at("out/d.exr"), "--json"});
+  test::checkConfined({"compare", at("reference"), at("pictures")});
+  test::checkConfined({"compare", at("reference/a.png"), at("pictures/a.png"), "--diff", at("out/d.png"), "--maps",
+                       at("out/d.exr"), "--json"});
   CHECK(io::readImage(at("out/d.png")));
-  confined({"normalmap", at("reference/a.png"), "-o", at("out/n.png")});
+  test::checkConfined({"normalmap", at("reference/a.png"), "-o", at("out/n.png")});
   CHECK(io::readImage(at("out/n.png")));
   REQUIRE(test::runFacet({"brdf", "--synthesize", "ggx-0.35", "-o", at("brdfs/a.binary")}).status == 0);
   folder.write("angles.csv", std::string("thetaV,thetaL,phi\n30,30,180\n"));
-  confined(
+  test::checkConfined(
       {"brdf", at("brdfs"), "--eval-from", at("angles.csv"), "--plot", at("out/p.svg"), "--lobes", at("out/l.svg")});
   CHECK(fs::file_size(at("out/p.svg")) > 1000);
-  confined({"inspect", "builtin:spheres", "--json"});
+  test::checkConfined({"inspect", "builtin:spheres", "--json"});
 }
 
 TEST_CASE("confined: inspect reads a model's own folder and the one that was allowed, and no other") {
@@ -68,12 +47,12 @@ TEST_CASE("confined: inspect reads a model's own folder and the one that was all
     "bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"byteLength": 36, "uri": "data.bin"}]})"));
   fs::create_symlink("../beside/data.bin", folder.path() / "model/data.bin");
   const std::string model = (folder.path() / "model/a.gltf").string();
-  confined({"inspect", model, "--allow-outside", (folder.path() / "beside").string()});
+  test::checkConfined({"inspect", model, "--allow-outside", (folder.path() / "beside").string()});
   CHECK(test::runFacet({"inspect", model}).status != 0);
   fs::create_directory(folder.path() / "linked");
   fs::create_symlink("../model/a.gltf", folder.path() / "linked/link.gltf");
   folder.write("linked/data.bin", std::string(36, '\0'));
-  confined({"inspect", (folder.path() / "linked/link.gltf").string()});
-  confined({"inspect", (folder.path() / "linked/link.gltf").string(), "--allow-outside",
-            (folder.path() / "beside").string()});
+  test::checkConfined({"inspect", (folder.path() / "linked/link.gltf").string()});
+  test::checkConfined({"inspect", (folder.path() / "linked/link.gltf").string(), "--allow-outside",
+                       (folder.path() / "beside").string()});
 }

@@ -65,18 +65,39 @@ frame::PictureSettings settingsOf(int job) {
   return settings;
 }
 
+// llvmpipe's threads: pictures that wait for one another when the machine is busy, each of which holds the textures
+// of what it drew last until it is busy again. Without these threads every byte is of what is drawn now. True where the
+// test ran in a process without them.
+bool ranWithoutThreads(const std::string& test) {
+  if (std::getenv("LP_NUM_THREADS") != nullptr) return false;
+  const std::string itself = std::filesystem::read_symlink("/proc/self/exe").string();
+  const test::Outcome outcome = test::runShell("LP_NUM_THREADS=0 " + itself + " '" + test + "'");
+  INFO(outcome.text);
+  CHECK(outcome.status == 0);
+  return true;
+}
+
+// A triangle that is to and fro for an hour, 15 s each way.
+io::LoadedModel hourLong() {
+  test::GltfBuilder builder = test::triangle();
+  std::vector<float> times, places;
+  for (int i = 0; i <= 242; ++i) {
+    times.push_back(15.0f * static_cast<float>(i));
+    places.insert(places.end(), {i % 2 == 0 ? 0.0f : 2.0f, 0, 0});
+  }
+  const int input = builder.add(times, test::floatType, "SCALAR"),
+            output = builder.add(places, test::floatType, "VEC3");
+  builder.json["animations"] = {{{"name", "hour"},
+                                 {"samplers", {{{"input", input}, {"output", output}}}},
+                                 {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}}}};
+  test::addOrthographicCamera(builder, 4, 4);
+  return test::loadBuilt(builder);
+}
+
 }  // namespace
 
 TEST_CASE("endurance: two hundred mixed jobs take no more than the first fifty", "[gl]") {
-  // llvmpipe's threads: pictures that wait for one another when the machine is busy, each of which holds the textures
-  // of what it drew last until it is busy again. Without these threads every byte is of what is drawn now.
-  if (std::getenv("LP_NUM_THREADS") == nullptr) {
-    const std::string itself = std::filesystem::read_symlink("/proc/self/exe").string();
-    const test::Outcome outcome = test::runShell("LP_NUM_THREADS=0 " + itself + " 'endurance: two hundred*'");
-    INFO(outcome.text);
-    CHECK(outcome.status == 0);
-    return;
-  }
+  if (ranWithoutThreads("endurance: two hundred*")) return;
   test::Studio studio;
   std::map<std::string, int> objects;
   size_t heap = 0;
@@ -89,4 +110,31 @@ TEST_CASE("endurance: two hundred mixed jobs take no more than the first fifty",
   INFO("heap after 50: " << heap << ", after 200: " << after);
   CHECK(text(liveObjects()) == text(objects));
   CHECK(after < heap + (256 << 10));
+}
+
+TEST_CASE("endurance: an hour of an animation is drawn without growth, and its last seconds are as its first", "[gl]") {
+  if (ranWithoutThreads("endurance: an hour*")) return;
+  test::Studio studio;
+  const io::LoadedModel model = hourLong();
+  frame::LoadedScene scene = test::sceneOf(model);
+  frame::PictureSettings settings = test::bareSettings(32, 16);
+  settings.placement.animation = "hour", settings.viewpoint.camera = "0";
+  std::vector<frame::Picture> first;
+  std::map<std::string, int> objects;
+  size_t heap = 0, wrong = 0;
+  for (int i = 0; i <= 240; ++i) {
+    if (i == 50) objects = liveObjects(), heap = heapBytes();
+    settings.placement.timeSeconds = 15.0 * i + 3.75;
+    frame::Picture picture = studio.render(scene, settings);
+    if (i < 2)
+      first.push_back(std::move(picture));
+    else
+      wrong += picture.radiance.pixels != first[static_cast<size_t>(i) % 2].radiance.pixels;
+  }
+  const size_t after = heapBytes();
+  INFO("heap after 50: " << heap << ", after 240: " << after);
+  CHECK(first[0].radiance.pixels != first[1].radiance.pixels);
+  CHECK(wrong == 0);
+  CHECK(text(liveObjects()) == text(objects));
+  CHECK(after < heap + (64 << 10));
 }

@@ -1,4 +1,5 @@
-// One program for all targets: FACET_FUZZ_TARGET in the environment names the one.
+// One program for all targets of a kind, FACET_FUZZ_TARGETS(): FACET_FUZZ_TARGET in the environment names the one.
+// Without it the words are those of the replay.
 
 #include <cstdio>
 #include <cstdlib>
@@ -7,6 +8,7 @@
 #include <random>
 
 #include "fuzz/mutate.hpp"
+#include "fuzz/replay.hpp"
 
 using namespace facet::fuzz;
 
@@ -16,9 +18,10 @@ const Target* target = nullptr;
 
 extern "C" size_t LLVMFuzzerMutate(uint8_t* data, size_t size, size_t maxSize);
 
-extern "C" int LLVMFuzzerInitialize(int*, char***) {
+extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
   const char* name = std::getenv("FACET_FUZZ_TARGET");
-  target = name ? findTarget(name) : nullptr;
+  if (!name) std::exit(replayCommand(FACET_FUZZ_TARGETS(), {*argv + 1, *argv + *argc}));
+  target = findTarget(FACET_FUZZ_TARGETS(), name);
   if (target) return 0;
   std::fputs("facet_fuzz: FACET_FUZZ_TARGET names no target\n", stderr);
   std::exit(2);
@@ -35,8 +38,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
 }
 
 extern "C" size_t LLVMFuzzerCustomMutator(uint8_t* data, size_t size, size_t maxSize, unsigned seed) {
+  if (!target->json || seed % 4 == 0) return LLVMFuzzerMutate(data, size, maxSize);
   std::mt19937 random(seed);
-  if (!target->json || random() % 4 == 0) return LLVMFuzzerMutate(data, size, maxSize);
   const Bytes changed = mutateJson({data, size}, random);
   if (changed.empty() || changed.size() > maxSize) return LLVMFuzzerMutate(data, size, maxSize);
   std::memcpy(data, changed.data(), changed.size());

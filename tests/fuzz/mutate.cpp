@@ -49,6 +49,12 @@ const char* const extensionNames[] = {"KHR_materials_clearcoat",
                                       "KHR_draco_mesh_compression",
                                       "KHR_mesh_quantization",
                                       "KHR_xmp_json_ld",
+                                      "EXT_lights_image_based",
+                                      "EXT_texture_avif",
+                                      "KHR_materials_diffuse_roughness",
+                                      "KHR_accessor_float64",
+                                      "MSFT_lod",
+                                      "KHR_gaussian_splatting",
                                       "FACET_materials_models"};
 
 const char* const keys[] = {"sparse",     "skin",       "mesh",      "children", "matrix",   "weights",    "targets",

@@ -2,11 +2,19 @@
 
 // Small files of every kind, made here: what the fuzzers start from.
 
+#include <initializer_list>
+#include <string_view>
+
 #include "fuzz/targets.hpp"
 
 namespace facet::fuzz {
 
+Bytes bytesOf(std::string_view text);
+Bytes ramp(size_t count, size_t step = 37);
+std::vector<Bytes> texts(std::initializer_list<std::string_view> all);
+
 std::vector<Bytes> gltfSeeds();
+std::vector<Bytes> lightsSeeds();
 std::vector<Bytes> glbSeeds();
 std::vector<Bytes> jsonSeeds();
 std::vector<Bytes> uriSeeds();

@@ -21,9 +21,10 @@ struct Target {
   bool json;                      // inputs are JSON, or a .glb around it: changed as such, too (mutate.hpp)
 };
 
-std::span<const Target> targets();
+std::span<const Target> fileTargets();     // of strangers' files; nothing but facet_core
+std::span<const Target> programTargets();  // of the commands' and the window's own
 // null: there is none of that name.
-const Target* findTarget(std::string_view name);
+const Target* findTarget(std::span<const Target> targets, std::string_view name);
 
 // A property that must hold whatever the input; ends the program where it does not.
 void demand(bool holds, const char* what);

@@ -103,6 +103,12 @@ TEST_CASE("An environment of a glTF file: turned, brighter, packed as RGBD", "[i
   lightOf(b)["rotation"] = {0, std::sqrt(0.5), 0, std::sqrt(0.5)};  // +Z to +X
   lightOf(b)["intensity"] = 3;
   CHECK(read(b).towards({1, 0.1, 0.1}) == glm::vec3(0, 3, 3));
+  for (const double huge : {1e200, 1e-200}) {  // whose square is no number, or none
+    lightOf(b)["rotation"] = {0, huge, 0, huge};
+    const Read turned = read(b);
+    CHECK(turned.notes.empty());
+    CHECK(turned.towards({1, 0.1, 0.1}) == glm::vec3(0, 3, 3));
+  }
 
   Bytes rgbd;
   for (int i = 0; i < size * size; ++i) rgbd.insert(rgbd.end(), {255, 0, 0, 51});
@@ -152,6 +158,18 @@ TEST_CASE("An environment of a glTF file: what is wrong", "[io][environment]") {
       notes(model) ==
       "! /scenes/0/extensions/EXT_lights_image_based/light: environment 3 does not exist; there are 1: another one is "
       "shown\n");
+}
+
+TEST_CASE("An environment of a glTF file: an extension that holds no lights has none", "[io][environment]") {
+  for (const nlohmann::json& value : {nlohmann::json::array(), nlohmann::json::array({1}), nlohmann::json("x"),
+                                      nlohmann::json(), nlohmann::json::object({{"lights", 3}})}) {
+    GltfBuilder b = withFaces(colours());
+    b.json["extensions"]["EXT_lights_image_based"] = value;
+    INFO(value);
+    CHECK(problem(read(b)) == "environment 0 does not exist; there are 0");
+    const TemporaryFolder folder;
+    CHECK(io::loadGltf(folder.write("m.glb", b.glb())));
+  }
 }
 
 TEST_CASE("An environment of a glTF file is shown unless another one is named", "[io][environment]") {

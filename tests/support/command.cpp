@@ -2,6 +2,7 @@
 
 #include <sys/wait.h>
 
+#include <catch2/catch.hpp>
 #include <cstdio>
 #include <stdexcept>
 
@@ -26,11 +27,26 @@ std::string facetPath() { return FACET_EXECUTABLE; }
 
 std::string glFaultsPath() { return FACET_FAULTS "/libgl_faults.so"; }
 std::string powerLossPath() { return FACET_FAULTS "/libpower_loss.so"; }
+std::string wallClockPath() { return FACET_FAULTS "/libwall_clock.so"; }
 
 Outcome runFacet(const std::vector<std::string>& words) {
   std::string line = shellWord(FACET_EXECUTABLE);
   for (const std::string& word : words) line.append(" ").append(shellWord(word));
   return runShell(line);
+}
+
+void checkConfined(const std::vector<std::string>& words) {
+  std::vector<std::string> told = words;
+  told.insert(told.end(), {"--log-level", "debug"});
+  const auto says = [](const Outcome& outcome) { return outcome.text.find("sandbox: files ") != std::string::npos; };
+  const Outcome usual = runFacet(told);
+  INFO(words.front() << ": " << usual.text);
+  CHECK(usual.status == 0);
+  CHECK(says(usual));
+  told.emplace_back("--no-sandbox");
+  const Outcome open = runFacet(told);
+  CHECK(open.status == 0);
+  CHECK_FALSE(says(open));
 }
 
 }  // namespace facet::test

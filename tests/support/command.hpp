@@ -15,6 +15,9 @@ struct Outcome {
 // Runs the built facet with these words.
 Outcome runFacet(const std::vector<std::string>& words);
 
+// Runs them as they are and with --no-sandbox: good both times, confined the first time alone, and said so.
+void checkConfined(const std::vector<std::string>& words);
+
 // The built facet.
 std::string facetPath();
 
@@ -22,6 +25,8 @@ std::string facetPath();
 std::string glFaultsPath();
 // Another that loses power after each file that is renamed (power_loss.c).
 std::string powerLossPath();
+// A third whose clock on the wall jumps (wall_clock.c).
+std::string wallClockPath();
 
 // Runs a line of shell.
 Outcome runShell(const std::string& line);

@@ -1,27 +1,16 @@
-#include "fuzz/seeds.hpp"
-
-#include <avif/avif.h>
 #include <draco/compression/encode.h>
 #include <draco/mesh/mesh.h>
 #include <meshoptimizer.h>
-#include <turbojpeg.h>
-#include <webp/encode.h>
 
-#include <bit>
+#include <array>
 #include <cmath>
-#include <cstring>
-#include <fstream>
-#include <iterator>
+#include <glm/glm.hpp>
 #include <string>
-#include <string_view>
 
-#include "base/disk_cache.hpp"
-#include "compare/regression.hpp"
-#include "io/radiance.hpp"
+#include "fuzz/seeds.hpp"
 #include "support/gltf_builder.hpp"
 #include "support/ktx2_builder.hpp"
 #include "support/ktx2_samples.hpp"
-#include "support/temporary_folder.hpp"
 
 namespace facet::fuzz {
 
@@ -30,28 +19,7 @@ namespace {
 using test::GltfBuilder;
 using Json = nlohmann::json;
 
-Bytes bytesOf(std::string_view text) { return {text.begin(), text.end()}; }
-
-Bytes fileBytes(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return Bytes(std::istreambuf_iterator<char>(in), {});
-}
-
-Bytes ramp(size_t count, size_t step = 37) {
-  Bytes out(count);
-  for (size_t i = 0; i < count; ++i) out[i] = static_cast<uint8_t>(1 + step * i % 255);
-  return out;
-}
-
-std::vector<Bytes> texts(std::initializer_list<std::string_view> all) {
-  std::vector<Bytes> out;
-  for (const std::string_view text : all) out.push_back(bytesOf(text));
-  return out;
-}
-
 Bytes smallPng() { return test::pngBytes(2, 2, 3, 8, ramp(12)); }
-
-// ---- Models ---------------------------------------------------------------------------------------------------------
 
 // Every attribute, a sparse accessor, two materials.
 GltfBuilder dressed() {
@@ -235,8 +203,6 @@ Bytes dracoSheet(uint32_t side, draco::MeshEncoderMethod method, int bits, int s
   return {buffer.data(), buffer.data() + buffer.size()};
 }
 
-std::string job(const std::string& more) { return R"({"model": "a.glb", )" + more + "}"; }
-
 }  // namespace
 
 std::vector<Bytes> gltfSeeds() {
@@ -248,166 +214,30 @@ std::vector<Bytes> gltfSeeds() {
   return out;
 }
 
+std::vector<Bytes> lightsSeeds() {
+  GltfBuilder b = test::triangle();
+  Json level = Json::array();
+  for (size_t face = 0; face < 6; ++face)
+    level.push_back(
+        b.append("images", {{"uri", test::dataUri(test::pngBytes(2, 2, 4, 8, ramp(16, 7 + face)), "image/png")}}));
+  b.json["extensions"]["EXT_lights_image_based"]["lights"] = {{{"specularImages", {level}},
+                                                               {"specularImageSize", 2},
+                                                               {"intensity", 2},
+                                                               {"rotation", {0, 0.6, 0, 0.8}},
+                                                               {"irradianceCoefficients", Json::array()}}};
+  for (int i = 0; i < 9; ++i)
+    b.json["extensions"]["EXT_lights_image_based"]["lights"][0]["irradianceCoefficients"].push_back({1, 0.5, -0.25});
+  b.json["extensionsUsed"] = {"EXT_lights_image_based"};
+  b.json["scenes"][0]["extensions"]["EXT_lights_image_based"]["light"] = 0;
+  return {b.glb(), bytesOf(b.text())};
+}
+
 std::vector<Bytes> glbSeeds() {
   const Bytes one = test::triangle().glb();
   Bytes three = test::glbBytes("{}", ramp(8)), text = test::glbBytes("{}  ", {});
   three.insert(three.end(), {4, 0, 0, 0, 'X', 'Y', 'Z', 0, 1, 2, 3, 4});
   three[8] = static_cast<uint8_t>(three.size());
   return {one, three, text, Bytes(one.begin(), one.begin() + 12)};
-}
-
-std::vector<Bytes> jsonSeeds() {
-  std::vector<Bytes> out =
-      texts({R"({"a":[1,2.0,3e2,{"b":null}],"a":"x\"\\\u00e9","accessors":[{"count":3},{"bufferView":0}]})",
-             R"([{"mesh":1.0},{"mesh":1.5}])", R"({"nodes":[{"children":[1.0,2e0]}]})", "{\"n\":\"caf\xe9\"}",
-             "{\"a\":[[[[[[[[[[1]]]]]]]]]]}", "{ } x"});
-  out.push_back(bytesOf(test::triangle().json.dump(1)));
-  return out;
-}
-
-std::vector<Bytes> uriSeeds() {
-  return texts({"a.bin", "b/c.png", "./b/../a.bin", "../secret", "out", "in/c.png", "%2e%2e/secret", "/etc/passwd",
-                "file:///etc/passwd", "C:\\x", "http://x/y", "a%00b", "caf%C3%A9.png", "data:,plain%20text",
-                "data:image/png;base64,AAEC AwQ=", "data:;base64,A*==", "//x/y", "b//c.png", "b/."});
-}
-
-std::vector<Bytes> pngSeeds() {
-  std::vector<Bytes> out;
-  for (const int channels : {1, 2, 3, 4})
-    for (const int bits : {8, 16})
-      out.push_back(test::pngBytes(3, 2, channels, bits, ramp(static_cast<size_t>(6 * channels * bits / 8))));
-  return out;
-}
-
-std::vector<Bytes> jpegSeeds() {
-  std::vector<Bytes> out;
-  tjhandle handle = tjInitCompress();
-  const Bytes pixels = ramp(size_t{24} * 17 * 4, 11);
-  const auto add = [&](int format, int sampling, int flags) {
-    unsigned char* data = nullptr;
-    unsigned long size = 0;
-    if (tjCompress2(handle, pixels.data(), 24, 0, 17, format, &data, &size, sampling, 60, flags) == 0)
-      out.emplace_back(data, data + size);
-    tjFree(data);
-  };
-  for (const int sampling : {TJSAMP_444, TJSAMP_420, TJSAMP_GRAY}) add(TJPF_RGB, sampling, 0);
-  add(TJPF_RGB, TJSAMP_422, TJFLAG_PROGRESSIVE);
-  add(TJPF_CMYK, TJSAMP_444, 0);
-  tjDestroy(handle);
-  return out;
-}
-
-std::vector<Bytes> webpSeeds() {
-  std::vector<Bytes> out;
-  const Bytes pixels = ramp(size_t{20} * 13 * 4, 11);
-  const auto add = [&](auto encode, int channels, auto... quality) {
-    uint8_t* data = nullptr;
-    const size_t size = encode(pixels.data(), 20, 13, 20 * channels, quality..., &data);
-    out.emplace_back(data, data + size);
-    WebPFree(data);
-  };
-  add(WebPEncodeLosslessRGB, 3), add(WebPEncodeLosslessRGBA, 4);
-  add(WebPEncodeRGB, 3, 50.0f), add(WebPEncodeRGBA, 4, 50.0f);
-  return out;
-}
-
-// None where libavif has no encoder.
-std::vector<Bytes> avifSeeds() {
-  std::vector<Bytes> out;
-  for (const int depth : {8, 10})
-    for (const auto format : {AVIF_PIXEL_FORMAT_YUV444, AVIF_PIXEL_FORMAT_YUV420, AVIF_PIXEL_FORMAT_YUV400}) {
-      const bool alpha = format == AVIF_PIXEL_FORMAT_YUV420;
-      Bytes pixels = ramp(size_t{12} * 10 * (alpha ? 4 : 3) * (depth > 8 ? 2 : 1), 11);
-      if (depth > 8)
-        for (size_t i = 1; i < pixels.size(); i += 2) pixels[i] &= 3;
-      avifImage* image = avifImageCreate(12, 10, depth, format);
-      avifRGBImage rgb;
-      avifRGBImageSetDefaults(&rgb, image);
-      rgb.format = alpha ? AVIF_RGB_FORMAT_RGBA : AVIF_RGB_FORMAT_RGB;
-      rgb.pixels = pixels.data(), rgb.rowBytes = static_cast<uint32_t>(pixels.size() / 10);
-      avifEncoder* encoder = avifEncoderCreate();
-      encoder->speed = 10;
-      avifRWData data = AVIF_DATA_EMPTY;
-      if (avifImageRGBToYUV(image, &rgb) == AVIF_RESULT_OK && avifEncoderWrite(encoder, image, &data) == AVIF_RESULT_OK)
-        out.emplace_back(data.data, data.data + data.size);
-      avifRWDataFree(&data);
-      avifEncoderDestroy(encoder);
-      avifImageDestroy(image);
-    }
-  return out;
-}
-
-std::vector<Bytes> ktx2Seeds() {
-  std::vector<Bytes> out;
-  for (const std::string_view hex :
-       {test::etc1sOpaque, test::etc1sAlpha, test::uastcAlpha, test::uastcRamps, test::etc1sRamps})
-    out.push_back(test::fromHex(hex));
-  const auto add = [&](uint32_t format, size_t blockBytes, int width, int height, uint8_t model) {
-    test::Ktx2File file;
-    file.vkFormat = format, file.model = model;
-    file.width = static_cast<uint32_t>(width), file.height = static_cast<uint32_t>(height);
-    file.levels = {ramp(blockBytes)};
-    out.push_back(file.bytes());
-    file.uncompressed = {blockBytes};
-    file.scheme = 2, file.levels = {test::zstandard(ramp(blockBytes))};
-    out.push_back(file.bytes());
-    file.scheme = 3, file.levels = {test::zlibDeflated(ramp(blockBytes))};
-    out.push_back(file.bytes());
-  };
-  add(37, 3 * 2 * 4, 3, 2, 1);                                                        // RGBA8
-  for (const uint32_t format : {131u, 133u, 139u}) add(format, 8, 4, 4, 128);         // BC1, BC1 with alpha, BC4
-  for (const uint32_t format : {135u, 137u, 141u, 145u}) add(format, 16, 4, 4, 128);  // BC2, BC3, BC5, BC7
-  for (const uint32_t format : {147u, 149u, 153u}) add(format, 8, 4, 4, 161);         // ETC2, EAC
-  for (const uint32_t format : {151u, 155u}) add(format, 16, 4, 4, 161);
-  for (const uint32_t format : {157u, 171u}) add(format, 16, 4, 4, 162);  // ASTC 4 x 4, 8 x 8
-  return out;
-}
-
-std::vector<Bytes> hdrSeeds() {
-  const std::string magic = "#?RADIANCE\n", format = "FORMAT=32-bit_rle_rgbe\n";
-  const auto file = [&](const std::string& header, const Bytes& data) {
-    Bytes out = bytesOf(header);
-    out.insert(out.end(), data.begin(), data.end());
-    return out;
-  };
-  Bytes runs;
-  for (int row = 0; row < 2; ++row) {
-    runs.insert(runs.end(), {2, 2, 0, 9});
-    for (int plane = 0; plane < 4; ++plane) runs.insert(runs.end(), {128 + 5, 130, 4, 1, 2, 3, 4});
-  }
-  Bytes old = ramp(16);
-  old.insert(old.end(), {1, 1, 1, 4});
-  return {file(magic + format + "\n-Y 2 +X 9\n", runs),
-          file(magic + format +
-                   "EXPOSURE=2\nCOLORCORR=1 2 3\nPRIMARIES=0.64 0.33 0.3 0.6 0.15 0.06 0.31 0.33\n\n-Y 2 +X 4\n",
-               old),
-          file(magic + "FORMAT=32-bit_rle_xyze\n\n+X 2 -Y 2\n", ramp(16)),
-          file("#?RGBE\n" + format + "\n+Y 2 -X 2\n", ramp(16))};
-}
-
-std::vector<Bytes> merlSeeds() {
-  Bytes dims;
-  for (const uint8_t n : std::initializer_list<uint8_t>{90, 90, 180}) dims.insert(dims.end(), {n, 0, 0, 0});
-  Bytes cells = dims, wide = dims;
-  for (const double value : {1.0, -1.0, 0.25, 1500.0}) {
-    const auto bits = std::bit_cast<std::array<uint8_t, 8>>(value);
-    cells.insert(cells.end(), bits.begin(), bits.end());
-  }
-  wide[8] = 104, wide[9] = 1;  // 360
-  return {dims, cells, wide, Bytes(12, 0)};
-}
-
-std::vector<Bytes> utiaSeeds() {
-  std::vector<Bytes> out;
-  for (uint8_t decode = 0; decode < 3; ++decode) {
-    Bytes bytes = {decode};
-    for (const double value : {0.1, 0.0, 0.5, -0.01}) {
-      const auto bits = std::bit_cast<std::array<uint8_t, 8>>(value);
-      bytes.insert(bytes.end(), bits.begin(), bits.end());
-    }
-    out.push_back(bytes);
-  }
-  return out;
 }
 
 std::vector<Bytes> dracoSeeds() {
@@ -437,70 +267,6 @@ std::vector<Bytes> meshoptSeeds() {
   triangles.resize(meshopt_encodeIndexBuffer(triangles.data(), triangles.size(), indices.data(), 6));
   sequence.resize(meshopt_encodeIndexSequence(sequence.data(), sequence.size(), indices.data(), 6));
   out.push_back(head({1, 6, 2}, triangles)), out.push_back(head({2, 6, 4}, sequence));
-  return out;
-}
-
-std::vector<Bytes> suiteSeeds() {
-  return texts({R"({"defaults": {"size": "32x32", "samples": 1, "tolerance": {"flip": 0.1}},
-   "jobs": [{"name": "a", "model": "builtin:spheres", "camera": "0"}, {"name": "b", "model": "b.glb", "env": "s.hdr",
-   "tolerance": {"flip": null, "alpha": 3}}],
-   "renderers": [{"name": "mine", "matches": "*Mesa*", "tolerance": {"flip": 1}}]})",
-                R"({"jobs": [{"name": "a", "model": "m", "size": [4, 4], "orbit": [1, 2, 3], "exposure": -1.5}]})"});
-}
-
-std::vector<Bytes> sweepSeeds() {
-  return texts({R"({"models": ["builtin:spheres", "a.glb"], "environments": ["builtin:sky", "s.hdr", "none"],
-   "sizes": ["16x16", "8x4"], "samples": [1, 4], "seeds": 2, "repeat": 1, "common": {"exposure": 1},
-   "methods": [{"name": "tables", "visibility": "none"}, {"name": "paths", "light": "paths", "bounces": 3}],
-   "reference": {"samples": 256, "light": "paths"}})",
-                R"({"methods": [{"name": "a"}]})", "{}"});
-}
-
-std::vector<Bytes> anglesSeeds() {
-  return texts({"thetaV,thetaL,phi\n30,45,180\n0,90,0\n", "phi, thetaL ,thetaV,phiV\r\n180,1e1,2.5,-90\r\n",
-                "30,45,180,90\n\n# no comment\n"});
-}
-
-std::vector<Bytes> jobsSeeds() {
-  return texts({"[" + job(R"("output": "a.png", "size": "32x32", "env": "builtin:sky", "env-rotation": 90)") + "," +
-                    job(R"("output": "a.exr", "stats": "a.json", "max-error": 0.01, "ground": true)") + "]",
-                R"({"jobs": [)" + job(R"("output": "b.png", "animation": "all", "time": 1, "background": "transparent",
-                 "brdf": "builtin:ggx-0.3", "tonemap": "agx", "orbit": [1, 2, 3], "lights": "none", "variant": "x")") +
-                    "]}"});
-}
-
-std::vector<Bytes> reportSeeds() {
-  compare::RegressionReport report;
-  report.suite = "s", report.renderer = "r", report.shard = 1, report.shards = 2;
-  report.stale = {"old.png"};
-  compare::JobResult good;
-  good.index = 0, good.name = "a", good.model = "builtin:spheres", good.command = "facet render";
-  good.status = compare::JobStatus::passed, good.figures = {{"flip", 0.01}}, good.limits = {{"flip", 0.1}};
-  good.picture = "a.png", good.baseline = "a.baseline.png", good.renderer = good.baselineRenderer = "r";
-  compare::JobResult bad = good;
-  bad.index = 2, bad.name = "b", bad.status = compare::JobStatus::failed, bad.message = "m", bad.warnings = {"w"};
-  report.jobs = {good, bad};
-  return {bytesOf(compare::reportJson(report)), bytesOf(compare::jobText(good)), bytesOf(compare::jobText(bad))};
-}
-
-std::vector<Bytes> preferencesSeeds() {
-  return texts({R"({"theme": "light", "scale": 1.5, "startWithLast": true, "size": [800, 600]})",
-                R"({"theme": "dark", "scale": 0, "playOnOpening": false})", "{}"});
-}
-
-std::vector<Bytes> keysSeeds() {
-  return texts({R"({"screenshot": ["Ctrl+S", "F12"], "flyUp": "e", "help": []})", "{}"});
-}
-
-std::vector<Bytes> cacheSeeds() {
-  const test::TemporaryFolder folder;
-  const DiskCache cache{folder.path(), 1 << 20};
-  std::vector<Bytes> out;
-  for (const size_t size : {0, 5, 500}) {
-    const Bytes value = ramp(size);
-    writeCached(cache, "key", std::as_bytes(std::span(value)));
-    out.push_back(fileBytes(std::filesystem::directory_iterator(cache.folder)->path()));
-  }
   return out;
 }
 
