@@ -18,6 +18,7 @@
 #include "commands/commands.hpp"
 #include "commands/confine.hpp"
 #include "commands/json_file.hpp"
+#include "commands/number_check.hpp"
 #include "commands/regress_job.hpp"
 #include "commands/shard.hpp"
 #include "commands/suite.hpp"
@@ -332,7 +333,7 @@ std::function<int()> addRegress(CLI::App& app) {
       ->check(CLI::Range(1, 256));
   app.add_option("--timeout", arguments->timeout, "seconds that a job may take (120)")
       ->type_name("S")
-      ->check(CLI::Range(1e-3, 1e6));
+      ->check(numberIn(1e-3, 1e6), "FLOAT in [0.001 - 1e+06]");
   app.add_option("--shader-dir", arguments->shaderDir, "reads shaders from here instead of the embedded ones")
       ->type_name("DIR");
   app.add_flag("--no-cache", arguments->noCache, "neither read nor write the cache of compiled shaders");

@@ -15,6 +15,7 @@
 #include "commands/confine.hpp"
 #include "commands/jobs.hpp"
 #include "commands/notes_json.hpp"
+#include "commands/number_check.hpp"
 #include "commands/picture_arguments.hpp"
 #include "commands/shard.hpp"
 #include "frame/left_out.hpp"
@@ -223,6 +224,9 @@ Result<std::vector<Job>> listFrames(const Job& first, const RenderArguments& arg
     Job job = first;
     job.output = *output;
     job.settings.placement.timeSeconds += i / arguments.fps;
+    if (job.settings.placement.timeSeconds > 1e6)
+      return fail({}, "--frames", "picture " + std::to_string(i) + " would be of a time beyond a million seconds",
+                  "take fewer, or more a second (--fps)");
     jobs.push_back(std::move(job));
   }
   return jobs;
@@ -326,7 +330,9 @@ std::function<int()> addRender(CLI::App& app) {
   app.add_option("--frames", arguments->frames, "as many pictures of the animation, from --time on: -o frame_%04d.png")
       ->type_name("N")
       ->check(CLI::Range(1, maxFrames));
-  app.add_option("--fps", arguments->fps, "frames per second (30)")->type_name("F")->check(CLI::Range(1e-3, 1e6));
+  app.add_option("--fps", arguments->fps, "frames per second (30)")
+      ->type_name("F")
+      ->check(numberIn(1e-3, 1e6), "FLOAT in [0.001 - 1e+06]");
   app.add_flag("--error-layer", arguments->errorLayer,
                "in an EXR of more than 4 samples that converges: each pixel's standard error as the layer \"error\"");
   app.add_flag("--strict", arguments->strict, "any warning makes the exit status 2");

@@ -64,5 +64,14 @@ TEST_CASE("facet render --frames: every way to be wrong has its sentence") {
   says({"--frames", "2", "--animation", "rise", "-o", folder.file("f.png")},
        "does not say where the frame's number goes; give a name like frame_%04d.png.");
   says({"--animation", "fall", "-o", folder.file("f.png")}, "(--animation)");
+  const auto moving = [&](const std::string& fps, const std::string& sentence) {
+    says({"--frames", "5000", "--animation", "rise", "--fps", fps, "-o", folder.file("f_%02d.png")}, sentence);
+  };
+  moving("nan", "--fps: 'nan' is not a number; give a number from 0.001 to 1e+06");
+  moving("0", "--fps: 0 is out of range; give a number from 0.001 to 1e+06");
+  moving("0.001", "--frames: picture 1001 would be of a time beyond a million seconds; take fewer, or more a second");
+  const test::Outcome regress = test::runFacet({"regress", folder.path().string(), "--timeout", "nan"});
+  CHECK(regress.status == 2);
+  CHECK_THAT(regress.text, Catch::Contains("--timeout: 'nan' is not a number"));
   says({"--animation", "fall", "-o", folder.file("f.png")}, "there is no animation");
 }

@@ -93,7 +93,7 @@ TEST_CASE("hostile files: each is refused in one sentence, within a second and 2
       INFO(words.front() << " " << file << ": " << spent.seconds << " s, " << spent.megabytes << " MB\n"
                          << spent.outcome.text);
       CHECK(spent.outcome.status == 2);
-      CHECK(holds(spent.outcome.text, entry.path().filename().string() + ": "));
+      CHECK(holds(spent.outcome.text, entry.path().filename().string()));
       CHECK(spent.seconds < 1);
       CHECK(spent.megabytes < std::max(200.0, usual.megabytes + 100));
       ++count;
@@ -117,7 +117,8 @@ TEST_CASE("clocks: a clock on the wall that is set time and again changes nothin
   CHECK(drawn.status == 0);
   CHECK(io::readImage(folder.file("a.png")));
   const auto stats = nlohmann::json::parse(test::runShell("cat " + folder.file("a.json")).text);
-  for (const auto& [key, value] : stats.flatten().items()) {
+  const nlohmann::json flat = stats.flatten();
+  for (const auto& [key, value] : flat.items()) {
     if (!value.is_number() || !holds(key, "Ms")) continue;
     INFO(key << " " << value);
     CHECK(value.get<double>() >= 0);
