@@ -226,10 +226,15 @@ scene::Bounds framingBounds(const Placement& placement, const scene::Model& mode
 scene::OrbitCamera chooseOrbit(const Viewpoint& viewpoint, double aspect, const std::string& source,
                                const scene::Bounds& bounds) {
   const scene::BuiltinScene* builtin = builtinOf(source);
-  scene::OrbitCamera camera = scene::frameBounds(bounds, viewpoint.fovYDeg.value_or(45.0), aspect);
+  scene::OrbitCamera like;
+  like.fovY = viewpoint.fovYDeg.value_or(45.0);
+  like.orthographic = viewpoint.projection == Projection::orthographic;
+  like.up = viewpoint.up, like.roll = viewpoint.rollDeg;
+  scene::OrbitCamera camera = scene::frameBounds(bounds, aspect, like);
   if (builtin && !viewpoint.fovYDeg) {
     camera = builtin->camera;
     camera.radius /= std::min(aspect, 1.0);  // it is made for square and wider pictures
+    camera.orthographic = like.orthographic, camera.up = like.up, camera.roll = like.roll;
   }
   if (viewpoint.target) camera.target = *viewpoint.target;
   if (viewpoint.orbit) {
@@ -237,6 +242,7 @@ scene::OrbitCamera chooseOrbit(const Viewpoint& viewpoint, double aspect, const 
     camera.phi = viewpoint.orbit->phiDeg;
     if (viewpoint.orbit->radius) camera.radius = *viewpoint.orbit->radius;
   }
+  if (viewpoint.viewHeight) camera.radius = scene::radiusForHeight(*viewpoint.viewHeight, camera.fovY);
   return camera;
 }
 

@@ -263,7 +263,8 @@ scene::Bounds framingOf(const Drawable& drawable, const PictureSettings& setting
   const scene::Bounds& poseBounds = drawable.list.bounds;
   const Viewpoint& viewpoint = settings.viewpoint;
   const Placement& placement = settings.placement;
-  const bool viewGiven = !viewpoint.camera.empty() || (viewpoint.target && viewpoint.orbit && viewpoint.orbit->radius);
+  const bool viewGiven = !viewpoint.camera.empty() ||
+                         (viewpoint.target && viewpoint.orbit && (viewpoint.orbit->radius || viewpoint.viewHeight));
   if (viewGiven) return poseBounds;
   return animatedBounds(*drawable.scene, drawable.inputs.list.scene, placement, poseBounds);
 }

@@ -26,6 +26,14 @@ struct Orbit {
   bool operator==(const Orbit&) const = default;
 };
 
+// Whether what is farther away looks smaller.
+enum class Projection { perspective, orthographic };
+inline constexpr Choice<Projection> projections[] = {
+    {Projection::perspective, "perspective", "perspective", "what is farther away looks smaller"},
+    {Projection::orthographic, "orthographic", "orthographic",
+     "what is farther away looks as large: as much is seen as the perspective shows at the target"}};
+static_assert(inOrder(projections));
+
 enum class Background { environment, transparent, color };
 using optics::ToneMapper;
 // What is shown of a measured BRDF: itself, the model fitted to it, both with a divider between, how they differ.
@@ -115,10 +123,14 @@ struct Placement {
 
 // From where it is seen.
 struct Viewpoint {
-  std::string camera;                // name or index of a camera in the file; empty: none. Excludes orbit and target.
+  std::string camera;                // name or index of a camera in the file; empty: none. Excludes all but fovYDeg.
   std::optional<Orbit> orbit;        // not given (and no camera): frames the scene's bounds
   std::optional<glm::dvec3> target;  // metres; not given: the centre of the scene's bounds
   std::optional<double> fovYDeg;     // vertical, [1, 179]; not given: the camera's, else 45
+  Projection projection = Projection::perspective;
+  std::optional<double> viewHeight = {};  // metres of what is seen at the target, > 0: in the place of orbit's radius
+  glm::dvec3 up = glm::dvec3(0, 1, 0);    // world, not 0: the axis that the orbit's angles are about
+  double rollDeg = 0;                     // turns the picture about its middle, counterclockwise
 
   bool operator==(const Viewpoint&) const = default;
 };

@@ -145,24 +145,59 @@ std::string writeOrbit(const PictureSettings& settings) {
   return settings.viewpoint.orbit->radius ? angles + "," + number(*settings.viewpoint.orbit->radius) : angles;
 }
 
-Result<void> parseTarget(Text text, PictureSettings& settings) {
+Result<glm::dvec3> parseThree(Text text, const char* what, const char* remedy) {
   const std::vector<Text> parts = split(text, ',');
-  if (parts.size() != 3)
-    return fail({}, {}, inQuotes(text) + " is not a point", "give X,Y,Z in metres such as 0,1.5,0");
-  glm::dvec3 target;
+  if (parts.size() != 3) return fail({}, {}, inQuotes(text) + " is not " + what, remedy);
+  glm::dvec3 three;
   for (int i = 0; i < 3; ++i) {
     const Result<double> value = parseNumber(parts[static_cast<size_t>(i)], -1e9, 1e9);
     if (!value) return tl::unexpected(value.error());
-    target[i] = *value;
+    three[i] = *value;
   }
-  settings.viewpoint.target = target;
-  return {};
+  return three;
+}
+
+std::string writeThree(const glm::dvec3& v) { return number(v.x) + "," + number(v.y) + "," + number(v.z); }
+
+Result<void> parseTarget(Text text, PictureSettings& settings) {
+  return parseThree(text, "a point", "give X,Y,Z in metres such as 0,1.5,0").map([&](const glm::dvec3& target) {
+    settings.viewpoint.target = target;
+  });
 }
 
 std::string writeTarget(const PictureSettings& settings) {
-  if (!settings.viewpoint.target) return {};
-  return number(settings.viewpoint.target->x) + "," + number(settings.viewpoint.target->y) + "," +
-         number(settings.viewpoint.target->z);
+  return settings.viewpoint.target ? writeThree(*settings.viewpoint.target) : std::string();
+}
+
+constexpr Text axisWords[] = {"x", "y", "z"};
+
+Result<void> parseUp(Text text, PictureSettings& settings) {
+  const double sign = text.starts_with('-') ? -1 : 1;
+  const auto axis = std::ranges::find(axisWords, text.substr(sign < 0 ? 1 : 0));
+  if (axis != std::end(axisWords)) {
+    settings.viewpoint.up = glm::dvec3(0);
+    settings.viewpoint.up[static_cast<int>(axis - axisWords)] = sign;
+    return {};
+  }
+  constexpr const char* remedy = "give x, y, z or X,Y,Z such as 0,0,-1";
+  const Result<glm::dvec3> up = parseThree(text, "a direction", remedy);
+  if (!up) return tl::unexpected(up.error());
+  if (!(glm::length(*up) > 1e-9)) return fail({}, {}, inQuotes(text) + " is no direction", remedy);
+  settings.viewpoint.up = *up;
+  return {};
+}
+
+std::string writeUp(const PictureSettings& settings) {
+  for (int i = 0; i < 3; ++i) {
+    glm::dvec3 axis(0);
+    axis[i] = 1;
+    if (settings.viewpoint.up == axis) return std::string(axisWords[i]);
+  }
+  return writeThree(settings.viewpoint.up);
+}
+
+Result<void> parseViewHeight(Text text, PictureSettings& settings) {
+  return parseNumber(text, 1e-9, 1e9).map([&](double height) { settings.viewpoint.viewHeight = height; });
 }
 
 Result<void> parseScene(Text text, PictureSettings& settings) {
@@ -436,6 +471,14 @@ constexpr PictureOption optionTable[] = {
     {"fov-y", "DEG", "vertical field of view (the camera's, else 45)",
      parseNumberInto<1, 179, &S::viewpoint, &frame::Viewpoint::fovYDeg>,
      writeNumber<&S::viewpoint, &frame::Viewpoint::fovYDeg>},
+    choiceOption<frame::projections, &S::viewpoint, &frame::Viewpoint::projection>(
+        "projection", "whether what is farther away looks smaller"),
+    {"view-height", "M", "metres of what is seen at the target, in the place of the orbit's RADIUS (by that)",
+     parseViewHeight, writeNumber<&S::viewpoint, &frame::Viewpoint::viewHeight>},
+    {"up", "x|y|z|X,Y,Z", "axis that the orbit's angles are about; with z THETA 0 looks from -Y (y)", parseUp, writeUp},
+    {"roll", "DEG", "turns the picture about its middle, counterclockwise (0)",
+     parseNumberInto<-36000, 36000, &S::viewpoint, &frame::Viewpoint::rollDeg>,
+     writeNumber<&S::viewpoint, &frame::Viewpoint::rollDeg>},
     {"camera", "NAME|INDEX", "a camera of the file", parseText<&S::viewpoint, &frame::Viewpoint::camera>,
      writeString<&S::viewpoint, &frame::Viewpoint::camera>},
     {"scene", "N", "index of the scene (the file's default)", parseScene, writeScene},
@@ -634,6 +677,27 @@ std::string describe(const std::string& source, const Note& note) {
   return describe({source, note.place, note.text, {}, note.about});
 }
 
+namespace {
+
+Result<void> checkViewpoint(const frame::Viewpoint& viewpoint) {
+  if (viewpoint.viewHeight && viewpoint.orbit && viewpoint.orbit->radius)
+    return fail({}, "--view-height", "the orbit's radius says how much is seen",
+                "give either this or THETA,PHI,RADIUS");
+  if (viewpoint.camera.empty()) return {};
+  const frame::Viewpoint usual;
+  const std::pair<const char*, bool> given[] = {{"--orbit", viewpoint.orbit.has_value()},
+                                                {"--target", viewpoint.target.has_value()},
+                                                {"--projection", viewpoint.projection != usual.projection},
+                                                {"--view-height", viewpoint.viewHeight.has_value()},
+                                                {"--up", viewpoint.up != usual.up},
+                                                {"--roll", viewpoint.rollDeg != usual.rollDeg}};
+  for (const auto& [name, is] : given)
+    if (is) return fail({}, name, "the camera of the file has its own place", "give either this or --camera");
+  return {};
+}
+
+}  // namespace
+
 Result<void> checkTogether(const PictureSettings& settings) {
   if (settings.placement.timeSeconds != 0 && settings.placement.animation.empty())
     return fail({}, "--time", "nothing moves without an animation", "give --animation NAME, or --animation all");
@@ -645,9 +709,7 @@ Result<void> checkTogether(const PictureSettings& settings) {
     return fail({}, "--brdf-compare", "there is no measured BRDF to compare", "give --brdf, too");
   if (settings.display.range && !showsQuantity(settings))
     return fail({}, "--range", "nothing is shown in false colours", "give --channel depth, or another quantity");
-  if (settings.viewpoint.camera.empty() || (!settings.viewpoint.orbit && !settings.viewpoint.target)) return {};
-  return fail({}, settings.viewpoint.orbit ? "--orbit" : "--target", "the camera of the file has its own place",
-              "give either this or --camera");
+  return checkViewpoint(settings.viewpoint);
 }
 
 std::vector<std::string> commandWords(const PictureSettings& settings, const std::string& model,

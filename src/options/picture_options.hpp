@@ -57,7 +57,7 @@ Result<void> apply(const PictureArguments& arguments, frame::PictureSettings& se
 std::string describe(const Error& error);
 std::string describe(const std::string& source, const Note& note);
 
-// Options that exclude each other: camera against orbit and target.
+// Options that exclude each other, such as camera and orbit, and those that need another.
 Result<void> checkTogether(const frame::PictureSettings& settings);
 
 // The shortest command that shows (`facet MODEL ...`) or, with an output, renders (`facet render MODEL -o OUTPUT ...`)

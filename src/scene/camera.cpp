@@ -56,6 +56,17 @@ void place(View& view, const glm::dvec3& eye, const glm::dvec3& right, const glm
   view.viewFromWorld[3] = glm::dvec4(-(rotation * eye), 1);
 }
 
+// Of the level camera there, in the orbit's own frame.
+struct Level {
+  glm::dvec3 right, up, back;
+};
+Level levelAt(double thetaDeg, double phiDeg) {
+  const SinCos theta = sinCosDegrees(thetaDeg), phi = sinCosDegrees(phiDeg);
+  return {{theta.cos, 0, -theta.sin},
+          {-phi.cos * theta.sin, phi.sin, -phi.cos * theta.cos},  // -d back / d phi
+          {phi.sin * theta.sin, phi.cos, phi.sin * theta.cos}};
+}
+
 double validAspect(double aspect) { return std::isfinite(aspect) && aspect > 0 ? aspect : 1.0; }
 
 double validRadius(double radius) { return std::isfinite(radius) && radius > 0 ? radius : 1.0; }
@@ -88,19 +99,48 @@ glm::dmat4 orthographic(double halfWidth, double halfHeight, double zNear, doubl
   return m;
 }
 
+glm::dmat3 uprightFrame(const glm::dvec3& up) {
+  const double length = glm::length(up);
+  if (!(length > 0) || !std::isfinite(length) || (up.x == 0 && up.z == 0 && up.y > 0)) return glm::dmat3(1);
+  const glm::dvec3 u = up / length;
+  if (u.y < -1 + 1e-12) return glm::dmat3(-1, 0, 0, 0, -1, 0, 0, 0, 1);
+  const double s = 1 / (1 + u.y);
+  return {{1 - u.x * u.x * s, -u.x, -u.x * u.z * s}, u, {-u.x * u.z * s, -u.z, 1 - u.z * u.z * s}};
+}
+
 View orbitView(const OrbitCamera& orbit, double aspect, const Bounds& scene) {
-  const SinCos theta = sinCosDegrees(orbit.theta), phi = sinCosDegrees(orbit.phi);
   const double radius = validRadius(orbit.radius);
-  const glm::dvec3 back(phi.sin * theta.sin, phi.cos, phi.sin * theta.cos);
-  const glm::dvec3 up(-phi.cos * theta.sin, phi.sin, -phi.cos * theta.cos);  // -d back / d phi
-  const glm::dvec3 right(theta.cos, 0, -theta.sin);
+  Level axes = levelAt(orbit.theta, orbit.phi);
+  if (orbit.up != glm::dvec3(0, 1, 0)) {
+    const glm::dmat3 upright = uprightFrame(orbit.up);
+    axes = {upright * axes.right, upright * axes.up, upright * axes.back};
+  }
+  if (orbit.roll != 0) {
+    const SinCos roll = sinCosDegrees(orbit.roll);
+    axes = {axes.right * roll.cos - axes.up * roll.sin, axes.right * roll.sin + axes.up * roll.cos, axes.back};
+  }
   View view;
-  place(view, orbit.target + back * radius, right, up, -back);
-  view.zNear = nearPlane(scene, view.eye, radius);
-  view.clipFromView = perspective(validFovY(orbit.fovY * degree), validAspect(aspect), view.zNear, view.zFar);
+  place(view, orbit.target + axes.back * radius, axes.right, axes.up, -axes.back);
+  if (orbit.orthographic) {
+    const double size = scene.empty() || !(scene.radius() > 0) ? radius : scene.radius();
+    const double middle = scene.empty() ? radius : glm::dot(scene.center() - view.eye, view.forward);
+    view.orthographic = true;
+    view.zNear = middle - 10 * size, view.zFar = middle + 10 * size;
+    const double halfHeight = 0.5 * heightAtTarget(orbit);
+    view.clipFromView = orthographic(halfHeight * validAspect(aspect), halfHeight, view.zNear, view.zFar);
+  } else {
+    view.zNear = nearPlane(scene, view.eye, radius);
+    view.clipFromView = perspective(validFovY(orbit.fovY * degree), validAspect(aspect), view.zNear, view.zFar);
+  }
   view.clipFromWorld = view.clipFromView * view.viewFromWorld;
   return view;
 }
+
+double heightAtTarget(const OrbitCamera& camera) {
+  return 2 * validRadius(camera.radius) * std::tan(validFovY(camera.fovY * degree) / 2);
+}
+
+double radiusForHeight(double height, double fovY) { return height / (2 * std::tan(validFovY(fovY * degree) / 2)); }
 
 View cameraView(const Camera& camera, const glm::dmat4& worldFromNode, double aspect, const Bounds& scene) {
   View view;
@@ -137,10 +177,17 @@ View cameraView(const Camera& camera, const glm::dmat4& worldFromNode, double as
 }
 
 OrbitCamera frameBounds(const Bounds& bounds, double fovY, double aspect) {
-  OrbitCamera orbit;
-  orbit.fovY = validFovY(fovY * degree) / degree;
+  OrbitCamera like;
+  like.fovY = fovY;
+  return frameBounds(bounds, aspect, like);
+}
+
+OrbitCamera frameBounds(const Bounds& bounds, double aspect, const OrbitCamera& like) {
+  OrbitCamera orbit = like;
+  orbit.fovY = validFovY(like.fovY * degree) / degree;
   orbit.theta = 30;
   orbit.phi = 75;
+  orbit.target = glm::dvec3(0);
   double sphere = 1;
   if (!bounds.empty()) {
     orbit.target = bounds.center();
@@ -148,10 +195,15 @@ OrbitCamera frameBounds(const Bounds& bounds, double fovY, double aspect) {
     if (!(sphere > 0)) sphere = std::max(0.5, 5e-4 * glm::length(orbit.target));
     const glm::dvec3 size = bounds.max - bounds.min;
     const double thin = 0.1 * std::max({size.x, size.y, size.z});
-    if (size.z < thin)
+    const glm::dmat3 upright = uprightFrame(orbit.up);
+    if (glm::dot(glm::abs(upright[2]), size) < thin)
       orbit.theta = 0, orbit.phi = 90;
-    else if (size.y < thin)
+    else if (glm::dot(glm::abs(upright[1]), size) < thin)
       orbit.phi = 55;
+  }
+  if (orbit.orthographic) {
+    orbit.radius = radiusForHeight(2 * sphere / std::min(validAspect(aspect), 1.0), orbit.fovY);
+    return orbit;
   }
   const double halfY = orbit.fovY * degree / 2;
   const double halfX = std::atan(std::tan(halfY) * validAspect(aspect));
@@ -159,18 +211,31 @@ OrbitCamera frameBounds(const Bounds& bounds, double fovY, double aspect) {
   return orbit;
 }
 
-OrbitCamera orbitFromView(const View& view, double fovY, const Bounds& scene) {
-  OrbitCamera orbit;
-  orbit.fovY = fovY;
+OrbitCamera turnedTo(OrbitCamera camera, const glm::dvec3& right, const glm::dvec3& up) {
+  const glm::dmat3 toUpright = glm::transpose(uprightFrame(camera.up));
+  const glm::dvec3 r = toUpright * right, back = toUpright * glm::cross(right, up);
+  const double level = std::hypot(back.x, back.z);
+  camera.phi = std::atan2(level, back.y) / degree;
+  // At the poles the azimuth is in the right vector alone, and nothing is rolled.
+  camera.theta = (level < 1e-9 ? std::atan2(-r.z, r.x) : std::atan2(back.x, back.z)) / degree;
+  const Level axes = levelAt(camera.theta, camera.phi);
+  camera.roll = std::atan2(-glm::dot(r, axes.up), glm::dot(r, axes.right)) / degree;
+  if (std::abs(camera.roll) < 1e-9) camera.roll = 0;
+  return camera;
+}
+
+OrbitCamera orbitFromView(const View& view, const Bounds& scene, const OrbitCamera& like) {
+  OrbitCamera orbit = like;
   const double along = scene.empty() ? 1.0 : glm::dot(scene.center() - view.eye, view.forward);
   orbit.radius = along > 0 ? along : validRadius(scene.radius());
   orbit.target = view.eye + view.forward * orbit.radius;
-  const glm::dvec3 back = -view.forward;
-  orbit.phi = std::acos(std::clamp(back.y, -1.0, 1.0)) / degree;
-  // At the poles the azimuth is in the right vector alone, which is level for every orbit.
-  const bool pole = std::hypot(back.x, back.z) < 1e-9;
-  orbit.theta = (pole ? std::atan2(-view.right.z, view.right.x) : std::atan2(back.x, back.z)) / degree;
-  return orbit;
+  orbit.orthographic = view.orthographic;
+  const double halfHeight = 1 / view.clipFromView[1][1];
+  if (view.orthographic)
+    orbit.radius = radiusForHeight(2 * halfHeight, orbit.fovY);
+  else
+    orbit.fovY = 2 * std::atan(halfHeight) / degree;
+  return turnedTo(orbit, view.right, view.up);
 }
 
 }  // namespace facet::scene

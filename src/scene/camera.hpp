@@ -18,9 +18,18 @@ struct OrbitCamera {
   double radius = 1;  // metres
   glm::dvec3 target = glm::dvec3(0);
   double fovY = 45;  // degrees, vertical
+  // Rays are parallel; the picture's height is that of the perspective at the target, 2 radius tan(fovY / 2), and
+  // nothing is too near.
+  bool orthographic = false;
+  glm::dvec3 up = glm::dvec3(0, 1, 0);  // world, any length: theta and phi are of the world that uprightFrame() turns
+  double roll = 0;                      // degrees: turns the picture about its middle, counterclockwise
 
   bool operator==(const OrbitCamera&) const = default;
 };
+
+// Turns +Y to this direction the shortest way, so that +Z up leaves +X and has -Y in front; -Y up is half a turn about
+// +Z. Exact for axes; the identity for zero.
+glm::dmat3 uprightFrame(const glm::dvec3& up);
 
 struct View {
   glm::dmat4 viewFromWorld = glm::dmat4(1);  // rotation and translation only
@@ -44,6 +53,7 @@ glm::dmat4 orthographic(double halfWidth, double halfHeight, double zNear, doubl
 // Near follows the scene's bounds: a hundredth of the way to their box when the eye is outside (animated geometry may
 // leave it), and at least a millionth of what the camera looks at (orbit's or scene's radius, the smaller). Far is
 // infinite. At the poles up is where it comes from continuously: at phi = 0 the picture's top is -Z for theta = 0.
+// Orthographic: near and far are ten radii of the bounds before and behind their centre, whatever the eye's place.
 View orbitView(const OrbitCamera& orbit, double aspect, const Bounds& scene);
 
 // The glTF camera at a node. Scale and shear of the node are ignored (glTF 2.0, 3.10.2), a mirrored node doesn't mirror
@@ -56,9 +66,21 @@ View cameraView(const Camera& camera, const glm::dmat4& worldFromNode, double as
 // at what is flat in y (a floor). Flat: thinner than a tenth of the largest side. A point is framed as if 1 m large
 // or, far from the origin, a thousandth of its distance; empty bounds as the unit sphere.
 OrbitCamera frameBounds(const Bounds& bounds, double fovY = 45, double aspect = 1);
+// The same with the field of view, the projection, the up vector (in the place of y, as uprightFrame() turns it) and
+// the roll of a camera.
+OrbitCamera frameBounds(const Bounds& bounds, double aspect, const OrbitCamera& like);
 
-// The orbit with the same eye, target and field of view as a perspective view; the target lies where the view's axis
-// comes nearest to the centre of the bounds. Roll is lost.
-OrbitCamera orbitFromView(const View& view, double fovY, const Bounds& scene);
+// Looks along other axes (world, unit, at right angles to each other): theta, phi and roll are new, target and radius
+// stay.
+OrbitCamera turnedTo(OrbitCamera camera, const glm::dvec3& right, const glm::dvec3& up);
+
+// The orbit that shows what the view shows: with its eye, or as much of the scene where it is orthographic; the target
+// lies where the view's axis comes nearest to the centre of the bounds. like: up vector, and the field of view of an
+// orthographic one.
+OrbitCamera orbitFromView(const View& view, const Bounds& scene, const OrbitCamera& like = {});
+
+// Metres of what is seen at the target, from the picture's lower edge to its upper one; the radius for such a height.
+double heightAtTarget(const OrbitCamera& camera);
+double radiusForHeight(double height, double fovY);
 
 }  // namespace facet::scene

@@ -61,9 +61,13 @@ void aim(const Viewport& viewport, ViewerState& state) {
   const double aspect = framingAspect(state);
   frame::Viewpoint& viewpoint = state.settings.viewpoint;
   if (!viewpoint.camera.empty()) {
-    state.camera = state.startCamera = scene::frameBounds(state.shown.bounds, state.camera.fovY, aspect);
+    state.camera.roll = 0;
+    state.camera = state.startCamera = scene::frameBounds(state.shown.bounds, aspect, state.camera);
     return;
   }
+  // The projection and what is up stay as they were chosen.
+  if (state.camera.orthographic) viewpoint.projection = frame::Projection::orthographic;
+  if (viewpoint.up == frame::Viewpoint().up) viewpoint.up = state.camera.up;
   const scene::Bounds framing = frame::framingBounds(state.settings.placement, viewport.scene->model(),
                                                      viewport.shown.inputs.list.scene, state.shown.bounds);
   state.camera = state.startCamera = frame::chooseOrbit(viewpoint, aspect, state.shown.model, framing);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 
 namespace facet::view {
 
@@ -22,7 +23,15 @@ Axes axesOf(const scene::OrbitCamera& camera) {
   return {view.right, view.up, -view.forward};
 }
 
-scene::OrbitCamera turned(scene::OrbitCamera camera, const glm::dvec2& degrees) {
+// As a drag would be in the picture of a level camera.
+glm::dvec2 levelled(const glm::dvec2& drag, double rollDegrees) {
+  if (rollDegrees == 0) return drag;
+  const double c = std::cos(glm::radians(rollDegrees)), s = std::sin(glm::radians(rollDegrees));
+  return {c * drag.x - s * drag.y, s * drag.x + c * drag.y};
+}
+
+scene::OrbitCamera turned(scene::OrbitCamera camera, const glm::dvec2& picture) {
+  const glm::dvec2 degrees = levelled(picture, camera.roll);
   camera.theta = wrappedDegrees(camera.theta - degrees.x);
   camera.phi = std::clamp(camera.phi - degrees.y, 0.0, 180.0);
   return camera;
@@ -42,8 +51,7 @@ scene::OrbitCamera orbited(scene::OrbitCamera camera, const glm::dvec2& dragPixe
 }
 
 scene::OrbitCamera panned(scene::OrbitCamera camera, const glm::dvec2& dragPixels, double windowHeight) {
-  const double heightAtTarget = 2 * camera.radius * std::tan(glm::radians(camera.fovY) / 2);
-  const glm::dvec2 metres = dragPixels * (heightAtTarget / std::max(windowHeight, 1.0));
+  const glm::dvec2 metres = dragPixels * (scene::heightAtTarget(camera) / std::max(windowHeight, 1.0));
   const Axes axes = axesOf(camera);
   camera.target += -axes.right * metres.x + axes.up * metres.y;
   return camera;
@@ -52,6 +60,30 @@ scene::OrbitCamera panned(scene::OrbitCamera camera, const glm::dvec2& dragPixel
 scene::OrbitCamera zoomed(scene::OrbitCamera camera, double steps, const RadiusLimits& limits) {
   const double least = std::min(limits.min, camera.radius), most = std::max(limits.max, camera.radius);
   camera.radius = std::clamp(camera.radius * std::pow(0.9, steps), least, most);
+  return camera;
+}
+
+scene::OrbitCamera zoomedAt(const scene::OrbitCamera& camera, double steps, const RadiusLimits& limits,
+                            const glm::dvec2& pixel, const glm::dvec2& windowSize) {
+  scene::OrbitCamera nearer = zoomed(camera, steps, limits);
+  const glm::dvec2 fromMiddle = (pixel - 0.5 * windowSize) * (scene::heightAtTarget(camera) / windowSize.y);
+  const Axes axes = axesOf(camera);
+  nearer.target += (axes.right * fromMiddle.x - axes.up * fromMiddle.y) * (1 - nearer.radius / camera.radius);
+  return nearer;
+}
+
+scene::OrbitCamera tumbled(const scene::OrbitCamera& camera, const glm::dvec2& dragPixels, double windowHeight) {
+  const Axes axes = axesOf(camera);
+  const glm::dvec3 about = axes.up * -dragPixels.x + axes.right * -dragPixels.y;
+  const double length = glm::length(about);
+  if (!(length > 0)) return camera;
+  const glm::dmat3 turn =
+      glm::dmat3(glm::rotate(glm::dmat4(1), length * glm::radians(180 / std::max(windowHeight, 1.0)), about / length));
+  return scene::turnedTo(camera, turn * axes.right, turn * axes.up);
+}
+
+scene::OrbitCamera rolled(scene::OrbitCamera camera, double degrees) {
+  camera.roll = wrappedDegrees(camera.roll + degrees);
   return camera;
 }
 
@@ -69,7 +101,7 @@ scene::OrbitCamera flown(scene::OrbitCamera camera, const glm::dvec3& rightUpFor
 }
 
 scene::OrbitCamera framedAll(const scene::OrbitCamera& camera, const scene::Bounds& scene, double aspect) {
-  scene::OrbitCamera framed = scene::frameBounds(scene, camera.fovY, aspect);
+  scene::OrbitCamera framed = scene::frameBounds(scene, aspect, camera);
   framed.theta = camera.theta;
   framed.phi = camera.phi;
   return framed;
@@ -80,6 +112,7 @@ scene::OrbitCamera seenFrom(scene::OrbitCamera camera, ViewFrom side) {
   const glm::dvec2& chosen = angles[static_cast<size_t>(side)];
   camera.theta = chosen.x;
   camera.phi = chosen.y;
+  camera.roll = 0;
   return camera;
 }
 

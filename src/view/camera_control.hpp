@@ -25,6 +25,16 @@ scene::OrbitCamera panned(scene::OrbitCamera camera, const glm::dvec2& dragPixel
 // framed) stays there, or comes nearer to them.
 scene::OrbitCamera zoomed(scene::OrbitCamera camera, double steps, const RadiusLimits& limits);
 
+// The same towards what is at a pixel of the window: that stays there, at whatever depth it is.
+scene::OrbitCamera zoomedAt(const scene::OrbitCamera& camera, double steps, const RadiusLimits& limits,
+                            const glm::dvec2& pixel, const glm::dvec2& windowSize);
+
+// As orbited(), but about the picture's own axes, over the poles: the horizon does not stay level.
+scene::OrbitCamera tumbled(const scene::OrbitCamera& camera, const glm::dvec2& dragPixels, double windowHeight);
+
+// Turns the picture about its middle, counterclockwise; the roll stays in (-180, 180].
+scene::OrbitCamera rolled(scene::OrbitCamera camera, double degrees);
+
 // Turns the head: the eye stays, the target moves around it. A drag to the right looks to the right; across the
 // window's height it turns by the vertical field of view.
 scene::OrbitCamera looked(scene::OrbitCamera camera, const glm::dvec2& dragPixels, double windowHeight);
@@ -35,12 +45,12 @@ scene::OrbitCamera flown(scene::OrbitCamera camera, const glm::dvec3& rightUpFor
 // Same direction of view, all of the bounds in the picture.
 scene::OrbitCamera framedAll(const scene::OrbitCamera& camera, const scene::Bounds& scene, double aspect);
 
-// From this side of the target, at the same distance; up is +Y, and for the views from above and below what is up where
-// theta is 0.
-enum class ViewFrom { front, back, right, left, top, bottom };  // +Z, -Z, +X, -X, +Y, -Y
+// From this side of the target, at the same distance, level; for the views from above and below up is what is up where
+// theta is 0. The sides are those of the camera's up vector (scene::uprightFrame).
+enum class ViewFrom { front, back, right, left, top, bottom };  // where y is up: +Z, -Z, +X, -X, +Y, -Y
 scene::OrbitCamera seenFrom(scene::OrbitCamera camera, ViewFrom side);
 
-// A turntable: the camera goes round the target about +Y, as if the scene turned the other way.
+// A turntable: the camera goes round the target about its up vector, as if the scene turned the other way.
 scene::OrbitCamera turntable(scene::OrbitCamera camera, double seconds, double degreesPerSecond);
 
 // Metres per second of flight: a scene is crossed in about three seconds; slower where a small part is looked at.

@@ -15,12 +15,20 @@ constexpr double fastFactor = 4;
 void moveCamera(const Input& input, const Flight& flight, double windowHeight, ViewerState& state) {
   scene::OrbitCamera& camera = state.camera;
   const RadiusLimits limits = radiusLimits(state.shown.bounds);
-  if (input.orbit != glm::dvec2(0)) camera = orbited(camera, input.orbit, windowHeight);
-  if (input.pan != glm::dvec2(0)) camera = panned(camera, input.pan, windowHeight);
-  if (input.look != glm::dvec2(0)) camera = looked(camera, input.look, windowHeight);
-  if (input.wheel != 0) camera = zoomed(camera, input.wheel, limits);
+  const Hand hand = state.preferences.hand;
+  const bool plane = hand == Hand::plane;
+  const glm::dvec2 pan = plane ? input.pan + input.orbit + input.look : input.pan, none(0);
+  if (input.orbit != none && hand == Hand::orbit) camera = orbited(camera, input.orbit, windowHeight);
+  if (input.orbit != none && hand == Hand::trackball) camera = tumbled(camera, input.orbit, windowHeight);
+  if (pan != none) camera = panned(camera, pan, windowHeight);
+  if (input.look != none && !plane) camera = looked(camera, input.look, windowHeight);
+  if (input.roll != 0) camera = rolled(camera, input.roll);
+  const glm::dvec2 window(windowHeight * frame::aspectOf(state.settings.frame), windowHeight);
+  if (input.wheel != 0) camera = zoomedAt(camera, input.wheel, limits, input.cursor, window);
   const double speed = flightSpeed(camera, state.shown.bounds) * (flight.fast ? fastFactor : 1);
-  if (flight.rightUpForward != glm::dvec3(0)) camera = flown(camera, flight.rightUpForward * speed);
+  glm::dvec3 way = flight.rightUpForward;
+  if (plane) way = {way.x, way.y + way.z, 0};
+  if (way != glm::dvec3(0)) camera = flown(camera, way * speed);
 }
 
 // What is open or chosen first. Never the program: a second press that was meant for a list would cost the view.
@@ -89,6 +97,16 @@ void take(Command command, const std::optional<scene::View>& view, ViewerState& 
       state.settings.viewpoint.camera.clear();
       state.camera = state.startCamera;
       return;
+    case Command::orthographic:
+      if (view) freeCamera(state, *view);
+      state.camera.orthographic = !state.camera.orthographic;
+      return;
+    case Command::copyCamera:
+      actions.copyCamera = true;
+      return;
+    case Command::pasteCamera:
+      actions.pasteCamera = true;
+      return;
     case Command::turntable:
       state.turntable.on = !state.turntable.on;
       return;
@@ -154,9 +172,11 @@ void takeFile(const std::string& path, ViewerState& state, Actions& actions) {
 }  // namespace
 
 std::vector<Shortcut> shortcuts(const KeyMap& keys) {
-  std::vector<Shortcut> rows = {{"Camera", "left drag", "orbit; the horizon stays level"},
+  std::vector<Shortcut> rows = {{"Camera", "left drag", "orbit; trackball and 2D as chosen under Camera"},
                                 {"Camera", "middle or Shift drag", "pan"},
-                                {"Camera", "wheel", "nearer, farther"},
+                                {"Camera", "Ctrl drag", "roll"},
+                                {"Camera", "wheel", "nearer, farther, towards the pointer"},
+                                {"Camera", "double click", "the target: what is there comes to the middle"},
                                 {"Camera", "right drag", "look around"}};
   for (const CommandRow& row : commandRows()) {
     if (rows.back().group == std::string("Camera") && row.group == std::string("Scene"))
@@ -181,7 +201,7 @@ Actions control(const Input& input, const Flight& flight, const std::optional<sc
                 ViewerState& state) {
   const glm::dvec2 none(0);
   const bool moves = input.orbit != none || input.pan != none || input.look != none || input.wheel != 0 ||
-                     flight.rightUpForward != glm::dvec3(0);
+                     input.roll != 0 || flight.rightUpForward != glm::dvec3(0);
   if (moves && view) freeCamera(state, *view);
   if (moves) moveCamera(input, flight, windowHeight, state);
   Actions actions;

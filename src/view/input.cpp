@@ -4,12 +4,15 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
 
 namespace facet::view {
 
 namespace {
 
 constexpr double clickRadius = 4;  // a press that stays within is a click
+constexpr double doubleClickSeconds = 0.4;
 
 Input& inputOf(GLFWwindow* window) {
   Input& input = *static_cast<Input*>(glfwGetWindowUserPointer(window));
@@ -20,6 +23,14 @@ Input& inputOf(GLFWwindow* window) {
 bool isScene(const Input& input) {
   if (input.mouseTaken) return false;
   return std::ranges::none_of(input.panels, [&](const Area& area) { return area.holds(input.cursor); });
+}
+
+// Degrees about the window's middle, counterclockwise.
+double turnedBy(GLFWwindow* window, const glm::dvec2& from, const glm::dvec2& to) {
+  int width = 1, height = 1;
+  glfwGetWindowSize(window, &width, &height);
+  const auto angle = [&](const glm::dvec2& at) { return std::atan2(0.5 * height - at.y, at.x - 0.5 * width); };
+  return glm::degrees(std::remainder(angle(to) - angle(from), 2 * glm::pi<double>()));
 }
 
 void onCursor(GLFWwindow* window, double x, double y) {
@@ -35,6 +46,17 @@ void onCursor(GLFWwindow* window, double x, double y) {
   if (input.drag == Drag::orbit) input.orbit += moved;
   if (input.drag == Drag::pan) input.pan += moved;
   if (input.drag == Drag::look) input.look += moved;
+  if (input.drag == Drag::roll) input.roll += turnedBy(window, input.cursor - moved, input.cursor);
+}
+
+void onClick(Input& input) {
+  // Clicks bear no time: a turn that has taken long may lie between them, in which the second one waited.
+  const double passed = glfwGetTime() - input.clickedWhen - input.longestTurn;
+  const bool second = passed < doubleClickSeconds && glm::length(input.pressedAt - input.clickedAt) < clickRadius;
+  (second ? input.doubleClicks : input.clicks).push_back(input.pressedAt);
+  input.clickedAt = input.pressedAt;
+  input.clickedWhen = second ? -1e9 : glfwGetTime();
+  input.longestTurn = 0;
 }
 
 void onButton(GLFWwindow* window, int button, int action, int modifiers) {
@@ -46,13 +68,14 @@ void onButton(GLFWwindow* window, int button, int action, int modifiers) {
   input.hands.push_back(event);
   if (action == GLFW_RELEASE) {
     if (button != input.dragButton) return;
-    if (button == GLFW_MOUSE_BUTTON_LEFT && !input.dragging) input.clicks.push_back(input.pressedAt);
+    if (button == GLFW_MOUSE_BUTTON_LEFT && !input.dragging) onClick(input);
     input.drag = Drag::none, input.dragButton = -1;
     return;
   }
   if (input.drag != Drag::none || !isScene(input)) return;
   const bool shift = (modifiers & GLFW_MOD_SHIFT) != 0;
-  if (button == GLFW_MOUSE_BUTTON_LEFT) input.drag = shift ? Drag::pan : Drag::orbit;
+  const bool control = (modifiers & GLFW_MOD_CONTROL) != 0;
+  if (button == GLFW_MOUSE_BUTTON_LEFT) input.drag = shift ? Drag::pan : control ? Drag::roll : Drag::orbit;
   if (button == GLFW_MOUSE_BUTTON_MIDDLE) input.drag = Drag::pan;
   if (button == GLFW_MOUSE_BUTTON_RIGHT) input.drag = shift ? Drag::pan : Drag::look;
   if (input.drag == Drag::none) return;
@@ -120,8 +143,8 @@ std::vector<int> keysCalled(const std::string& name) {
 Input takeInput(Input& input) {
   Input taken = input;
   input.orbit = input.pan = input.look = glm::dvec2(0);
-  input.wheel = 0;
-  input.clicks.clear();
+  input.wheel = input.roll = 0;
+  input.clicks.clear(), input.doubleClicks.clear();
   input.commands.clear();
   input.dropped.clear();
   input.any = false;

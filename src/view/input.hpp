@@ -19,16 +19,17 @@ struct Area {
   bool holds(const glm::dvec2& p) const { return p.x >= min.x && p.y >= min.y && p.x < max.x && p.y < max.y; }
 };
 
-enum class Drag { none, orbit, pan, look };
+enum class Drag { none, orbit, pan, look, roll };
 
 struct Input {
   // Since the last look; cleared by takeInput.
   glm::dvec2 orbit = glm::dvec2(0), pan = glm::dvec2(0), look = glm::dvec2(0);  // pixels dragged, y down
-  double wheel = 0;
-  std::vector<glm::dvec2> clicks;    // of the left button, where it was pressed and let go without a drag
-  std::vector<Command> commands;     // of the keys that the window had
-  std::vector<std::string> dropped;  // paths
-  bool any = false;                  // something happened
+  double wheel = 0, roll = 0;            // roll: degrees about the window's middle, counterclockwise
+  std::vector<glm::dvec2> clicks;        // of the left button, where it was pressed and let go without a drag
+  std::vector<glm::dvec2> doubleClicks;  // the second of two clicks at a place, which is not among the clicks
+  std::vector<Command> commands;         // of the keys that the window had
+  std::vector<std::string> dropped;      // paths
+  bool any = false;                      // something happened
 
   // Now.
   Drag drag = Drag::none;
@@ -36,6 +37,8 @@ struct Input {
   glm::dvec2 cursor = glm::dvec2(0);
   glm::dvec2 pressedAt = glm::dvec2(0);
   bool dragging = false;  // the pointer has left the place where the button was pressed
+  glm::dvec2 clickedAt = glm::dvec2(0);
+  double clickedWhen = -1e9, longestTurn = 0;  // seconds; longestTurn: of the window's turns since then
 
   // Set by the window each frame: what belongs to the panel.
   std::vector<Area> panels;

@@ -31,6 +31,11 @@ Result<Preferences> readPreferences(const std::filesystem::path& file) {
     if (*theme != "dark" && *theme != "light") return wrong("theme");
     read.theme = *theme == "light" ? Theme::light : Theme::dark;
   }
+  if (const auto hand = values.find("mouse"); hand != values.end()) {
+    const Choice<Hand>* row = hand->is_string() ? rowOfWord(hands, hand->get<std::string>()) : nullptr;
+    if (!row) return wrong("mouse");
+    read.hand = row->value;
+  }
   if (const auto scale = values.find("scale"); scale != values.end()) {
     if (!scale->is_number()) return wrong("scale");
     const double value = scale->get<double>();
@@ -52,6 +57,7 @@ Result<Preferences> readPreferences(const std::filesystem::path& file) {
 
 Result<void> writePreferences(const std::filesystem::path& file, const Preferences& preferences) {
   json values = {{"theme", preferences.theme == Theme::light ? "light" : "dark"}, {"scale", preferences.scale}};
+  if (preferences.hand != Hand::orbit) values["mouse"] = rowOf(hands, preferences.hand).word;
   for (const auto& [key, wish] : wishes)
     if (preferences.*wish) values[key] = true;
   if (preferences.width > 0) values["size"] = {preferences.width, preferences.height};

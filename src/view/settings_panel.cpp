@@ -12,6 +12,7 @@
 #include "optics/presets.hpp"
 #include "scene/usage.hpp"
 #include "shading/features.hpp"
+#include "view/camera_panel.hpp"
 #include "view/error_view.hpp"
 #include "view/measured_panel.hpp"
 #include "view/playback.hpp"
@@ -24,89 +25,6 @@ namespace facet::view {
 namespace {
 
 const frame::PictureSettings usual;
-
-// ---- Camera ---------------------------------------------------------------------------------------------------------
-
-void cameraChoice(ViewerState& state, PanelResult& result) {
-  std::string& chosen = state.settings.viewpoint.camera;
-  if (state.shown.cameras.empty()) return;
-  if (!beginList("camera", chosen.empty() ? "orbit" : chosen)) {
-    hint("orbit: yours; the others are the file's and stand where it puts them, until you move");
-    return;
-  }
-  if (ImGui::Selectable("orbit", chosen.empty())) result.leaveFileCamera = true;
-  for (const CameraName& camera : state.shown.cameras) {
-    ImGui::PushID(&camera);
-    if (ImGui::Selectable(camera.label.c_str(), chosen == camera.option)) chosen = camera.option;
-    ImGui::PopID();
-  }
-  ImGui::EndCombo();
-}
-
-void sceneChoice(ViewerState& state) {
-  const std::vector<std::string>& scenes = state.shown.scenes;
-  if (scenes.size() < 2) return;
-  const auto current = static_cast<size_t>(state.shown.scene);
-  if (!beginList("scene", current < scenes.size() ? scenes[current] : "")) return;
-  for (size_t i = 0; i < scenes.size(); ++i) {
-    ImGui::PushID(static_cast<int>(i));
-    if (ImGui::Selectable(scenes[i].c_str(), i == current)) {
-      state.settings.placement.scene = static_cast<int>(i);
-      state.settings.viewpoint.camera.clear();
-    }
-    ImGui::PopID();
-  }
-  ImGui::EndCombo();
-}
-
-void viewButtons(const KeyMap& keys, PanelResult& result) {
-  struct Button {
-    const char* label;
-    ViewFrom from;
-    Command command;
-  };
-  constexpr Button buttons[] = {
-      {"front", ViewFrom::front, Command::viewFront}, {"right", ViewFrom::right, Command::viewRight},
-      {"top", ViewFrom::top, Command::viewTop},       {"back", ViewFrom::back, Command::viewBack},
-      {"left", ViewFrom::left, Command::viewLeft},    {"bottom", ViewFrom::bottom, Command::viewBottom}};
-  const float spacing = ImGui::GetStyle().ItemSpacing.x;
-  const float width = (ImGui::GetContentRegionAvail().x - 2 * spacing) / 3;
-  for (size_t i = 0; i < std::size(buttons); ++i) {
-    if (i % 3 != 0) ImGui::SameLine();
-    if (ImGui::Button(buttons[i].label, {width, 0})) result.viewFrom = buttons[i].from;
-    hint(withKeys("looks at the target from there", keys, buttons[i].command));
-  }
-  if (ImGui::Button("frame all", {width, 0})) result.frameAll = true;
-  hint(withKeys("brings everything into the picture", keys, Command::frameAll));
-  ImGui::SameLine();
-  if (ImGui::Button("selection", {width, 0})) result.frameSelection = true;
-  hint(withKeys("brings the selected node into the picture", keys, Command::frameSelection));
-  ImGui::SameLine();
-  if (ImGui::Button("reset", {width, 0})) result.resetCamera = true;
-  hint(withKeys("the view that the model came with", keys, Command::resetCamera));
-}
-
-void cameraSection(ViewerState& state, PanelResult& result) {
-  if (!section(state.layout, "Camera")) return;
-  sceneChoice(state);
-  cameraChoice(state, result);
-  viewButtons(state.keys, result);
-  if (state.settings.viewpoint.camera.empty()) {
-    auto fovY = static_cast<float>(state.camera.fovY);
-    if (slider("field of view", fovY, 5, 120, "%.0f\xc2\xb0", 45, "vertical"))
-      state.camera.fovY = static_cast<double>(fovY);
-  }
-  ImGui::Checkbox("turntable", &state.turntable.on);
-  hint(withKeys("the camera goes round the target about +Y", state.keys, Command::turntable));
-  if (state.turntable.on) {
-    auto speed = static_cast<float>(state.turntable.degreesPerSecond);
-    if (slider("speed", speed, -180, 180, "%.0f\xc2\xb0/s", 24, "negative: the other way"))
-      state.turntable.degreesPerSecond = static_cast<double>(speed);
-  }
-  if (state.settings.viewpoint.camera.empty())
-    ImGui::TextDisabled("theta %.0f\xc2\xb0  phi %.0f\xc2\xb0  radius %.3g m", state.camera.theta, state.camera.phi,
-                        state.camera.radius);
-}
 
 // ---- Environment and lights -----------------------------------------------------------------------------------------
 

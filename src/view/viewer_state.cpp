@@ -9,6 +9,7 @@
 #include "base/log.hpp"
 #include "frame/choose.hpp"
 #include "optics/presets.hpp"
+#include "options/camera_text.hpp"
 #include "scene/animation.hpp"
 #include "scene/builtin_environments.hpp"
 #include "scene/builtin_scenes.hpp"
@@ -131,6 +132,10 @@ frame::PictureSettings commandSettings(const ViewerState& state) {
   settings.viewpoint.orbit = frame::Orbit{state.camera.theta, state.camera.phi, state.camera.radius};
   settings.viewpoint.target = state.camera.target;
   settings.viewpoint.fovYDeg = state.camera.fovY;
+  settings.viewpoint.projection =
+      state.camera.orthographic ? frame::Projection::orthographic : frame::Projection::perspective;
+  settings.viewpoint.up = state.camera.up;
+  settings.viewpoint.rollDeg = state.camera.roll;
   return settings;
 }
 
@@ -151,11 +156,19 @@ double framingAspect(const ViewerState& state) {
 void freeCamera(ViewerState& state, const scene::View& view) {
   if (state.settings.viewpoint.camera.empty()) return;
   state.settings.viewpoint.camera.clear();
-  // An orthographic camera has no field of view: the orbit keeps its own and shows as much at the target's depth.
-  const double halfHeight = 1 / view.clipFromView[1][1];
-  const double fovY = view.orthographic ? state.camera.fovY : glm::degrees(2 * std::atan(halfHeight));
-  state.camera = scene::orbitFromView(view, fovY, state.shown.bounds);
-  if (view.orthographic) state.camera.radius = halfHeight / std::tan(glm::radians(fovY) / 2);
+  state.camera = scene::orbitFromView(view, state.shown.bounds, state.camera);
+}
+
+Result<void> goToCamera(ViewerState& state, std::string_view text) {
+  const Result<frame::Viewpoint> wanted = options::viewpointOf(text);
+  if (!wanted) return tl::unexpected(wanted.error());
+  state.settings.viewpoint = {};
+  state.settings.viewpoint.camera = wanted->camera;
+  if (wanted->camera.empty())
+    state.camera = frame::chooseOrbit(*wanted, framingAspect(state), state.shown.model, state.shown.bounds);
+  else
+    state.settings.viewpoint.fovYDeg = wanted->fovYDeg;
+  return {};
 }
 
 std::vector<std::string> builtinEnvironmentSources() {

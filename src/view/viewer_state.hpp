@@ -19,6 +19,7 @@
 #include "scene/camera.hpp"
 #include "scene/pick.hpp"
 #include "shading/features.hpp"
+#include "view/bookmarks.hpp"
 #include "view/file_check.hpp"
 #include "view/keys.hpp"
 #include "view/listing.hpp"
@@ -138,6 +139,7 @@ struct ShownScene {
   std::optional<double> gridSpacing;  // metres; where a grid is shown
   std::string overlayRemark;          // frame::OverlayLines::remark
   scene::Bounds bounds;
+  std::optional<scene::View> view;
   std::vector<CameraName> cameras;
   std::vector<AnimationName> animations;
   std::vector<std::string> scenes;
@@ -165,6 +167,8 @@ struct ViewerState {
   SceneTree tree;
   FileCheck fileCheck;
   Preferences preferences;
+  Bookmarks bookmarks;
+  std::string bookmarkName;  // as it is being typed
   KeyMap keys = usualKeys();
   PanelLayout layout;
   double coveredLeft = 0, coveredRight = 0;  // by panels, of the picture [pixels]
@@ -231,6 +235,9 @@ double framingAspect(const ViewerState& state);
 
 // Leaves the file's camera for an orbit around the same view; nothing changes where there is none.
 void freeCamera(ViewerState& state, const scene::View& view);
+
+// Looks from where a text says (options/camera_text.hpp). Errors: it says nothing like that.
+Result<void> goToCamera(ViewerState& state, std::string_view text);
 
 // Offers the environment where it is not yet offered; before "none".
 void offerEnvironment(ViewerState& state, const std::string& source);

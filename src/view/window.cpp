@@ -17,6 +17,7 @@
 #include "view/bring_up.hpp"
 #include "view/browser.hpp"
 #include "view/camera_control.hpp"
+#include "view/camera_exchange.hpp"
 #include "view/controls.hpp"
 #include "view/follow.hpp"
 #include "view/imgui_session.hpp"
@@ -53,6 +54,7 @@ struct Loop {
   std::string model;  // what the loader reads
   std::string noted;  // model and environment that the browser was told last
   LoadTime load;
+  Bookmarks bookmarks;  // as they are in their file
 };
 
 std::filesystem::path preferencesFile() {
@@ -135,6 +137,8 @@ void applyPanel(const PanelResult& panel, Viewport& viewport, ViewerState& state
     state.inspection.materialDetails = materialDetails(viewport, state.selection.material);
   actions.frameSelection |= panel.frameSelection;
   if (panel.frameAll) state.camera = framedAll(state.camera, state.shown.bounds, framingAspect(state));
+  if (panel.copyCamera || actions.copyCamera) copyCamera(state);
+  if (panel.pasteCamera || actions.pasteCamera) pasteCamera(state);
   if (panel.resetCamera) state.settings.viewpoint.camera.clear(), state.camera = state.startCamera;
   actions.screenshot |= panel.screenshot;
   if (!panel.model.empty()) actions.model = panel.model;
@@ -204,6 +208,13 @@ void followSelection(Loop& loop, const Input& input, const Actions& actions, Vie
   int width = 1, height = 1;
   glfwGetWindowSize(loop.window, &width, &height);
   for (const glm::dvec2& click : input.clicks) clickAt(viewport, state, click, {width, height});
+  for (const glm::dvec2& click : input.doubleClicks) {
+    clickAt(viewport, state, click, {width, height});
+    const std::optional<scene::View> view = currentView(viewport, state);
+    if (!view || !state.inspection.on) continue;
+    freeCamera(state, *view);
+    state.camera.target = state.inspection.hit.position;
+  }
   if (actions.frameSelection) {
     const scene::Bounds bounds = selectionBounds(viewport, state);
     const std::optional<scene::View> view = currentView(viewport, state);
@@ -275,12 +286,14 @@ bool turn(Loop& loop, ImGuiSession& imgui, Viewport& viewport, ViewerState& stat
   if (followStyle(imgui, state.preferences)) loop.framesToDraw = settlingFrames;
   if (loop.framesToDraw > 0) {
     beginFrame(imgui, delivery.toPanels);
+    state.shown.view = currentView(viewport, state);
     PanelResult panel;
     drawBrowser(loop.browser, state, panel);
     drawPanel(state, panel);
     if ((panel.copyCommand || actions.copyCommand) && !state.shown.model.empty())
       copyCommand(options::commandLine(commandSettings(state), state.shown.model, "picture.png"), state);
     applyPanel(panel, viewport, state, loop.input, actions);
+    keepBookmarks(state, loop.bookmarks);
     loop.input.handingOver = std::max(0, loop.input.handingOver - 1);
     loop.input.textAwaited = ImGui::GetIO().WantTextInput ? 0 : std::max(0, loop.input.textAwaited - 1);
   }
@@ -317,6 +330,8 @@ bool turn(Loop& loop, ImGuiSession& imgui, Viewport& viewport, ViewerState& stat
     --loop.framesToDraw;
   }
   noteSlowTurn(loop.last);
+  const std::chrono::duration<double> turnTook = std::chrono::steady_clock::now() - loop.last;
+  loop.input.longestTurn = std::max(loop.input.longestTurn, turnTook.count());
   return !actions.quit && !glfwWindowShouldClose(loop.window);
 }
 
@@ -398,6 +413,7 @@ Result<bool> runWindow(const WindowOptions& options) {
     state.keys = std::move(*keys);
   else
     complain(state, keys.error());
+  loop.bookmarks = loadBookmarks(state);
   Viewport viewport = createViewport(context->info(), options);
   const bool opensFolder = !options.modelNamed && options.folders.size() == 1;
   std::vector<std::string> folders;

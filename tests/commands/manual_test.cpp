@@ -132,7 +132,8 @@ TEST_CASE("every value of an option that names files, folders or words is comple
                                          "X,Y,Z",      "0..1",    "1..3",
                                          "STOPS",      "FROM,TO", "#rrggbb|R,G,B",
                                          "NAME|INDEX", "TABLE",   "THETAV,THETAL,PHI",
-                                         "N,...",      "WxH,...", "OPTION=VALUE,..."};
+                                         "N,...",      "WxH,...", "OPTION=VALUE,...",
+                                         "M"};
   for (const CommandText& each : program()) {
     for (const OptionText& option : each.options) {
       if (option.value.empty() || std::ranges::find(open, option.value) != open.end()) continue;

@@ -57,6 +57,8 @@ PictureSettings unusual() {
   s.viewpoint.orbit = frame::Orbit{.thetaDeg = -30.25, .phiDeg = 0.1, .radius = 0.0105};
   s.viewpoint.target = glm::dvec3(0.0027, -1e-7, 12345678.9);
   s.viewpoint.fovYDeg = 33.3;
+  s.viewpoint.projection = frame::Projection::orthographic;
+  s.viewpoint.up = {0.25, -1e-3, 2}, s.viewpoint.rollDeg = -12.5;
   s.placement.scene = 3;
   s.look.variant = "night & day";
   s.look.without = 0b101;
@@ -158,6 +160,12 @@ TEST_CASE("each option sets its own field") {
   CHECK_FALSE(set("orbit", "+90,180").viewpoint.orbit->radius);
   CHECK(set("target", "1,-2.5,3e2").viewpoint.target == glm::dvec3(1, -2.5, 300));
   CHECK(set("fov-y", "30").viewpoint.fovYDeg == 30);
+  CHECK(set("projection", "orthographic").viewpoint.projection == frame::Projection::orthographic);
+  CHECK(set("view-height", "2.5").viewpoint.viewHeight == 2.5);
+  CHECK(set("up", "z").viewpoint.up == glm::dvec3(0, 0, 1));
+  CHECK(set("up", "-x").viewpoint.up == glm::dvec3(-1, 0, 0));
+  CHECK(set("up", "0,-2,1").viewpoint.up == glm::dvec3(0, -2, 1));
+  CHECK(set("roll", "-90").viewpoint.rollDeg == -90);
   CHECK(set("camera", "Main camera").viewpoint.camera == "Main camera");
   CHECK(set("scene", "2").placement.scene == 2);
   CHECK(set("variant", "beach").look.variant == "beach");
@@ -222,6 +230,11 @@ TEST_CASE("every way to be wrong has its sentence") {
       {"target", "1,2,", "--target: '' is not a number; give a number from -1e+09 to 1e+09."},
       {"fov-y", "0", "--fov-y: 0 is out of range; give a number from 1 to 179."},
       {"fov-y", "45deg", "--fov-y: '45deg' is not a number; give a number from 1 to 179."},
+      {"projection", "ortographic", "--projection: 'ortographic' is not known; perhaps orthographic is meant."},
+      {"view-height", "0", "--view-height: 0 is out of range; give a number from 1e-09 to 1e+09."},
+      {"up", "w", "--up: 'w' is not a direction; give x, y, z or X,Y,Z such as 0,0,-1."},
+      {"up", "0,0,0", "--up: '0,0,0' is no direction; give x, y, z or X,Y,Z such as 0,0,-1."},
+      {"roll", "up", "--roll: 'up' is not a number; give a number from -36000 to 36000."},
       {"camera", "", "--camera: the value is empty; give a name or leave the option out."},
       {"scene", "-1", "--scene: -1 is out of range; give a whole number from 0 to 1000000."},
       {"scene", "1.5", "--scene: '1.5' is not a whole number; give a whole number from 0 to 1000000."},
@@ -316,6 +329,13 @@ TEST_CASE("a camera of the file excludes a place of one's own") {
   CHECK(describe(fromArguments({{"camera", "0"}, {"target", "0,0,0"}}).error()) ==
         "--target: the camera of the file has its own place; give either this or --camera.");
   CHECK(fromArguments({{"camera", "0"}, {"fov-y", "20"}}));
+  for (const auto& [name, text] :
+       {std::pair("projection", "orthographic"), {"view-height", "2"}, {"up", "z"}, {"roll", "3"}})
+    CHECK(describe(fromArguments({{"camera", "0"}, {name, text}}).error()) ==
+          "--" + std::string(name) + ": the camera of the file has its own place; give either this or --camera.");
+  CHECK(describe(fromArguments({{"orbit", "0,90,2"}, {"view-height", "3"}}).error()) ==
+        "--view-height: the orbit's radius says how much is seen; give either this or THETA,PHI,RADIUS.");
+  CHECK(fromArguments({{"orbit", "0,90"}, {"view-height", "3"}}));
 }
 
 TEST_CASE("what write gives, parse reads back") {
@@ -324,7 +344,7 @@ TEST_CASE("what write gives, parse reads back") {
   for (const options::PictureOption& option : options::pictureOptions()) {
     const std::string text = option.write(settings);
     CAPTURE(option.name, text);
-    if (option.name == "camera") continue;  // excluded by the orbit
+    if (option.name == "camera" || option.name == "view-height") continue;  // excluded by the orbit
     REQUIRE_FALSE(text.empty());
     CHECK(text != option.write(PictureSettings()));
     REQUIRE(option.parse(text, read));
@@ -352,8 +372,7 @@ TEST_CASE("a command line goes through a shell and the parser and comes back the
   PictureSettings settings = GENERATE(PictureSettings(), unusual());
   const bool ofTheFile = GENERATE(false, true);
   if (ofTheFile)
-    settings.viewpoint.orbit.reset(), settings.viewpoint.target.reset(),
-        settings.viewpoint.camera = "-- $(date) \"Kamera\" 1;2 `x`";
+    settings.viewpoint = {.camera = "-- $(date) \"Kamera\" 1;2 `x`", .orbit = {}, .target = {}, .fovYDeg = 33.3};
   const std::string model = "dir with space/it's.glb";
   const std::string line = options::commandLine(settings, model);
   CAPTURE(line);
@@ -463,5 +482,5 @@ TEST_CASE("every row of a choice is an option's word, comes back as it was given
     REQUIRE_FALSE(wrong);
     CHECK(wrong.error().problem == "'nonsense' is not known");
   }
-  CHECK(choices == 18);
+  CHECK(choices == 19);
 }

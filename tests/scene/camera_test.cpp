@@ -183,10 +183,106 @@ TEST_CASE("A glTF camera: position, orientation, planes, scale and mirroring of 
 TEST_CASE("An orbit survives the way to a view and back") {
   const OrbitCamera orbit{-130, 20, 3, {1, 2, 3}, 30};
   const Bounds box = cube(orbit.target, 1);
-  const OrbitCamera back = orbitFromView(orbitView(orbit, 1, box), 30, box);
+  const OrbitCamera back = orbitFromView(orbitView(orbit, 1, box), box);
   CHECK(back.theta == Approx(-130));
   CHECK(back.phi == Approx(20));
   CHECK(back.radius == Approx(3));
   CHECK(glm::distance(back.target, orbit.target) < 1e-12);
-  CHECK(orbitFromView(orbitView({40, 0, 3, {}, 30}, 1, box), 30, box).theta == Approx(40));
+  CHECK(back.fovY == Approx(30));
+  CHECK(back.roll == 0);
+  CHECK(orbitFromView(orbitView({40, 0, 3, {}, 30}, 1, box), box).theta == Approx(40));
+
+  OrbitCamera rolled = orbit;
+  rolled.roll = -100, rolled.up = {0, 0, 1};
+  const OrbitCamera again = orbitFromView(orbitView(rolled, 1, box), box, {.up = {0, 0, 1}});
+  CHECK(again.theta == Approx(-130));
+  CHECK(again.phi == Approx(20));
+  CHECK(again.roll == Approx(-100));
+  rolled.orthographic = true;
+  const OrbitCamera parallel = orbitFromView(orbitView(rolled, 1, box), box, {.fovY = 60, .up = {0, 0, 1}});
+  CHECK(parallel.orthographic);
+  CHECK(parallel.roll == Approx(-100));
+  CHECK(heightAtTarget(parallel) == Approx(heightAtTarget(rolled)));
+}
+
+TEST_CASE("An orthographic orbit shows at every depth what the perspective shows at the target") {
+  OrbitCamera orbit{35, 70, 3, {1, 2, 3}, 50};
+  const Bounds box = cube({1, 2, 3}, 5);  // the eye is within
+  const View perspective = orbitView(orbit, 1.5, box);
+  orbit.orthographic = true;
+  const View view = orbitView(orbit, 1.5, box);
+  CHECK(view.orthographic);
+  CHECK(view.eye == perspective.eye);
+  const double half = 3 * std::tan(25 * pi / 180);
+  CHECK(heightAtTarget(orbit) == Approx(2 * half));
+  CHECK(radiusForHeight(2 * half, 50) == Approx(3));
+  const glm::dvec3 corner = orbit.target + view.right * (1.5 * half) + view.up * half;
+  CHECK(ndc(perspective.clipFromWorld, corner).x == Approx(1));
+  for (const double along : {-8.6, 0.0, 8.6}) {  // also behind the eye
+    const glm::dvec3 seen = ndc(view.clipFromWorld, corner + view.forward * along);
+    CHECK(seen.x == Approx(1));
+    CHECK(seen.y == Approx(1));
+    CHECK((seen.z > 0 && seen.z < 1));
+  }
+  CHECK(ndc(view.clipFromWorld, orbit.target - view.forward).z > ndc(view.clipFromWorld, orbit.target).z);
+  // What frames the scene touches the nearer edges.
+  const Bounds ball = cube({1, 2, 3}, 1);
+  for (const double aspect : {0.5, 2.0})
+    CHECK(heightAtTarget(frameBounds(ball, aspect, orbit)) * std::min(aspect, 1.0) == Approx(2 * std::sqrt(3.0)));
+  const View nothing = orbitView(orbit, 1, Bounds{});
+  CHECK((nothing.zNear < 3 && nothing.zFar > 3));
+}
+
+TEST_CASE("Another axis is up: the orbit's angles are about it") {
+  const auto back = [](const glm::dvec3& up, double theta, double phi) {
+    OrbitCamera orbit;
+    orbit.theta = theta, orbit.phi = phi, orbit.up = up;
+    const View view = orbitView(orbit, 1, Bounds{});
+    CHECK(orthonormal(view));
+    return -view.forward;
+  };
+  CHECK(back({0, 0, 1}, 0, 90) == glm::dvec3(0, -1, 0));
+  CHECK(back({0, 0, 1}, 90, 90) == glm::dvec3(1, 0, 0));
+  CHECK(back({0, 0, 7}, 0, 0) == glm::dvec3(0, 0, 1));
+  CHECK(back({1, 0, 0}, 0, 90) == glm::dvec3(0, 0, 1));
+  CHECK(back({-1, 0, 0}, 0, 0) == glm::dvec3(-1, 0, 0));
+  CHECK(back({0, -1, 0}, 0, 90) == glm::dvec3(0, 0, 1));
+  CHECK(back({0, -1, 0}, 0, 0) == glm::dvec3(0, -1, 0));
+  for (const glm::dvec3& up : {glm::dvec3(1, 2, -3), glm::dvec3(0.1, -5, 0.2), glm::dvec3(0, 0, -1)}) {
+    const glm::dmat3 frame = uprightFrame(up);
+    CHECK(glm::distance(frame[1], glm::normalize(up)) < 1e-12);
+    CHECK(glm::determinant(frame) == Approx(1));
+    CHECK(glm::dot(frame[0], frame[2]) == Approx(0).margin(1e-12));
+    OrbitCamera level;
+    level.theta = 20, level.phi = 60, level.up = up;
+    CHECK(glm::dot(orbitView(level, 1, Bounds{}).right, up) == Approx(0).margin(1e-12));
+  }
+  CHECK(uprightFrame({0, 3, 0}) == glm::dmat3(1));
+  CHECK(uprightFrame(glm::dvec3(0)) == glm::dmat3(1));
+  // What is flat is so along that axis.
+  OrbitCamera like;
+  like.up = {0, 0, 1};
+  CHECK(frameBounds({{-1, -1, 0}, {1, 1, 0.1}}, 1, like).phi == 55);  // a floor
+  CHECK(frameBounds({{-1, 0, -1}, {1, 0, 1}}, 1, like).phi == 90);    // a chart, seen from -Y
+}
+
+TEST_CASE("A roll turns the picture counterclockwise about its middle") {
+  OrbitCamera orbit{0, 90, 2, {}, 90};
+  const glm::dvec3 right(1, 0, 0);
+  const auto seen = [&](double roll) {
+    orbit.roll = roll;
+    const View view = orbitView(orbit, 1, Bounds{});
+    CHECK(orthonormal(view));
+    return ndc(view.clipFromWorld, right);
+  };
+  CHECK(seen(0).x == Approx(0.5));
+  CHECK(seen(90).x == 0);
+  CHECK(seen(90).y == Approx(0.5));
+  CHECK(seen(30).x == Approx(0.5 * std::cos(pi / 6)));
+  CHECK(seen(30).y == Approx(0.25));
+  CHECK(seen(-90).y == Approx(-0.5));
+  // Axes that are not level have one; level ones have none, to the last bit.
+  const View view = orbitView({70, 40, 1, {}, 45}, 1, Bounds{});
+  CHECK(turnedTo({}, view.right, view.up).roll == 0);
+  CHECK(turnedTo({}, view.up, -view.right).roll == Approx(-90));
 }

@@ -83,6 +83,60 @@ TEST_CASE("camera control: zoom is a factor of 0.9 a step within the scene's lim
   CHECK(view::radiusLimits({glm::dvec3(7), glm::dvec3(7)}).min == 1e-3);
 }
 
+TEST_CASE("camera control: zooming to the pointer keeps what is there, at every depth, in place") {
+  const view::RadiusLimits limits = view::radiusLimits(box(2));
+  for (const bool orthographic : {false, true})
+    for (const double steps : {3.0, -2.0}) {
+      OrbitCamera camera = example();
+      camera.orthographic = orthographic, camera.roll = 25, camera.up = {1, 1, 3};
+      const glm::dvec2 pixel(520, 61), size(width, height);
+      const OrbitCamera nearer = view::zoomedAt(camera, steps, limits, pixel, size);
+      CHECK(nearer.radius == Approx(3.5 * std::pow(0.9, steps)));
+      const view::PixelRay ray = view::rayThrough(scene::orbitView(camera, width / height, box(2)), pixel, size);
+      for (const double along : {2.0, 5.0, 9.0})
+        CHECK(glm::distance(pixelOf(nearer, ray.origin + along * ray.direction), pixel) < 1e-6);
+      CHECK(view::zoomedAt(camera, steps, limits, 0.5 * size, size).target == camera.target);
+    }
+  // Where it can come no nearer, it does not drift.
+  OrbitCamera close = example();
+  close.radius = limits.min;
+  CHECK(view::zoomedAt(close, 1, limits, {0, 0}, {width, height}).target == close.target);
+}
+
+TEST_CASE("camera control: a trackball turns as an orbit does near the horizon, and goes over the poles") {
+  OrbitCamera camera = example();
+  camera.phi = 90;
+  const OrbitCamera aside = view::tumbled(camera, {48, 0}, height), up = view::tumbled(camera, {0, 48}, height);
+  CHECK(aside.theta == Approx(view::orbited(camera, {48, 0}, height).theta));
+  CHECK(aside.phi == Approx(90));
+  CHECK(aside.roll == Approx(0).margin(1e-6));
+  CHECK(up.phi == Approx(view::orbited(camera, {0, 48}, height).phi));
+  CHECK(up.theta == Approx(camera.theta));
+  // Over the pole the horizon is upside down; a whole turn comes back.
+  OrbitCamera over = camera;
+  for (int i = 0; i < 12; ++i) over = view::tumbled(over, {0, 50}, height);  // 225 degrees
+  CHECK(over.phi == Approx(135));
+  CHECK(std::abs(over.roll) == Approx(180));
+  for (int i = 0; i < 12; ++i) over = view::tumbled(over, {0, -50}, height);
+  CHECK(glm::distance(view::eyeOf(over), view::eyeOf(camera)) < 1e-9);
+  CHECK(over.roll == Approx(0).margin(1e-6));
+  CHECK(view::tumbled(camera, {0, 0}, height) == camera);
+}
+
+TEST_CASE("camera control: a roll turns the picture, and drags follow the pointer in it") {
+  OrbitCamera camera = view::rolled(view::rolled(example(), 170), 40);
+  CHECK(camera.roll == -150);
+  camera.roll = 90;
+  const glm::dvec3 before = camera.target + 0.1 * glm::normalize(view::eyeOf(camera) - camera.target);
+  const glm::dvec2 right = pixelOf(view::orbited(camera, {20, 0}, height), before);
+  CHECK(right.x > width / 2 + 1);
+  CHECK(right.y == Approx(height / 2).margin(1));
+  const glm::dvec3 held = pointAt(camera, {100, 400});
+  CHECK(glm::distance(pixelOf(view::panned(camera, {30, 11}, height), held), {130, 411}) < 1e-9);
+  CHECK(view::seenFrom(camera, view::ViewFrom::top).roll == 0);
+  CHECK(view::framedAll(camera, box(1), 1).roll == 90);
+}
+
 TEST_CASE("camera control: looking keeps the eye and turns towards the pointer") {
   const OrbitCamera camera = example();
   const OrbitCamera looked = view::looked(camera, {60, 30}, height);

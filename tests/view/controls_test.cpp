@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "options/camera_text.hpp"
 #include "view/camera_control.hpp"
 
 using namespace facet;
@@ -170,7 +171,52 @@ TEST_CASE("controls: an orthographic camera becomes an orbit that shows as much"
   state.settings.viewpoint.camera = "0";
   view::freeCamera(state, view);
   CHECK(state.camera.fovY == 45);
+  CHECK(state.camera.orthographic);
   CHECK(state.camera.radius * std::tan(glm::radians(22.5)) == Approx(2));
+}
+
+TEST_CASE("controls: the hand is a trackball, or moves the picture alone") {
+  view::ViewerState state = exampleState();
+  view::Input input;
+  input.orbit = {10, 240};
+  state.preferences.hand = view::Hand::trackball;
+  view::control(input, {}, {}, 480, state);
+  CHECK(state.camera.roll != 0);
+  state = exampleState();
+  state.preferences.hand = view::Hand::plane;
+  input.look = {3, -2};
+  view::control(input, {}, {}, 480, state);
+  CHECK(state.camera.theta == exampleState().camera.theta);
+  CHECK(state.camera.target == view::panned(exampleState().camera, {13, 238}, 480).target);
+  const double depth = state.camera.target.z;
+  view::control({}, {{0, 0, 1}, false}, {}, 480, state);  // forward is up
+  CHECK(state.camera.target.z == Approx(depth));
+  CHECK(state.camera.target.y > view::panned(exampleState().camera, {13, 238}, 480).target.y);
+  input = {};
+  input.roll = 12;
+  view::control(input, {}, {}, 480, state);
+  CHECK(state.camera.roll == 12);
+  press(state, Command::orthographic);
+  CHECK(state.camera.orthographic);
+  CHECK(press(state, Command::copyCamera).copyCamera);
+  CHECK(press(state, Command::pasteCamera).pasteCamera);
+}
+
+TEST_CASE("controls: a camera that is kept as text is gone to") {
+  view::ViewerState state = exampleState();
+  state.camera.theta = 12.5, state.camera.orthographic = true, state.camera.up = {0, 0, 1}, state.camera.roll = -3;
+  const scene::OrbitCamera kept = state.camera;
+  const std::string text = options::cameraText(view::commandSettings(state).viewpoint);
+  state.camera = {};
+  REQUIRE(view::goToCamera(state, "facet render a.glb " + text + " --samples 3"));
+  CHECK(state.camera == kept);
+  REQUIRE(view::goToCamera(state, "--camera door --fov-y 20"));
+  CHECK(state.settings.viewpoint.camera == "door");
+  CHECK(state.settings.viewpoint.fovYDeg == 20);
+  CHECK_FALSE(view::goToCamera(state, "a letter"));
+  CHECK(state.settings.viewpoint.camera == "door");
+  REQUIRE(view::goToCamera(state, text));
+  CHECK(state.settings.viewpoint == frame::Viewpoint());
 }
 
 TEST_CASE("controls: dropped files are told apart by their ending") {

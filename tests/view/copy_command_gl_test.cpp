@@ -154,6 +154,30 @@ TEST_CASE("copied command: gives the bytes of the picture on the screen", "[gl]"
        [](view::ViewerState& s) { s.settings.look.without = scene::bitOf(scene::Effect::dielectricSpecular); }},
       {"floor, refined", [](view::ViewerState& s) { s.settings.frame.ground = true, s.settings.quality.samples = 20; }},
       {"orthographic", [](view::ViewerState& s) { s.settings.viewpoint.camera = "1"; }},
+      {"orthographic orbit, on its side, another axis up",
+       [](view::ViewerState& s) {
+         s.camera.orthographic = true, s.camera.roll = 33.3, s.camera.up = {0.1, 0.2, 1}, s.camera.radius = 1.7;
+       }},
+      {"orthographic, floor, overlays",
+       [](view::ViewerState& s) {
+         s.camera.orthographic = true, s.camera.phi = 50, s.settings.frame.ground = true, s.overlaysInPictures = true;
+         s.settings.overlays.shown = frame::Overlays::bitOf(frame::Overlay::grid);
+         s.settings.look.lights = frame::Lights::demo;
+       }},
+      {"orthographic, refined",
+       [](view::ViewerState& s) {
+         s.camera.orthographic = true, s.settings.quality.samples = 20, s.settings.sources.environment = "builtin:sky";
+         s.settings.look.lights = frame::Lights::demo;
+       }},
+      {"orthographic, an error to keep to",
+       [](view::ViewerState& s) {
+         s.camera.orthographic = true, s.settings.quality.maxError = 0.05, s.settings.quality.samples = 64;
+       }},
+      {"orthographic, measured",
+       [](view::ViewerState& s) {
+         view::chooseBrdf(s, "builtin:ggx-0.35");
+         s.camera.orthographic = true, s.camera.roll = -90, s.settings.quality.samples = 6;
+       }},
       {"file camera, time",
        [](view::ViewerState& s) {
          s.settings.viewpoint.camera = "gate", s.settings.placement.animation = "rise",

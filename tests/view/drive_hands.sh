@@ -135,8 +135,8 @@ await "frame drawn: builtin:metals, builtin:studio$" 1
 find_window
 sleep 0.5
 screenshot sharp
-xdotool mousemove --window "$window" 1003 388 mousedown 1
-for x in 1015 1030 1040; do sleep 1; xdotool mousemove --window "$window" $x 388; done
+xdotool mousemove --window "$window" 1003 545 mousedown 1
+for x in 1015 1030 1040; do sleep 1; xdotool mousemove --window "$window" $x 545; done
 sleep 1
 xdotool mouseup 1
 sleep 1

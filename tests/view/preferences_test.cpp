@@ -13,7 +13,7 @@ TEST_CASE("preferences: what is written is read again, what is missing is as usu
   const test::TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "deep" / "settings.json";
   CHECK(view::readPreferences(file).value() == view::Preferences{});
-  const view::Preferences set{view::Theme::light, 1.5f, true, true, 1920, 1080};
+  const view::Preferences set{view::Theme::light, 1.5f, true, true, 1920, 1080, view::Hand::trackball};
   REQUIRE(view::writePreferences(file, set));
   CHECK(view::readPreferences(file).value() == set);
   REQUIRE(view::writePreferences(file, {}));
@@ -53,8 +53,8 @@ TEST_CASE("preferences: what is wrong in the file is told, what is out of range 
   CHECK(read(R"({"scale": 99})").value().scale == 4);
   CHECK(read(R"({"scale": 0, "size": [-5, 1e9]})").value().width == 0);
   CHECK(read(R"({"other": true})").value() == view::Preferences{});
-  for (const char* text :
-       {"", "[]", "{", R"({"theme": 3})", R"({"scale": "big"})", R"({"size": [1]})", R"({"playOnOpening": 1})"}) {
+  for (const char* text : {"", "[]", "{", R"({"theme": 3})", R"({"scale": "big"})", R"({"size": [1]})",
+                           R"({"playOnOpening": 1})", R"({"mouse": "3d"})"}) {
     INFO(text);
     CHECK_FALSE(read(text));
   }
