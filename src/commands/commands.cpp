@@ -22,11 +22,12 @@ constexpr Command commandTable[] = {
      "  facet inspect scene.gltf --json\n"
      "  facet inspect export.glb --strict --all",
      addInspect},
-    {"compare", "measure how two pictures differ",
+    {"compare", "measure how two pictures differ, or two models",
      "  facet compare before.png after.png\n"
      "  facet compare truth.exr mine.exr --mask-from-alpha --max-error 6\n"
      "  facet compare before.png after.png --metric above --tolerance 0.02 --max-error 0.001 --diff difference.png\n"
-     "  facet compare before.png after.png --json",
+     "  facet compare before.png after.png --json\n"
+     "  facet compare before.glb after.glb -o changes.png",
      addCompare},
     {"regress", "a suite of pictures against their baselines, with reports for people and CI systems",
      "  facet regress tests/pictures\n"

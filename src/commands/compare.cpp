@@ -13,12 +13,16 @@
 #include "base/log.hpp"
 #include "base/nearest.hpp"
 #include "base/origin_json.hpp"
+#include "base/srgb.hpp"
 #include "base/text.hpp"
 #include "commands/commands.hpp"
+#include "commands/compare_models.hpp"
 #include "commands/confine.hpp"
+#include "commands/picture_arguments.hpp"
 #include "commands/write_tables.hpp"
 #include "compare/legend.hpp"
 #include "compare/metrics.hpp"
+#include "compare/side_by_side.hpp"
 
 namespace facet::commands {
 
@@ -29,7 +33,8 @@ using compare::Comparison;
 using compare::Metric;
 
 struct CompareSettings {
-  std::string reference, picture, diff, maps;
+  std::string reference, picture, output, diff, maps;
+  PictureArguments drawn;  // of two models
   std::string metric = "drmse";
   std::string maxError, tolerance;
   bool maskFromAlpha = false;
@@ -73,9 +78,10 @@ bool passes(const Task& task, const Comparison& c) {
   return c.finite() && (!task.maxError || task.metric->value(c) <= *task.maxError);
 }
 
-void printJson(const CompareSettings& settings, const Task& task, const Comparison& c) {
+// drawn: where the pictures are of models.
+void printJson(const CompareSettings& settings, const Task& task, const Comparison& c, const DrawnModels* drawn) {
   nlohmann::ordered_json json;
-  json["origin"] = originJson(originOfProcess());
+  json["origin"] = originJson(drawn ? drawn->origin : originOfProcess());
   json["reference"] = settings.reference;
   json["picture"] = settings.picture;
   json["pixels"] = c.pixels;
@@ -96,6 +102,7 @@ void printJson(const CompareSettings& settings, const Task& task, const Comparis
   json["error"] = task.metric->value(c);
   if (task.maxError) json["maxError"] = *task.maxError;
   json["passed"] = passes(task, c);
+  if (drawn) json["changes"] = drawn->changes;
   std::cout << json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << std::endl;
 }
 
@@ -130,24 +137,52 @@ struct Pair {
   std::string reference, picture;
 };
 
-Result<Comparison> comparePair(const Pair& pair, const Task& task, const CompareSettings& settings) {
-  const Result<io::RadianceImage> reference = compare::readPicture(pair.reference);
-  if (!reference) return tl::unexpected(reference.error());
-  const Result<io::RadianceImage> picture = compare::readPicture(pair.picture);
-  if (!picture) return tl::unexpected(picture.error());
-  Result<Comparison> comparison = compare::comparePictures(*reference, *picture, task.options);
+// As a screen shows it, opaque over nothing.
+io::Pixels shownPixels(const io::RadianceImage& image) {
+  io::Pixels pixels{.width = image.width, .height = image.height, .channels = 4, .data = {}};
+  for (const glm::vec4& p : image.pixels) {
+    const double alpha = std::clamp<double>(p.w, 0, 1);
+    for (int c = 0; c < 3; ++c) {
+      const double straight = alpha > 0 ? static_cast<double>(p[c]) / alpha : 0;
+      const double shown = std::isfinite(straight) ? srgbFromLinear(std::clamp(straight, 0.0, 1.0)) : 1;
+      pixels.data.push_back(static_cast<uint8_t>(std::lround(255 * shown)));
+    }
+    pixels.data.push_back(static_cast<uint8_t>(std::lround(255 * alpha)));
+  }
+  return pixels;
+}
+
+Result<void> writeBeside(const Pair& pair, const io::RadianceImage& reference, const io::RadianceImage& picture,
+                         const Task& task, const std::string& file) {
+  Result<io::Pixels> difference = compare::heatMap(reference, picture, task.options);
+  if (!difference) return tl::unexpected(difference.error());
+  Result<io::Pixels> flip = compare::flipHeatMap(reference, picture, task.options);
+  if (!flip) return tl::unexpected(flip.error());
+  const compare::Titled four[] = {{"A: " + pair.reference, shownPixels(reference)},
+                                  {"B: " + pair.picture, shownPixels(picture)},
+                                  {"difference", std::move(*difference)},
+                                  {"FLIP", std::move(*flip)}};
+  return io::writePng(file, compare::withLegend(compare::sideBySide(four, 2)));
+}
+
+Result<Comparison> comparePair(const Pair& pair, const io::RadianceImage& reference, const io::RadianceImage& picture,
+                               const Task& task, const CompareSettings& settings) {
+  Result<Comparison> comparison = compare::comparePictures(reference, picture, task.options);
   if (!comparison) {
     comparison.error().file = pair.reference + " and " + pair.picture;
     return comparison;
   }
+  if (!settings.output.empty())
+    if (const Result<void> written = writeBeside(pair, reference, picture, task, settings.output); !written)
+      return tl::unexpected(written.error());
   if (!settings.diff.empty()) {
-    const Result<io::Pixels> map = compare::heatMap(*reference, *picture, task.options);
+    const Result<io::Pixels> map = compare::heatMap(reference, picture, task.options);
     const Result<void> written =
         map ? io::writePng(settings.diff, compare::withLegend(*map)) : tl::unexpected(map.error());
     if (!written) return tl::unexpected(written.error());
   }
   if (!settings.maps.empty()) {
-    const Result<compare::DifferenceMaps> maps = compare::differenceMaps(*reference, *picture, task.options);
+    const Result<compare::DifferenceMaps> maps = compare::differenceMaps(reference, picture, task.options);
     if (!maps) return tl::unexpected(maps.error());
     Origin origin = originOfProcess();
     origin.date = {};  // the same wish gives the same bytes
@@ -155,6 +190,14 @@ Result<Comparison> comparePair(const Pair& pair, const Task& task, const Compare
     if (!written) return tl::unexpected(written.error());
   }
   return comparison;
+}
+
+Result<Comparison> comparePair(const Pair& pair, const Task& task, const CompareSettings& settings) {
+  const Result<io::RadianceImage> reference = compare::readPicture(pair.reference);
+  if (!reference) return tl::unexpected(reference.error());
+  const Result<io::RadianceImage> picture = compare::readPicture(pair.picture);
+  if (!picture) return tl::unexpected(picture.error());
+  return comparePair(pair, *reference, *picture, task, settings);
 }
 
 bool isPicture(const std::filesystem::path& file) {
@@ -190,8 +233,9 @@ Result<std::vector<Pair>> pairsOf(const CompareSettings& settings) {
 }
 
 int compareFolders(const CompareSettings& settings, const Task& task) {
-  if (!settings.diff.empty() || !settings.maps.empty())
-    return badInput({{}, settings.diff.empty() ? "--maps" : "--diff", "is of one pair", "name two pictures"});
+  for (const auto& [option, file] :
+       {std::pair("--diff", &settings.diff), {"--maps", &settings.maps}, {"-o", &settings.output}})
+    if (!file->empty()) return badInput({{}, option, "is of one pair", "name two pictures"});
   const Result<std::vector<Pair>> pairs = pairsOf(settings);
   if (!pairs) return badInput(pairs.error());
   report::Table table{"compare",
@@ -223,12 +267,55 @@ int compareFolders(const CompareSettings& settings, const Task& task) {
   return status;
 }
 
+// Of two models, drawn alike.
+int compareModels(const CompareSettings& settings, const Task& task) {
+  ModelPair pair{.first = settings.reference, .second = settings.picture, .settings = {}, .needed = {}};
+  if (const Result<void> r = options::apply(settings.drawn, pair.settings); !r) return badInput(r.error());
+  for (const std::string& file : {settings.output, settings.diff, settings.maps}) needOutput(pair.needed, file);
+  pair.sandbox = !settings.noSandbox;
+  bool noOpenGL = false;
+  const Result<DrawnModels> drawn = drawModels(std::move(pair), noOpenGL);
+  if (!drawn && noOpenGL) {
+    log::error(describe(drawn.error()));
+    return exitNoOpenGL;
+  }
+  if (!drawn) {
+    log::error(options::describe(drawn.error()));
+    return exitBadInput;
+  }
+  const Result<Comparison> comparison =
+      comparePair({settings.reference, settings.picture}, compare::linearPicture(drawn->first),
+                  compare::linearPicture(drawn->second), task, settings);
+  if (!comparison) return badInput(comparison.error());
+  if (settings.json) {
+    printJson(settings, task, *comparison, &*drawn);
+  } else {
+    for (const std::string& line : drawn->changes) std::cout << line << "\n";
+    if (drawn->changes.empty()) std::cout << "the models do not differ in what they list\n";
+    printLine(task, *comparison);
+  }
+  return passes(task, *comparison) ? exitGood : exitFailed;
+}
+
+// Of the kind that both are.
+Result<bool> areModels(const CompareSettings& settings) {
+  const bool models = isModelSource(settings.reference);
+  if (models != isModelSource(settings.picture))
+    return fail(models ? settings.picture : settings.reference, {}, "is no model, and the other is one",
+                "name two pictures, two folders or two models");
+  if (!models && !settings.drawn.empty())
+    return fail({}, "--" + std::string(settings.drawn.begin()->first), "is for models, which are drawn",
+                "name two models");
+  if (models && settings.csv) return fail({}, "--csv", "is for folders", "use --json for one pair");
+  return models;
+}
+
 int runCompare(const CompareSettings& settings) {
   const Result<Task> task = checkedTask(settings);
   if (!task) return badInput(task.error());
   std::error_code ignored;
-  const std::tuple<const char*, const std::string*, const char*> written[] = {{"--diff", &settings.diff, ".png"},
-                                                                              {"--maps", &settings.maps, ".exr"}};
+  const std::tuple<const char*, const std::string*, const char*> written[] = {
+      {"-o", &settings.output, ".png"}, {"--diff", &settings.diff, ".png"}, {"--maps", &settings.maps, ".exr"}};
   for (const auto& [option, file, ending] : written) {
     if (file->empty()) continue;
     if (std::filesystem::path(*file).extension() != ending)
@@ -238,6 +325,9 @@ int runCompare(const CompareSettings& settings) {
         std::filesystem::equivalent(*file, settings.picture, ignored))
       return badInput({*file, option, "would overwrite what is compared", "name another file"});
   }
+  const Result<bool> models = areModels(settings);
+  if (!models) return badInput(models.error());
+  if (*models) return compareModels(settings, *task);
   const bool folder = std::filesystem::is_directory(settings.reference, ignored);
   if (folder != std::filesystem::is_directory(settings.picture, ignored))
     return badInput({folder ? settings.picture : settings.reference,
@@ -247,14 +337,14 @@ int runCompare(const CompareSettings& settings) {
   if (!settings.noSandbox) {
     Needed needed;
     needFiles(needed, settings.reference), needFiles(needed, settings.picture);
-    needOutput(needed, settings.diff), needOutput(needed, settings.maps);
+    for (const std::string& file : {settings.output, settings.diff, settings.maps}) needOutput(needed, file);
     confine(std::move(needed), false);
   }
   if (folder) return compareFolders(settings, *task);
   if (settings.csv) return badInput({{}, "--csv", "is for folders", "use --json for one pair"});
   const Result<Comparison> comparison = comparePair({settings.reference, settings.picture}, *task, settings);
   if (!comparison) return badInput(comparison.error());
-  settings.json ? printJson(settings, *task, *comparison) : printLine(*task, *comparison);
+  settings.json ? printJson(settings, *task, *comparison, nullptr) : printLine(*task, *comparison);
   return passes(*task, *comparison) ? exitGood : exitFailed;
 }
 
@@ -262,12 +352,17 @@ int runCompare(const CompareSettings& settings) {
 
 std::function<int()> addCompare(CLI::App& app) {
   const auto settings = std::make_shared<CompareSettings>();
-  app.add_option("REF", settings->reference, "the reference, PNG or EXR, or a folder of them")
-      ->type_name("PICTURE")
+  app.add_option("REF", settings->reference, "the reference, PNG or EXR, or a folder of them; or a model")
+      ->type_name("PICTURE|MODEL")
       ->required();
-  app.add_option("IMG", settings->picture, "the picture to judge, or a folder with pictures of the same names")
-      ->type_name("PICTURE")
+  app.add_option("IMG", settings->picture,
+                 "the picture to judge, or a folder with pictures of the same names; or a model, which is drawn as the "
+                 "first one is, with what changed in the file")
+      ->type_name("PICTURE|MODEL")
       ->required();
+  app.add_option("-o,--output", settings->output,
+                 "write both beside each other, above their difference on the screen and FLIP, as heat maps")
+      ->type_name("OUT.png");
   app.add_option("--max-error", settings->maxError, "exit 1 if the metric is above this")->type_name("E");
   std::string help = "what --max-error limits (drmse):";
   for (const Metric& metric : compare::metrics())
@@ -287,6 +382,7 @@ std::function<int()> addCompare(CLI::App& app) {
   app.add_flag("--json", settings->json, "print the figures as JSON");
   app.add_flag("--csv", settings->csv, "of folders: print the figures as CSV");
   addNoSandbox(app, settings->noSandbox);
+  addPictureOptions(app, settings->drawn, comparedOptions());
   return [settings] { return runCompare(*settings); };
 }
 

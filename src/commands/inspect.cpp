@@ -9,6 +9,7 @@
 #include "commands/commands.hpp"
 #include "commands/confine.hpp"
 #include "commands/inspect_findings.hpp"
+#include "commands/inspect_names.hpp"
 #include "commands/inspect_parts.hpp"
 #include "commands/notes_json.hpp"
 #include "commands/picture_arguments.hpp"
@@ -33,7 +34,7 @@ using Json = nlohmann::ordered_json;
 struct InspectArguments {
   std::string model;
   PictureArguments picture;
-  bool asJson = false, strict = false, all = false, noSandbox = false;
+  bool asJson = false, strict = false, all = false, list = false, noSandbox = false;
 };
 
 struct Counts {
@@ -205,6 +206,17 @@ int tellRefused(const InspectArguments& arguments, const Error& error, const io:
   return badInput(error);
 }
 
+// Names alone: nothing is checked, decoded or sorted into draws.
+int listNames(const InspectArguments& arguments, const io::Limits& limits) {
+  const Result<io::LoadedModel> loaded = io::loadModel(arguments.model, limits);
+  if (!loaded) return badInput(loaded.error());
+  Json out = describeNames(loaded->model);
+  if (!arguments.asJson) return printNames(out, std::cout), exitGood;
+  out["origin"] = originJson(originOfProcess());
+  std::cout << out.dump(2, ' ', false, Json::error_handler_t::replace) << std::endl;
+  return exitGood;
+}
+
 int runInspect(const InspectArguments& arguments) {
   frame::PictureSettings settings;
   if (const Result<void> applied = options::apply(arguments.picture, settings); !applied)
@@ -215,6 +227,7 @@ int runInspect(const InspectArguments& arguments) {
     confine(std::move(needed), false);
   }
   const io::Limits limits = {.allowOutside = settings.sources.allowOutside};
+  if (arguments.list) return listNames(arguments, limits);
   const Result<io::validate::Report> report = io::validateModel(arguments.model, limits);
   if (!report) return badInput(report.error());
   Result<io::LoadedModel> loaded = io::loadModel(arguments.model, limits);
@@ -255,6 +268,9 @@ std::function<int()> addInspect(CLI::App& app) {
   constexpr std::string_view wanted[] = {"scene",       "variant",     "brdf",         "brdf-dir",
                                          "brdf-lookup", "utia-decode", "allow-outside"};
   addPictureOptions(app, arguments->picture, wanted);
+  app.add_flag(
+      "--list", arguments->list,
+      "only what other commands can name: scenes, cameras, animations, variants, materials; kind, index, name");
   app.add_flag("--json", arguments->asJson, "for scripts");
   app.add_flag("--all", arguments->all, "every finding, not the first five of each code");
   app.add_flag("--strict", arguments->strict, "any warning or error makes the exit status 2");

@@ -12,6 +12,7 @@
 #include "base/origin_json.hpp"
 #include "base/whole_file.hpp"
 #include "commands/commands.hpp"
+#include "commands/config_file.hpp"
 #include "commands/confine.hpp"
 #include "commands/jobs.hpp"
 #include "commands/notes_json.hpp"
@@ -29,7 +30,7 @@ namespace {
 
 struct RenderArguments {
   PictureArguments picture;
-  std::string model, output, stats, jobs, shard;
+  std::string model, output, stats, jobs, shard, config;
   bool strict = false, noCache = false, glDebug = false, errorLayer = false, noSandbox = false;
   int repeat = 0;
   int frames = 0;  // 0: one picture
@@ -235,6 +236,8 @@ Result<std::vector<Job>> listFrames(const Job& first, const RenderArguments& arg
 Result<std::vector<Job>> listJobs(const RenderArguments& arguments) {
   if (!arguments.jobs.empty()) {
     if (arguments.frames > 0) return fail({}, "--frames", "does not go with --jobs", "give the jobs their times");
+    if (!arguments.config.empty())
+      return fail({}, "--config", "does not go with --jobs", "give the jobs their options");
     if (!arguments.model.empty() || !arguments.output.empty())
       return fail({}, "--jobs", "names models and outputs itself", "leave out MODEL and -o");
     const Result<Shard> shard = parseShard(arguments.shard.empty() ? "1/1" : arguments.shard);
@@ -246,7 +249,10 @@ Result<std::vector<Job>> listJobs(const RenderArguments& arguments) {
   if (arguments.output.empty()) return fail({}, "-o", "is missing", "give -o PICTURE.png or -o PICTURE.exr");
   Job job{arguments.model, arguments.output, arguments.stats, {}};
   if (Result<void> r = checkOutputName(job.output); !r) return tl::unexpected(r.error());
-  if (Result<void> r = options::apply(arguments.picture, job.settings); !r) return tl::unexpected(r.error());
+  PictureArguments given = arguments.picture;
+  if (!arguments.config.empty() && arguments.config != "none")
+    if (Result<void> r = applyConfig(arguments.config, job.model, given); !r) return tl::unexpected(r.error());
+  if (Result<void> r = options::apply(given, job.settings); !r) return tl::unexpected(r.error());
   if (Result<void> r = options::checkTogether(job.settings); !r) return tl::unexpected(r.error());
   if (arguments.frames > 0) return listFrames(job, arguments);
   return std::vector<Job>{job};
@@ -323,6 +329,7 @@ std::function<int()> addRender(CLI::App& app) {
   app.add_option("--jobs", arguments->jobs, "many pictures in one process: a JSON list of jobs")->type_name("FILE");
   app.add_option("--shard", arguments->shard, "of --jobs only each N-th from the I-th on, for many machines")
       ->type_name("I/N");
+  addConfig(app, arguments->config, "");
   app.add_option("--stats", arguments->stats, "times, memory, work and what was left out, as JSON")->type_name("FILE");
   app.add_option("--repeat", arguments->repeat, "draw N more frames, for timing")
       ->type_name("N")

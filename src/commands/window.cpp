@@ -10,6 +10,7 @@
 
 #include "base/log.hpp"
 #include "commands/commands.hpp"
+#include "commands/config_file.hpp"
 #include "commands/confine.hpp"
 #include "commands/picture_arguments.hpp"
 #include "io/sources.hpp"
@@ -22,6 +23,7 @@ namespace {
 struct WindowArguments {
   PictureArguments picture;
   std::vector<std::string> sources;
+  std::string config;
   bool noCache = false, glDebug = false, last = false, noSandbox = false;
 };
 
@@ -73,20 +75,26 @@ int runViewer(const WindowArguments& arguments) {
   options.settings.frame.width = 1280;
   options.settings.frame.height = 800;
   options.settings.quality.samples = 256;  // a resting picture converges
+  bool restored = false;                   // with settings of its own, which the usual file of options leaves alone
   const bool asItWas = arguments.sources.empty() && arguments.picture.empty() && view::startsWithLast();
   if (arguments.last || asItWas) {
     view::WindowOptions last = options;
     Result<void> r = applyLast(last);
     if (r) r = view::checkStart(last);
     if (!r && arguments.last) return badInput(r.error());
-    if (r) options = last;
+    if (r) options = last, restored = true;
     if (!r && std::filesystem::exists(view::lastFile())) log::warning(describe(r.error()));
   }
-  if (Result<void> r = options::apply(arguments.picture, options.settings); !r) return badInput(r.error());
+  if (Result<void> r = sortSources(arguments.sources, options); !r) return badInput(r.error());
+  PictureArguments given = arguments.picture;
+  std::filesystem::path config = arguments.config;
+  if (config.empty() && !restored) config = usualConfig();
+  if (!config.empty() && config != "none")
+    if (Result<void> r = applyConfig(config, options.model, given); !r) return badInput(r.error());
+  if (Result<void> r = options::apply(given, options.settings); !r) return badInput(r.error());
   frame::Sources& sources = options.settings.sources;  // the window goes by one name for file and layer
   sources.environment = io::withLayer(sources.environment, std::exchange(sources.environmentLayer, {}));
-  options.sizeGiven = arguments.picture.contains("size");
-  if (Result<void> r = sortSources(arguments.sources, options); !r) return badInput(r.error());
+  options.sizeGiven = given.contains("size");
   options.diskCache = !arguments.noCache;
   options.glDebug = arguments.glDebug;
   if (!arguments.noSandbox) {
@@ -109,6 +117,7 @@ std::function<int()> addWindow(CLI::App& app) {
   app.add_option("MODEL", arguments->sources,
                  "a .gltf or .glb file, or builtin:NAME (builtin:poster); folders are browsed")
       ->type_name("MODEL|FOLDER");
+  addConfig(app, arguments->config, " ($XDG_CONFIG_HOME/facet/config, where there is one)");
   app.add_flag("--last", arguments->last,
                "what was shown when the window was closed last, with its camera and settings");
   app.add_flag("--no-cache", arguments->noCache,

@@ -55,7 +55,7 @@ TEST_CASE("the program's words as data are what its help shows") {
   for (const OptionText& option : options)  // hidden
     CHECK(std::ranges::find(option.names, "--worker") == option.names.end());
   const OptionText& reference = command("compare").options[1];
-  CHECK((reference.place == "REF" && reference.required && !reference.many && reference.value == "PICTURE"));
+  CHECK((reference.place == "REF" && reference.required && !reference.many && reference.value == "PICTURE|MODEL"));
   const OptionText& model = command("report").options[3];  // by its place or by its name
   CHECK((model.place == "MODEL" && model.names == std::vector<std::string>{"--model"}));
 }
@@ -116,7 +116,7 @@ TEST_CASE("what may come next on a command line") {
   CHECK(files({"x.glb", "x"}) == Completions{{}, true, true, {"glb", "gltf"}});  // the window takes folders, too
   CHECK(files({"regress", "x"}) == Completions{{}, true, false, {}});
   CHECK(files({"render", "x.glb", "-o", "x"}) == Completions{{}, true, true, {}});
-  CHECK(files({"compare", "a.png", "x"}) == Completions{{}, true, true, {"png", "exr"}});
+  CHECK(files({"compare", "a.png", "x"}) == Completions{{}, true, true, {"png", "exr", "glb", "gltf"}});
   CHECK(commands::asLines(files({"render", "builtin:pos"})) ==
         "builtin:poster\ta golden trefoil among spheres of many materials\n:folders\n:files glb gltf\n");
   CHECK(test::runFacet({"complete", "--", "render", "--tonemap", "ag"}).text == "agx\n");
