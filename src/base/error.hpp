@@ -24,6 +24,8 @@ enum class Setting : uint8_t {
   brdf,
   brdfFolder,
   allowOutside,
+  edits,
+  only,
 };
 
 // What is wrong with something that came from outside. Programming errors assert instead.

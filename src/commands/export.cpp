@@ -1,31 +1,46 @@
+#include "frame/export.hpp"
+
 #include <CLI/CLI.hpp>
+#include <array>
 #include <memory>
 #include <string>
 
 #include "base/log.hpp"
 #include "base/text.hpp"
 #include "commands/commands.hpp"
+#include "commands/picture_arguments.hpp"
 #include "commands/write_tables.hpp"
-#include "io/sources.hpp"
-#include "scene/builtin_scenes.hpp"
+#include "frame/settings.hpp"
+#include "io/gltf_edited.hpp"
 
 namespace facet::commands {
 
 namespace {
 
+constexpr std::array<std::string_view, 7> changing = {
+    "set", "only", "model-up", "model-rotation", "model-position", "model-scale", "allow-outside"};
+
 struct ExportArguments {
-  std::string scene, output;
+  std::string model, output;
+  PictureArguments picture;
 };
 
+Result<void> exportModel(const ExportArguments& arguments) {
+  frame::PictureSettings settings;
+  if (Result<void> r = options::apply(arguments.picture, settings); !r) return r;
+  Notes notes;
+  const io::Limits limits{.allowOutside = settings.sources.allowOutside};
+  const Result<std::vector<uint8_t>> glb =
+      frame::exportGlb(arguments.model, settings.placement.arrangement, notes, limits);
+  if (!glb) return tl::unexpected(glb.error());
+  for (const Note& note : notes) log::warning(options::describe(arguments.model, note));
+  return writeText(arguments.output, {reinterpret_cast<const char*>(glb->data()), glb->size()});
+}
+
 int runExport(const ExportArguments& arguments) {
-  if (!arguments.scene.starts_with(io::builtinPrefix))
-    return badInput({{}, inQuotes(arguments.scene), "only built-in scenes are written", "give builtin:NAME"});
   if (!arguments.output.ends_with(".glb"))
-    return badInput({arguments.output, "-o", "a built-in scene is binary glTF", "end the name in .glb"});
-  const Result<std::vector<uint8_t>> glb = scene::builtinScene(arguments.scene);
-  if (!glb) return badInput(glb.error());
-  const Result<void> written = writeText(arguments.output, {reinterpret_cast<const char*>(glb->data()), glb->size()});
-  if (!written) return badInput(written.error());
+    return badInput({arguments.output, "-o", "what is written is binary glTF", "end the name in .glb"});
+  if (const Result<void> written = exportModel(arguments); !written) return badInput(written.error());
   log::info(arguments.output);
   return exitGood;
 }
@@ -34,10 +49,11 @@ int runExport(const ExportArguments& arguments) {
 
 std::function<int()> addExport(CLI::App& app) {
   auto arguments = std::make_shared<ExportArguments>();
-  app.add_option("SCENE", arguments->scene, "a built-in scene (facet materials --list has them)")
-      ->type_name("builtin:NAME")
+  app.add_option("MODEL", arguments->model, "a .gltf or .glb file, or a built-in scene (facet materials --list)")
+      ->type_name("FILE|builtin:NAME")
       ->required();
   app.add_option("-o,--output", arguments->output, "the file")->type_name("OUT.glb")->required();
+  addPictureOptions(app, arguments->picture, changing);
   return [arguments] { return runExport(*arguments); };
 }
 

@@ -28,9 +28,10 @@ Result<std::string> textOf(const nlohmann::json& value, const options::PictureOp
   if (!value.is_array()) return wrong(value);
   std::string text;
   for (const nlohmann::json& element : value) {
-    if (!element.is_number()) return wrong(element);
+    const bool known = option.repeated ? element.is_string() : element.is_number();
+    if (!known) return wrong(element);
     if (!text.empty()) text += option.separator;
-    text += numberText(element);
+    text += option.repeated ? element.get<std::string>() : numberText(element);
   }
   return text;
 }
@@ -47,9 +48,11 @@ void addPictureOptions(CLI::App& app, PictureArguments& arguments, std::span<con
           ->group("Picture");
       continue;
     }
-    app.add_option_function<std::string>("--" + std::string(option.name), keep, options::helpOf(option))
-        ->type_name(std::string(option.value))
-        ->group("Picture");
+    CLI::Option* added =
+        app.add_option_function<std::string>("--" + std::string(option.name), keep, options::helpOf(option))
+            ->type_name(std::string(option.value))
+            ->group("Picture");
+    if (option.repeated) added->join(option.separator);
   }
 }
 

@@ -1,15 +1,18 @@
 #include "frame/choose.hpp"
 
 #include <algorithm>
+#include <glm/gtc/matrix_transform.hpp>
 #include <initializer_list>
 #include <set>
 
+#include "base/nearest.hpp"
 #include "base/text.hpp"
 #include "base/whole_number.hpp"
 #include "frame/settings.hpp"
 #include "io/sources.hpp"
 #include "scene/animation.hpp"
 #include "scene/builtin_scenes.hpp"
+#include "scene/edited.hpp"
 
 namespace facet::frame {
 
@@ -181,10 +184,60 @@ Result<int> chooseVariant(const Look& look, const scene::Model& model) {
               known.empty() ? "it has none at all: choose none" : "it has " + known, Setting::variant);
 }
 
+Result<std::vector<int>> chooseNodes(const std::vector<std::string>& wanted, const scene::Model& model) {
+  std::vector<int> nodes;
+  for (const std::string& name : wanted) {
+    const size_t before = nodes.size();
+    for (size_t i = 0; i < model.nodes.size(); ++i)
+      if (model.nodes[i].name == name) nodes.push_back(static_cast<int>(i));
+    const std::optional<int> index = wholeNumber(name);
+    if (nodes.size() == before && index && *index >= 0 && static_cast<size_t>(*index) < model.nodes.size())
+      nodes.push_back(*index);
+    if (nodes.size() > before) continue;
+    std::vector<std::string_view> known;
+    for (const scene::Node& node : model.nodes)
+      if (!node.name.empty() && known.size() < 20) known.push_back(node.name);
+    return fail(model.name, "", "there is no node " + inQuotes(name),
+                known.empty() ? "give an index below " + std::to_string(model.nodes.size()) : suggestion(name, known),
+                Setting::only);
+  }
+  return nodes;
+}
+
+namespace {
+
+// The model at a time, changed as it is wished.
+Result<scene::Pose> poseOf(const Arrangement& arrangement, const scene::Model& model,
+                           const std::vector<int>& animations, double time) {
+  scene::Pose pose = scene::poseAt(model, animations, time);
+  if (Result<void> r = scene::applyEdits(pose, model, arrangement.edits); !r) return tl::unexpected(r.error());
+  Result<std::vector<int>> only = chooseNodes(arrangement.only, model);
+  if (!only) return tl::unexpected(only.error());
+  pose.only = std::move(*only);
+  const glm::dmat4 world = worldFromModel(arrangement);
+  if (world != glm::dmat4(1)) pose.worldFromModel = world;
+  return pose;
+}
+
+}  // namespace
+
+glm::dmat4 worldFromModel(const Arrangement& of) {
+  // Columns: where the model's axes point.
+  constexpr glm::dmat3 up[] = {
+      {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}, {{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}};
+  glm::dmat4 world = glm::translate(glm::dmat4(1), of.position);
+  for (const int axis : {2, 1, 0}) {
+    glm::dvec3 about(0);
+    about[axis] = 1;
+    if (of.rotationDeg[axis] != 0) world = glm::rotate(world, glm::radians(of.rotationDeg[axis]), about);
+  }
+  return glm::scale(world * glm::dmat4(up[static_cast<size_t>(of.up)]), glm::dvec3(of.scale));
+}
+
 Result<scene::Pose> choosePose(const Placement& placement, const scene::Model& model) {
   const Result<std::vector<int>> animations = scene::chooseAnimations(model, placement.animation);
   if (!animations) return tl::unexpected(animations.error());
-  return scene::poseAt(model, *animations, placement.timeSeconds);
+  return poseOf(placement.arrangement, model, *animations, placement.timeSeconds);
 }
 
 namespace {
@@ -217,7 +270,9 @@ scene::Bounds framingBounds(const Placement& placement, const scene::Model& mode
   for (const scene::Node& node : model.nodes) work += node.instances.size();
   scene::Bounds all;
   for (const double time : framedMoments(model, *animations, std::clamp<size_t>(1'000'000 / work, 4, 48))) {
-    const scene::Bounds bounds = scene::sceneBounds(model, scene, scene::poseAt(model, *animations, time));
+    const Result<scene::Pose> pose = poseOf(placement.arrangement, model, *animations, time);
+    if (!pose) return poseBounds;
+    const scene::Bounds bounds = scene::sceneBounds(model, scene, *pose);
     if (!bounds.empty()) all.add(bounds.min), all.add(bounds.max);
   }
   return all;

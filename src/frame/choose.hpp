@@ -60,7 +60,13 @@ Result<int> chooseScene(const Placement& placement, const scene::Model& model);
 // Index in model.variants, -1 for none. Errors: no such variant.
 Result<int> chooseVariant(const Look& look, const scene::Model& model);
 
-// The pose that is asked for, of the chosen scene. Errors: no such animation.
+// Where an arrangement puts a model: the identity by default.
+glm::dmat4 worldFromModel(const Arrangement& arrangement);
+
+// Nodes by name (all of that name), else by index. Errors: there is none such.
+Result<std::vector<int>> chooseNodes(const std::vector<std::string>& wanted, const scene::Model& model);
+
+// The pose that is asked for, of the chosen scene. Errors: no such animation, an edit or a node that means nothing.
 Result<scene::Pose> choosePose(const Placement& placement, const scene::Model& model);
 
 // What a view of everything takes in, world: the scene's bounds; where an animation is chosen, those of its whole

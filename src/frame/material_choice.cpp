@@ -1,6 +1,7 @@
 #include "frame/material_choice.hpp"
 
 #include "optics/presets.hpp"
+#include "scene/edited.hpp"
 #include "scene/usage.hpp"
 
 namespace facet::frame {
@@ -29,7 +30,8 @@ scene::Material overridingMaterial(const MaterialChoice& choice) {
   material.perceptualRoughnessFactor = choice.perceptualRoughness;
   material.ior = choice.ior;
   if (optics::findMetal(choice.preset)) material.conductor = choice.preset;
-  return material;
+  Result<scene::Material> edited = scene::edited(material, choice.edits);
+  return edited ? std::move(*edited) : material;  // whoever makes the choice checks it
 }
 
 }  // namespace facet::frame

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "scene/edit.hpp"
+
 namespace facet::scene {
 struct Material;
 }
@@ -20,6 +22,7 @@ struct MaterialChoice {
   float perceptualRoughness = 0.4f;
   float ior = 1.5f;    // of the dielectric, [1, 3]
   std::string preset;  // metal or dielectric (optics/presets.hpp); empty: none
+  scene::Edits edits;  // of what extensions add, by names that a material has: "/clearcoatFactor"
 
   bool operator==(const MaterialChoice&) const = default;
 };

@@ -152,8 +152,10 @@ Result<Step> nextStep(Plan& plan, const PictureSettings& wish, const Supply& sup
 scene::Bounds animatedBounds(LoadedScene& scene, int index, const Placement& placement, const scene::Bounds& pose) {
   if (placement.animation.empty()) return pose;
   std::optional<Framing>& known = scene.framing;
-  if (!known || known->scene != index || known->animation != placement.animation)
-    known = Framing{index, placement.animation, framingBounds(placement, scene.model(), index, pose)};
+  if (!known || known->scene != index || known->animation != placement.animation ||
+      known->arrangement != placement.arrangement)
+    known = Framing{index, placement.animation, placement.arrangement,
+                    framingBounds(placement, scene.model(), index, pose)};
   return known->bounds;
 }
 
@@ -189,6 +191,7 @@ ListInputs listInputs(const PictureSettings& settings, std::shared_ptr<const io:
       shading::showsLight(inputs.options.features.channel))
     inputs.options.features.imageLightSamples = convergedLightSamples;
   inputs.animation = settings.placement.animation;
+  inputs.arrangement = settings.placement.arrangement;
   if (!inputs.animation.empty()) inputs.timeSeconds = settings.placement.timeSeconds;
   return inputs;
 }

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "frame/arrangement.hpp"
 #include "frame/choose.hpp"
 #include "frame/fitted_gpu.hpp"
 #include "frame/frame.hpp"
@@ -27,6 +28,7 @@ namespace facet::frame {
 struct Framing {
   int scene = 0;
   std::string animation;
+  Arrangement arrangement;
   scene::Bounds bounds;
 };
 
@@ -86,7 +88,8 @@ struct ListInputs {
   int scene = 0;        // index
   DrawOptions options;  // the whole wish, as far as a list reads it
   std::string animation;
-  double timeSeconds = 0;                         // where an animation is chosen
+  double timeSeconds = 0;  // where an animation is chosen
+  Arrangement arrangement;
   std::shared_ptr<const MeasuredOnGpu> measured;  // that the options speak of
   std::shared_ptr<const FittedOnGpu> fitted;      // likewise
 

@@ -83,11 +83,16 @@ Result<std::unique_ptr<Session>> Session::create(const SessionOptions& options) 
   return std::unique_ptr<Session>(new Session(std::move(*context), options));
 }
 
-Result<void> Session::load(const std::string& source, const Sources& sources, Notes& notes) {
+Result<void> Session::load(const std::string& source, const PictureSettings& settings, Notes& notes) {
+  const Sources& sources = settings.sources;
   const io::Bump bump{sources.bump, sources.bumpScale};
-  if (scene_ && scene_->source == source && scene_->bump == bump && allowOutside_ == sources.allowOutside) return {};
+  const bool editable = !settings.placement.arrangement.edits.empty() || !settings.look.material.edits.empty();
+  if (scene_ && scene_->source == source && scene_->bump == bump && allowOutside_ == sources.allowOutside &&
+      (model_->editable || !editable))
+    return {};
   scene_.reset(), model_.reset();  // frees the old one before the new one grows
-  Result<io::LoadedModel> loaded = io::loadModel(source, {.allowOutside = sources.allowOutside}, bump);
+  Result<io::LoadedModel> loaded =
+      io::loadModel(source, {.allowOutside = sources.allowOutside, .editable = editable}, bump);
   if (!loaded) return tl::unexpected(loaded.error());
   model_ = std::make_shared<io::LoadedModel>(std::move(*loaded));
   allowOutside_ = sources.allowOutside;
@@ -107,7 +112,7 @@ Result<Picture> Session::render(const std::string& model, const PictureSettings&
 Result<Picture> Session::draw(const std::string& model, const PictureSettings& settings, const PictureRequest& request,
                               Notes& notes, Stages& stages) {
   programs_.keepLatest(shading::keptPrograms);
-  if (Result<void> r = load(model, settings.sources, notes); !r) return tl::unexpected(r.error());
+  if (Result<void> r = load(model, settings, notes); !r) return tl::unexpected(r.error());
   stages.mark("read model");
   PictureStatistics statistics;
   const Supply supply = supplyAtOnce(shelf_, programs_, notes);

@@ -37,7 +37,7 @@ class Session {
   static Result<std::unique_ptr<Session>> create(const SessionOptions& options);
 
   // Reads a model unless it is there already; the next picture of it finds it. After an error there is none.
-  Result<void> load(const std::string& model, const Sources& sources, Notes& notes);
+  Result<void> load(const std::string& model, const PictureSettings& settings, Notes& notes);
 
   // Loads what the picture names and is not there yet, then renders it. Notes: the model's (only when it was loaded by
   // this call), the environment's, the picture's. After an error of the driver (gl::isOfDriver) what the session keeps

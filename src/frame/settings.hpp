@@ -9,6 +9,7 @@
 #include <string>
 
 #include "base/choice.hpp"
+#include "frame/arrangement.hpp"
 #include "frame/material_choice.hpp"
 #include "io/utia.hpp"
 #include "optics/color.hpp"
@@ -117,6 +118,7 @@ struct Placement {
   int scene = -1;          // index; -1: the file's default scene
   std::string animation;   // name or index of an animation in the file, "all"; empty: none, the model is at rest
   double timeSeconds = 0;  // at which the animation stands, [0, 1e6]
+  Arrangement arrangement;
 
   bool operator==(const Placement&) const = default;
 };

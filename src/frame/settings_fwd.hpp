@@ -7,6 +7,7 @@ namespace facet::frame {
 
 enum class BrdfCompare;
 enum class TextureFilter;
+struct Arrangement;
 struct BrdfComparison;
 struct Display;
 struct FrameSettings;

@@ -294,6 +294,17 @@ Result<scene::Environment> withImages(const fs::path& path, const Limits& limits
                                     });
 }
 
+Result<std::vector<uint8_t>> withBuffers(std::span<const uint8_t> bytes, const std::string& name,
+                                         const fs::path& baseFolder, const Limits& limits,
+                                         const std::function<Result<std::vector<uint8_t>>(Document&)>& use) {
+  return safely<std::vector<uint8_t>>(name, baseFolder, limits, [&](Document& doc) -> Result<std::vector<uint8_t>> {
+    if (auto ok = readText(doc, bytes); !ok) return tl::unexpected(ok.error());
+    for (const auto step : {readAsset, readBuffers})
+      if (auto ok = step(doc); !ok) return tl::unexpected(ok.error());
+    return use(doc);
+  });
+}
+
 Result<DecodedViews> decodeViews(std::span<const uint8_t> bytes, const std::string& name, const fs::path& baseFolder,
                                  const Limits& limits) {
   const auto doc = std::make_shared<Document>();

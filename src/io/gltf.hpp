@@ -25,11 +25,13 @@ struct Limits {
   uint64_t geometryBytes = uint64_t{4} << 30;   // decoded vertices and indices of a model
   int jsonDepth = 256;
   std::string allowOutside = {};  // folder that files of a model may lie in besides its own; empty: none
+  bool editable = false;          // materials will be changed: what any value of theirs can show is read, too
 };
 
 struct LoadedModel {
   scene::Model model;
-  Notes notes;  // repaired, ignored, missing
+  Notes notes;            // repaired, ignored, missing
+  bool editable = false;  // Limits'
 };
 
 Result<LoadedModel> loadGltf(const std::filesystem::path& path, const Limits& limits = {});

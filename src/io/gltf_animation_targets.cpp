@@ -2,11 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "base/whole_number.hpp"
 #include "io/gltf_deformation.hpp"
 #include "io/uri.hpp"
-#include "scene/material_properties.hpp"
-#include "scene/usage.hpp"
+#include "scene/properties.hpp"
 
 namespace facet::io {
 
@@ -14,86 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 using scene::AnimatedProperty;
-using scene::TextureSlot;
 using Targets = std::vector<AnimationTarget>;
-
-struct Rule {
-  std::string_view path;  // below the object
-  AnimatedProperty property;
-  int components;
-};
-
-constexpr Rule nodeRules[] = {
-    {"translation", AnimatedProperty::translation, 3},
-    {"rotation", AnimatedProperty::rotation, 4},
-    {"scale", AnimatedProperty::scale, 3},
-    {"weights", AnimatedProperty::weights, 1},
-    {"extensions/KHR_node_visibility/visible", AnimatedProperty::visible, 1},
-};
-
-// Below each of the textures.
-constexpr Rule textureRules[] = {
-    {"extensions/KHR_texture_transform/offset", AnimatedProperty::textureOffset, 2},
-    {"extensions/KHR_texture_transform/rotation", AnimatedProperty::textureRotation, 1},
-    {"extensions/KHR_texture_transform/scale", AnimatedProperty::textureScale, 2},
-};
-
-constexpr Rule lightRules[] = {
-    {"color", AnimatedProperty::lightColor, 3},
-    {"intensity", AnimatedProperty::lightIntensity, 1},
-    {"range", AnimatedProperty::lightRange, 1},
-    {"spot/innerConeAngle", AnimatedProperty::lightInnerConeAngle, 1},
-    {"spot/outerConeAngle", AnimatedProperty::lightOuterConeAngle, 1},
-};
-
-constexpr Rule perspectiveRules[] = {
-    {"perspective/yfov", AnimatedProperty::cameraFovY, 1},
-    {"perspective/znear", AnimatedProperty::cameraZNear, 1},
-    {"perspective/zfar", AnimatedProperty::cameraZFar, 1},
-    {"perspective/aspectRatio", AnimatedProperty::cameraAspectRatio, 1},
-};
-constexpr Rule orthographicRules[] = {
-    {"orthographic/xmag", AnimatedProperty::cameraXMag, 1},
-    {"orthographic/ymag", AnimatedProperty::cameraYMag, 1},
-    {"orthographic/znear", AnimatedProperty::cameraZNear, 1},
-    {"orthographic/zfar", AnimatedProperty::cameraZFar, 1},
-};
-
-AnimationTarget targetOf(AnimatedProperty property, int components, int object) {
-  AnimationTarget target;
-  target.channel.property = property;
-  target.channel.object = object;
-  target.components = target.width = components;
-  return target;
-}
-
-std::optional<AnimationTarget> find(std::span<const Rule> rules, std::string_view path, int object) {
-  for (const Rule& rule : rules)
-    if (rule.path == path) return targetOf(rule.property, rule.components, object);
-  return std::nullopt;
-}
-
-std::optional<AnimationTarget> findInMaterial(std::string_view path, int material) {
-  for (const scene::MaterialProperty& property : scene::materialProperties())
-    if (property.path == path) return targetOf(property.property, componentCount(property), material);
-  for (const TextureSlot slot : scene::textureSlots) {
-    const std::string_view texture = scene::path(slot);
-    if (!path.starts_with(texture) || path.substr(texture.size(), 1) != "/") continue;
-    auto target = find(textureRules, path.substr(texture.size() + 1), material);
-    if (target) target->channel.slot = slot;
-    return target;
-  }
-  return std::nullopt;
-}
-
-// The number before the next slash, which is taken off the path; -1 where it is not below count.
-int takeIndex(std::string_view& path, size_t count) {
-  const std::string_view digits = path.substr(0, path.find('/'));
-  const int index = wholeNumber(digits).value_or(-1);
-  if (index < 0 || static_cast<size_t>(index) >= count) return -1;
-  path.remove_prefix(std::min(path.size(), digits.size() + 1));
-  return index;
-}
 
 size_t targetsOfMesh(const Document& doc, int mesh) {
   return mesh == -1 ? 0 : targetCount(doc.gltf.meshes[static_cast<size_t>(mesh)]);
@@ -113,20 +32,6 @@ Targets nodeTarget(Document& doc, AnimationTarget target, const std::string& pla
   return {target};
 }
 
-// "weights/2" of a node: one weight alone.
-std::optional<AnimationTarget> oneWeight(const Document& doc, std::string_view path, int node) {
-  constexpr std::string_view head = "weights/";
-  if (!path.starts_with(head)) return std::nullopt;
-  path.remove_prefix(head.size());
-  const int element = takeIndex(path, targetsOfMesh(doc, doc.model.nodes[static_cast<size_t>(node)].mesh));
-  if (element == -1 || !path.empty()) return std::nullopt;
-  AnimationTarget target;
-  target.channel.property = AnimatedProperty::weights;
-  target.channel.object = node;
-  target.channel.element = element;
-  return target;
-}
-
 // A mesh's weights are those of all nodes that draw it and have none of their own.
 Targets meshWeights(const Document& doc, const MeshUsers& users, int mesh) {
   Targets targets;
@@ -144,29 +49,16 @@ Targets meshWeights(const Document& doc, const MeshUsers& users, int mesh) {
 
 // Nothing where the pointer names nothing that is known. Names that need escapes (~0, ~1) are none of ours.
 Targets pointerTargets(Document& doc, const MeshUsers& users, std::string_view pointer, const std::string& place) {
-  const auto below = [&](std::string_view list, size_t count) {
-    if (!pointer.starts_with(list)) return -1;
-    std::string_view rest = pointer.substr(list.size());
-    const int index = takeIndex(rest, count);
-    if (index != -1) pointer = rest;
-    return index;
-  };
-  std::optional<AnimationTarget> found;
-  if (const int node = below("/nodes/", doc.model.nodes.size()); node != -1) {
-    found = find(nodeRules, pointer, node);
-    if (found) return nodeTarget(doc, *found, place);
-    found = oneWeight(doc, pointer, node);
-  } else if (const int mesh = below("/meshes/", doc.model.meshes.size()); mesh != -1) {
-    if (pointer == "weights") return meshWeights(doc, users, mesh);
-  } else if (const int material = below("/materials/", doc.model.materials.size()); material != -1) {
-    found = findInMaterial(pointer, material);
-  } else if (const int light = below("/extensions/KHR_lights_punctual/lights/", doc.model.lights.size()); light != -1) {
-    found = find(lightRules, pointer, light);
-  } else if (const int camera = below("/cameras/", doc.model.cameras.size()); camera != -1) {
-    const bool perspective = doc.model.cameras[static_cast<size_t>(camera)].perspective;
-    found = perspective ? find(perspectiveRules, pointer, camera) : find(orthographicRules, pointer, camera);
-  }
-  return found ? Targets{*found} : Targets{};
+  const std::optional<scene::PropertyPlace> at = scene::placeOf(doc.model, pointer);
+  if (!at) return {};
+  if (at->owner == scene::Owner::mesh) return at->path == "weights" ? meshWeights(doc, users, at->object) : Targets{};
+  const size_t targets =
+      at->owner == scene::Owner::node ? targetsOfMesh(doc, doc.model.nodes[static_cast<size_t>(at->object)].mesh) : 0;
+  const std::optional<scene::PropertyTarget> found = scene::propertyAt(doc.model, *at, targets);
+  if (!found) return {};
+  const AnimationTarget target{found->channel, found->components, found->components};
+  if (at->owner == scene::Owner::node && target.channel.element == -1) return nodeTarget(doc, target, place);
+  return {target};
 }
 
 }  // namespace
@@ -203,9 +95,9 @@ Result<Targets> animationTargets(Document& doc, const Json& channel, const MeshU
   if (node == target->end()) return Targets{};  // for extensions (glTF 2.0, 3.11)
   const auto index = readIndex(doc, *node, doc.model.nodes.size(), at + "/node", "node");
   if (!index) return tl::unexpected(index.error());
-  for (const Rule& rule : std::span(nodeRules).first(4)) {
-    if (rule.path == path) return nodeTarget(doc, *find(nodeRules, path, *index), at);
-  }
+  const auto found = scene::propertyAt(doc.model, {scene::Owner::node, *index, path}, 0);
+  if (found && found->channel.property != AnimatedProperty::visible)
+    return nodeTarget(doc, {found->channel, found->components, found->components}, at);
   doc.warning(at + "/path", inQuotes(path) + " is no path of an animation: the channel is ignored");
   return Targets{};
 }

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -113,5 +114,12 @@ Result<void> readXmp(Document& doc);
 // Errors: a required extension that is not supported and that more than looks depend on; one that only concerns looks
 // is a warning. Notes those that are used and not supported.
 Result<void> checkExtensions(Document& doc);
+
+// -- Whole files (gltf.cpp) --
+
+// Its text and its buffers, for who writes it anew. Errors: those of loadGltfBytes up to there.
+Result<std::vector<uint8_t>> withBuffers(std::span<const uint8_t> bytes, const std::string& name,
+                                         const std::filesystem::path& baseFolder, const Limits& limits,
+                                         const std::function<Result<std::vector<uint8_t>>(Document&)>& use);
 
 }  // namespace facet::io

@@ -50,17 +50,18 @@ bool isRead(const AttributeRule& rule, const TexCoordSets& sets) {
 }
 
 // Set 0, which the debug view of texture coordinates shows, and what the textures of the primitive's materials name.
-// What is animated may start at a factor of 0 and still be seen later.
+// What is animated or edited may start at a factor of 0 and still be seen later.
 TexCoordSets wantedSets(const Document& doc, const scene::Primitive& primitive) {
   const auto& used = doc.model.extensionsUsed;
-  const bool animated = std::find(used.begin(), used.end(), "KHR_animation_pointer") != used.end();
+  const bool changes =
+      doc.limits.editable || std::find(used.begin(), used.end(), "KHR_animation_pointer") != used.end();
   TexCoordSets sets = 1;
   const auto addMaterial = [&](int index) {
     if (index < 0) return;
     const scene::Material& material = doc.model.materials[static_cast<size_t>(index)];
     for (const scene::TextureSlot slot : scene::textureSlots) {
       const scene::TextureRef& ref = textureRef(material, slot);
-      if (ref && (animated || usesTexture(material, slot))) sets.set(static_cast<size_t>(ref.texCoord));
+      if (ref && (changes || usesTexture(material, slot))) sets.set(static_cast<size_t>(ref.texCoord));
     }
   };
   addMaterial(primitive.material);

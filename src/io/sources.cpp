@@ -66,7 +66,8 @@ Result<LoadedModel> loadModel(const std::string& source, const Limits& limits, c
   Result<LoadedModel> loaded = readModel(source, limits);
   if (loaded && !bump.file.empty())
     if (auto ok = applyBump(loaded->model, bump, limits); !ok) return tl::unexpected(ok.error());
-  if (loaded) scene::completeGeometry(loaded->model, loaded->notes);
+  if (loaded) scene::completeGeometry(loaded->model, loaded->notes, -1, limits.editable);
+  if (loaded) loaded->editable = limits.editable;
   return loaded;
 }
 

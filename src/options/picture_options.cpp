@@ -13,6 +13,7 @@
 #include "frame/settings.hpp"
 #include "io/sources.hpp"
 #include "optics/presets.hpp"
+#include "options/arrangement_options.hpp"
 #include "shading/features.hpp"
 
 namespace facet::options {
@@ -145,28 +146,14 @@ std::string writeOrbit(const PictureSettings& settings) {
   return settings.viewpoint.orbit->radius ? angles + "," + number(*settings.viewpoint.orbit->radius) : angles;
 }
 
-Result<glm::dvec3> parseThree(Text text, const char* what, const char* remedy) {
-  const std::vector<Text> parts = split(text, ',');
-  if (parts.size() != 3) return fail({}, {}, inQuotes(text) + " is not " + what, remedy);
-  glm::dvec3 three;
-  for (int i = 0; i < 3; ++i) {
-    const Result<double> value = parseNumber(parts[static_cast<size_t>(i)], -1e9, 1e9);
-    if (!value) return tl::unexpected(value.error());
-    three[i] = *value;
-  }
-  return three;
-}
-
-std::string writeThree(const glm::dvec3& v) { return number(v.x) + "," + number(v.y) + "," + number(v.z); }
-
 Result<void> parseTarget(Text text, PictureSettings& settings) {
-  return parseThree(text, "a point", "give X,Y,Z in metres such as 0,1.5,0").map([&](const glm::dvec3& target) {
+  return parseVector(text, 1e9, "a point", "in metres such as 0,1.5,0").map([&](const glm::dvec3& target) {
     settings.viewpoint.target = target;
   });
 }
 
 std::string writeTarget(const PictureSettings& settings) {
-  return settings.viewpoint.target ? writeThree(*settings.viewpoint.target) : std::string();
+  return settings.viewpoint.target ? writeVector(*settings.viewpoint.target) : std::string();
 }
 
 constexpr Text axisWords[] = {"x", "y", "z"};
@@ -180,7 +167,7 @@ Result<void> parseUp(Text text, PictureSettings& settings) {
     return {};
   }
   constexpr const char* remedy = "give x, y, z or X,Y,Z such as 0,0,-1";
-  const Result<glm::dvec3> up = parseThree(text, "a direction", remedy);
+  const Result<glm::dvec3> up = parseVector(text, 1e9, "a direction", "such as 0,0,-1; or x, y, z");
   if (!up) return tl::unexpected(up.error());
   if (!(glm::length(*up) > 1e-9)) return fail({}, {}, inQuotes(text) + " is no direction", remedy);
   settings.viewpoint.up = *up;
@@ -193,7 +180,7 @@ std::string writeUp(const PictureSettings& settings) {
     axis[i] = 1;
     if (settings.viewpoint.up == axis) return std::string(axisWords[i]);
   }
-  return writeThree(settings.viewpoint.up);
+  return writeVector(settings.viewpoint.up);
 }
 
 Result<void> parseViewHeight(Text text, PictureSettings& settings) {
@@ -463,6 +450,13 @@ constexpr PictureOption channelOption(Text name, Text help) {
 
 using M = frame::MaterialChoice;
 
+constexpr PictureOption repeatedOption(Text name, Text value, Text help, Result<void> (*parse)(Text, PictureSettings&),
+                                       std::string (*write)(const PictureSettings&)) {
+  PictureOption option{name, value, help, parse, write, ';'};
+  option.repeated = true;
+  return option;
+}
+
 constexpr PictureOption optionTable[] = {
     {"size", "WxH", "size in pixels (1024x1024)", parseSize, writeSize, 'x'},
     {"orbit", "THETA,PHI,RADIUS", "camera around the target: degrees from +Z towards +X, degrees from +Y, metres",
@@ -495,6 +489,23 @@ constexpr PictureOption optionTable[] = {
      writeMaterialNumber<&M::perceptualRoughness>},
     {"material-ior", "1..3", "its index of refraction (1.5; a substance's own)", parseMaterialNumber<&M::ior, 1, 3>,
      writeMaterialNumber<&M::ior>},
+    repeatedOption("material-set", "NAME=VALUE",
+                   "a property of its extensions, such as clearcoatFactor=1, sheenColorFactor=0,0,1", parseMaterialSet,
+                   writeMaterialSet),
+    repeatedOption("set", "POINTER=VALUE",
+                   "a value in place of the file's, by its JSON pointer or the end of it: "
+                   "/materials/0/roughnessFactor=0.2, /materials/Gold/baseColorTexture=none, "
+                   "/nodes/Lid/rotation=0,0,0.7,0.7, /nodes/3/visible=false, /nodes/Face/weights/2=1, "
+                   "/lights/0/intensity=50; * for all",
+                   parseSet, writeSet),
+    {"only", "NODE,...", "shows these nodes and what is below them alone, by names or indices (all)", parseOnly,
+     writeOnly},
+    choiceOption<frame::upAxes, &S::placement, &frame::Placement::arrangement, &frame::Arrangement::up>(
+        "model-up", "the model's axis that points up"),
+    {"model-rotation", "X,Y,Z", "turns the model about the axes of the world, in this order, degrees (0,0,0)",
+     parseRotation, writeRotation},
+    {"model-position", "X,Y,Z", "moves the model, metres (0,0,0)", parsePosition, writePosition},
+    {"model-scale", "X", "scales the model (1)", parseScale, writeScale},
     withoutOption("without", "layers of the materials that are left out, one or several of"),
     {"bump", "HEIGHT.png", "grey height map for the materials of a built-in scene (none)",
      parseText<&S::sources, &frame::Sources::bump>, writeString<&S::sources, &frame::Sources::bump>, ',', true},
@@ -657,9 +668,10 @@ Result<void> apply(const PictureArguments& arguments, PictureSettings& settings)
 namespace {
 
 // Row i is that of Setting(i).
-constexpr Text settingOptions[] = {"",      "scene", "variant", "animation", "camera", "bump",     "env",
-                                   "layer", "ndf",   "fresnel", "samples",   "brdf",   "brdf-dir", "allow-outside"};
-static_assert(std::size(settingOptions) == static_cast<size_t>(Setting::allowOutside) + 1);
+constexpr Text settingOptions[] = {"",         "scene",         "variant", "animation", "camera",  "bump",
+                                   "env",      "layer",         "ndf",     "fresnel",   "samples", "brdf",
+                                   "brdf-dir", "allow-outside", "set",     "only"};
+static_assert(std::size(settingOptions) == static_cast<size_t>(Setting::only) + 1);
 static_assert(std::ranges::all_of(settingOptions, [](Text name) {
   return name.empty() || std::ranges::any_of(optionTable, [&](const PictureOption& o) { return o.name == name; });
 }));

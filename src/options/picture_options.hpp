@@ -26,6 +26,7 @@ struct PictureOption {
   bool isPath = false;                            // in a job relative to the job file's folder
   bool mayBeName = false;                         // a path, but a plain word that is no file there is a name
   std::string (*choices)() = nullptr;             // the words that it takes, for its help
+  bool repeated = false;                          // may be given several times: `separator` between
   bool flag = false;                              // on where it is named; in a job true or false
   std::vector<std::string> (*names)() = nullptr;  // the names that it takes, where its help does not list them
 };

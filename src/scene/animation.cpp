@@ -156,16 +156,6 @@ void setCamera(Camera& camera, AnimatedProperty property, const std::vector<doub
   if (property == AnimatedProperty::cameraYMag) camera.yMag = std::clamp(std::abs(v[0]), smallest, largest);
 }
 
-// What depends on two properties that move independently is made valid when both are set: inner < outer cone by 1e-4
-// (the falloff divides by the difference of the cosines) and near < far plane.
-void reconcile(Pose& pose) {
-  for (auto& [index, light] : pose.lights.changed)
-    light.innerConeAngle = std::min(light.innerConeAngle, std::max(0.0f, light.outerConeAngle - 1e-4f));
-  for (auto& [index, camera] : pose.cameras.changed)
-    if (!(camera.zFar > camera.zNear))
-      camera.zFar = camera.perspective ? unbounded : std::max(camera.zNear * 2, smallest);
-}
-
 enum class Kind { node, material, light, camera };
 
 Kind kindOf(AnimatedProperty property) {
@@ -181,21 +171,7 @@ void apply(const Model& model, const Animation& animation, double time, std::vec
     value.resize(size_t(sampler.width));
     sampleAs(step ? Interpolation::step : sampler.interpolation, sampler, time,
              channel.property == AnimatedProperty::rotation, value);
-    const auto edit = [&](auto& changes, const auto& rest) -> auto& { return changes.edit(rest, channel.object); };
-    switch (kindOf(channel.property)) {
-      case Kind::node:
-        setNode(edit(pose.nodes, model.nodes), channel, value, model);
-        break;
-      case Kind::material:
-        setMaterial(edit(pose.materials, model.materials), channel, value);
-        break;
-      case Kind::light:
-        setLight(edit(pose.lights, model.lights), channel.property, value);
-        break;
-      case Kind::camera:
-        setCamera(edit(pose.cameras, model.cameras), channel.property, value);
-        break;
-    }
+    setProperty(pose, model, channel, value);
   }
 }
 
@@ -239,6 +215,32 @@ Result<std::vector<int>> chooseAnimations(const Model& model, const std::string&
                 Setting::animation);
   return fail(model.name, "", "there is no animation \"" + printable(wanted, 80) + "\"",
               "choose all or one of " + listed(model.animations), Setting::animation);
+}
+
+void setProperty(Pose& pose, const Model& model, const AnimationChannel& channel, const std::vector<double>& value) {
+  const auto edit = [&](auto& changes, const auto& rest) -> auto& { return changes.edit(rest, channel.object); };
+  switch (kindOf(channel.property)) {
+    case Kind::node:
+      setNode(edit(pose.nodes, model.nodes), channel, value, model);
+      break;
+    case Kind::material:
+      setMaterial(edit(pose.materials, model.materials), channel, value);
+      break;
+    case Kind::light:
+      setLight(edit(pose.lights, model.lights), channel.property, value);
+      break;
+    case Kind::camera:
+      setCamera(edit(pose.cameras, model.cameras), channel.property, value);
+      break;
+  }
+}
+
+void reconcile(Pose& pose) {
+  for (auto& [index, light] : pose.lights.changed)
+    light.innerConeAngle = std::min(light.innerConeAngle, std::max(0.0f, light.outerConeAngle - 1e-4f));
+  for (auto& [index, camera] : pose.cameras.changed)
+    if (!(camera.zFar > camera.zNear))
+      camera.zFar = camera.perspective ? unbounded : std::max(camera.zNear * 2, smallest);
 }
 
 Pose poseAt(const Model& model, std::span<const int> animations, double time) {

@@ -29,4 +29,12 @@ Result<std::vector<int>> chooseAnimations(const Model& model, const std::string&
 // valid whatever a spline does between its keys; visibility always jumps.
 Pose poseAt(const Model& model, std::span<const int> animations, double time);
 
+// The property that a channel names, brought to its range; as many numbers as it has. Rotations: x, y, z, w, of any
+// length but 0.
+void setProperty(Pose& pose, const Model& model, const AnimationChannel& channel, const std::vector<double>& value);
+
+// What depends on two properties that are set by themselves is made valid when both are: inner < outer cone by 1e-4
+// (the falloff divides by the difference of the cosines) and near < far plane.
+void reconcile(Pose& pose);
+
 }  // namespace facet::scene

@@ -255,13 +255,16 @@ Primitive withFlatNormals(Primitive primitive) {
   return p;
 }
 
-void completeGeometry(Model& model, Notes& notes, int scene) {
+void completeGeometry(Model& model, Notes& notes, int scene, bool editable) {
   struct Job {
     size_t mesh, primitive;
     Warnings warnings;
   };
   const std::vector<bool> drawn = scene < 0 ? std::vector<bool>(model.meshes.size(), true) : drawnMeshes(model, scene);
   const std::vector<Material> materials = materialsOverTime(model);
+  std::vector<Material> edited;
+  if (editable)
+    for (const Material& material : materials) edited.push_back(ofAnyValue(material));
   std::vector<Job> jobs;
   for (size_t m = 0; m < model.meshes.size(); ++m)
     for (size_t i = 0; drawn[m] && i < model.meshes[m].primitives.size(); ++i) jobs.push_back({m, i, {}});
@@ -269,6 +272,8 @@ void completeGeometry(Model& model, Notes& notes, int scene) {
   parallelFor(jobs.size(), [&](size_t j) {
     Primitive& p = model.meshes[jobs[j].mesh].primitives[jobs[j].primitive];
     completePrimitive(p, materialsOf(materials, p), jobs[j].warnings);
+    Warnings unseen;  // of what no material shows yet
+    if (editable && p.tangents.empty()) completePrimitive(p, materialsOf(edited, p), unseen);
   });
   for (Job& job : jobs)
     for (std::string& warning : job.warnings)

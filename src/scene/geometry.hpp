@@ -41,6 +41,7 @@ Primitive withFlatNormals(Primitive primitive);
 // "A material" is the primitive's own or that of a variant. Tangents follow the texture's coordinates as its
 // KHR_texture_transform has them (not animated); where textures use different ones, the tangents are those of the
 // first. A texture that can be seen without its coordinates in the primitive is a warning. Unlit triangles get neither.
-void completeGeometry(Model& model, Notes& notes, int scene = -1);
+// editable: materials will get other values (scene/edit.hpp); tangents that these ask for are made, too.
+void completeGeometry(Model& model, Notes& notes, int scene = -1, bool editable = false);
 
 }  // namespace facet::scene

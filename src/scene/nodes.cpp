@@ -41,7 +41,7 @@ const glm::dmat4& placeByParents(const Model& model, const Pose& pose, int node,
     known[size_t(n)] = true;
     chain.push_back(n);
   }
-  glm::dmat4 world = isIndex(n, known.size()) ? worldFromNode[size_t(n)] : glm::dmat4(1);
+  glm::dmat4 world = isIndex(n, known.size()) ? worldFromNode[size_t(n)] : pose.worldFromModel.value_or(glm::dmat4(1));
   for (auto it = chain.rbegin(); it != chain.rend(); ++it)
     worldFromNode[size_t(*it)] = world = world * localTransform(pose.nodes.of(model.nodes, *it));
   return worldFromNode[size_t(node)];
@@ -150,6 +150,7 @@ NodeTransforms worldTransforms(const Model& model, int scene, const Pose& pose) 
   out.worldFromNode.assign(model.nodes.size(), glm::dmat4(1));
   out.reached.assign(model.nodes.size(), false);
   out.hidden.assign(model.nodes.size(), false);
+  out.wanted.assign(model.nodes.size(), false);
   if (!isIndex(scene, model.scenes.size())) return out;
 
   struct Visit {
@@ -171,8 +172,13 @@ NodeTransforms worldTransforms(const Model& model, int scene, const Pose& pose) 
     const Node& node = pose.nodes.of(model.nodes, visit.node);
     const glm::dmat4 local = localTransform(node);
     const bool root = visit.parent < 0;
-    out.worldFromNode[n] = root ? local : out.worldFromNode[size_t(visit.parent)] * local;
+    if (!root)
+      out.worldFromNode[n] = out.worldFromNode[size_t(visit.parent)] * local;
+    else
+      out.worldFromNode[n] = pose.worldFromModel ? *pose.worldFromModel * local : local;
     out.hidden[n] = !node.visible || (!root && out.hidden[size_t(visit.parent)]);
+    out.wanted[n] = std::ranges::find(pose.only, visit.node) != pose.only.end() ||
+                    (root ? pose.only.empty() : out.wanted[size_t(visit.parent)]);
     push(node.children, visit.node);
   }
   return out;
@@ -200,8 +206,8 @@ FlatScene flatten(const Model& model, int scene, const Pose& pose) {
     const Node& node = pose.nodes.of(model.nodes, n);
     const glm::dmat4& world = transforms.worldFromNode[size_t(n)];
     const bool hidden = transforms.hidden[size_t(n)];
-    const bool drawn =
-        !hidden && isIndex(node.mesh, model.meshes.size()) && !model.meshes[size_t(node.mesh)].primitives.empty();
+    const bool drawn = !hidden && transforms.wanted[size_t(n)] && isIndex(node.mesh, model.meshes.size()) &&
+                       !model.meshes[size_t(node.mesh)].primitives.empty();
     const bool bySkin = drawn && isIndex(node.skin, skins.size()) && skinned[size_t(node.mesh)];
     const bool shines = !hidden && isIndex(node.light, model.lights.size());
     const bool looks = isIndex(node.camera, model.cameras.size());

@@ -21,6 +21,7 @@ struct NodeTransforms {
   std::vector<glm::dmat4> worldFromNode;  // identity where not reached
   std::vector<bool> reached;              // the scene's roots and all below them, hidden or not
   std::vector<bool> hidden;               // Node::visible is false for the node or for one above it
+  std::vector<bool> wanted;               // its mesh is drawn if it is not hidden (Pose::only)
   std::vector<int> order;                 // those reached, depth first, each once
 };
 
@@ -59,9 +60,9 @@ struct FlatScene {
   int overflowed = 0;  // instances, lights, cameras left out and joints replaced: their transform is not finite
 };
 
-// Leaves out the meshes and lights of hidden nodes and of all below them, but not their cameras, as KHR_node_visibility
-// says. Draws a node's mesh once for each of Node::instances; a skinned one only once, because its joints place it
-// (EXT_mesh_gpu_instancing leaves that open).
+// Leaves out meshes that are not among Pose::only, and the meshes and lights of hidden nodes and of all below them, but
+// not their cameras, as KHR_node_visibility says. Draws a node's mesh once for each of Node::instances; a skinned one
+// only once, because its joints place it (EXT_mesh_gpu_instancing leaves that open).
 FlatScene flatten(const Model& model, int scene, const Pose& pose = {});
 
 // Box around all instances' primitives as they are in the pose, as the union of their transformed boxes: never too

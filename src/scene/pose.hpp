@@ -30,6 +30,8 @@ struct Pose {
   Changes<Material> materials;
   Changes<Light> lights;
   Changes<Camera> cameras;
+  std::optional<glm::dmat4> worldFromModel;  // puts all of it elsewhere; not given: the identity
+  std::vector<int> only;  // nodes: meshes of these and of what is below them are drawn; empty: of all
 };
 
 }  // namespace facet::scene

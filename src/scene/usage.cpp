@@ -233,6 +233,12 @@ std::vector<Material> materialsOverTime(const Model& model) {
   return materials;
 }
 
+Material ofAnyValue(Material material) {
+  for (const MaterialProperty& property : materialProperties())
+    std::ranges::fill(components(material, property), property.overTime);
+  return material;
+}
+
 std::vector<const Material*> materialsOf(const std::vector<Material>& all, const Primitive& primitive) {
   const auto at = [&](int m) { return m >= 0 && size_t(m) < all.size() ? &all[size_t(m)] : &defaultMaterial(); };
   std::vector<const Material*> materials = {at(primitive.material)};

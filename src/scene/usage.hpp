@@ -70,6 +70,8 @@ std::vector<const Material*> materialsOf(const std::vector<Material>& all, const
 // The model's materials with every factor that an animation sets set to one that shows (overTime): where usesTexture
 // denies a texture of these, it stays invisible at all times.
 std::vector<Material> materialsOverTime(const Model& model);
+// The same of one of which every factor may be set.
+Material ofAnyValue(Material material);
 
 // Can light show on anything that the scene may draw, in any variant, at any time?
 bool anythingLit(const Model& model, int scene);

@@ -7,6 +7,7 @@
 
 #include "base/log.hpp"
 #include "scene/animation.hpp"
+#include "scene/edited.hpp"
 #include "view/describe.hpp"
 #include "view/playback.hpp"
 
@@ -105,7 +106,7 @@ void show(Viewport& viewport, ViewerState& state, frame::Drawable next) {
   showEnvironment(viewport.environments, environment);
   describeShown(viewport, state);
   offerEnvironment(state, environment->source);
-  if (otherScene || newScene) state.selection = {}, state.inspection = {};
+  if (otherScene || newScene) state.selection = {}, state.inspection = {}, state.measuredFrom.reset();
   if (otherScene) aim(viewport, state);
   if (otherEnvironment) say(state, (sameSource ? "reloaded: " : "environment: ") + environment->source);
   const auto& measured = viewport.shown.inputs.list.measured;
@@ -124,7 +125,10 @@ void show(Viewport& viewport, ViewerState& state, frame::Drawable next) {
 void keepWhatFits(frame::PictureSettings& settings, const scene::Model& model) {
   if (!frame::chooseScene(settings.placement, model)) settings.placement.scene = -1;
   if (!frame::chooseVariant(settings.look, model)) settings.look.variant.clear();
-  if (!frame::choosePose(settings.placement, model)) settings.placement.animation.clear();
+  if (!scene::chooseAnimations(model, settings.placement.animation)) settings.placement.animation.clear();
+  frame::Arrangement& arrangement = settings.placement.arrangement;
+  std::erase_if(arrangement.edits, [&](const scene::Edit& edit) { return !scene::resolveEdit(model, edit); });
+  if (!frame::choosePose(settings.placement, model)) arrangement.only.clear();
 }
 
 void returnToShownBrdf(const Viewport& viewport, ViewerState& state) {
@@ -146,6 +150,7 @@ void returnToShown(Viewport& viewport, ViewerState& state) {
   if (!settings.sources.brdf.empty() && shaded) returnToShownBrdf(viewport, state);
   const frame::ListInputs& shown = viewport.shown.inputs.list;
   settings.placement.scene = shown.scene;
+  settings.placement.arrangement = shown.arrangement;
   settings.look.variant = shown.options.variant < 0 ? "" : std::to_string(shown.options.variant);
 }
 
@@ -176,6 +181,7 @@ void forgetNames(frame::PictureSettings& settings) {
   settings.viewpoint.camera.clear();
   settings.placement.scene = -1;
   settings.placement.animation.clear();
+  settings.placement.arrangement = {};
   settings.look.variant.clear();
   settings.viewpoint.orbit.reset();
   settings.viewpoint.target.reset();

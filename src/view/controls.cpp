@@ -137,6 +137,12 @@ void take(Command command, const std::optional<scene::View>& view, ViewerState& 
     case Command::copyCommand:
       actions.copyCommand = true;
       return;
+    case Command::undo:
+      if (!undo(state.history, state.settings)) say(state, "there is nothing to undo");
+      return;
+    case Command::redo:
+      if (!redo(state.history, state.settings)) say(state, "there is nothing to redo");
+      return;
     case Command::messages:
       state.messagesAsked = true;
       return;

@@ -55,6 +55,7 @@ void describeShown(const Viewport& viewport, ViewerState& state) {
   shown.statistics.methods = viewport.environments.shown->chosen;
   shown.statistics.variants = variantCount(viewport.shown.list);
   shown.statistics.images = static_cast<int>(model.images.size());
+  shown.textures = shownTextures(model, viewport.scene->gpu);
   describeNotes(viewport, shown);
 }
 

@@ -22,6 +22,7 @@ Result<scene::Pose> shownPose(const Viewport& viewport) {
   frame::PictureSettings settings;
   settings.placement.animation = viewport.shown.inputs.list.animation;
   settings.placement.timeSeconds = viewport.shown.inputs.list.timeSeconds;
+  settings.placement.arrangement = viewport.shown.inputs.list.arrangement;
   return frame::choosePose(settings.placement, modelOf(viewport));
 }
 

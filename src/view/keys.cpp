@@ -87,6 +87,8 @@ const std::vector<CommandRow>& commandRows() {
        "screenshot once the picture has converged",
        {"Shift+P"}},
       {Command::copyCommand, "copyCommand", "Window", "copy the facet render line of this picture", {"Ctrl+C"}},
+      {Command::undo, "undo", "Window", "undo, redo a change of the model", {"Ctrl+Z"}},
+      {Command::redo, "redo", "Window", "undo, redo a change of the model", {"Ctrl+Shift+Z", "Ctrl+Y"}},
       {Command::messages, "messages", "Window", "all messages", {"M"}},
       {Command::help, "help", "Window", "this help", {"F1", "?"}},
       {Command::escape, "escape", "Window", "cancel loading, close the help, deselect", {"Esc"}},

@@ -44,6 +44,8 @@ enum class Command {
   screenshot,
   screenshotConverged,
   copyCommand,
+  undo,
+  redo,
   messages,
   help,
   escape,

@@ -22,11 +22,10 @@ std::vector<std::filesystem::path> filesOf(const std::string& source, const std:
   return files;
 }
 
-ModelLoaded loadModel(const std::string& source, Opening opening, const io::Bump& bump,
-                      const std::string& allowOutside) {
+ModelLoaded loadModel(const std::string& source, Opening opening, const io::Bump& bump, const io::Limits& limits) {
   try {
-    FileWatch watch = watchFiles(filesOf(source, allowOutside), std::chrono::steady_clock::now());
-    Result<io::LoadedModel> loaded = io::loadModel(source, {.allowOutside = allowOutside}, bump);
+    FileWatch watch = watchFiles(filesOf(source, limits.allowOutside), std::chrono::steady_clock::now());
+    Result<io::LoadedModel> loaded = io::loadModel(source, limits, bump);
     if (!loaded) return {source, opening, tl::unexpected(loaded.error())};
     return {source, opening, std::make_shared<const io::LoadedModel>(std::move(*loaded)), std::move(watch)};
   } catch (const std::bad_alloc&) {
@@ -97,9 +96,8 @@ ImagesDecoded decodeImages(const std::shared_ptr<const io::LoadedModel>& model, 
 }  // namespace
 
 void startModel(Loader& loader, const std::string& source, Opening opening, const io::Bump& bump) {
-  loader.model.start([source, opening, bump, allowOutside = loader.allowOutside] {
-    return loadModel(source, opening, bump, allowOutside);
-  });
+  const io::Limits limits{.allowOutside = loader.allowOutside, .editable = loader.editable};
+  loader.model.start([source, opening, bump, limits] { return loadModel(source, opening, bump, limits); });
 }
 
 void startEnvironment(Loader& loader, const std::string& source, bool again) {

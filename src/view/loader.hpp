@@ -69,6 +69,13 @@ struct ImagesDecoded {
   Notes notes;
 };
 
+// A changed model, as a file.
+struct ModelExported {
+  std::string file;
+  Result<void> written;
+  Notes notes;
+};
+
 // What images are decoded of a model.
 struct ImagesAsked {
   std::shared_ptr<const io::LoadedModel> model;
@@ -83,8 +90,10 @@ struct Loader {
   Latest<TableRead> table;
   Latest<ImagesDecoded> images;
   Latest<FileChecked> fileCheck;
+  Latest<ModelExported> exported;
   ImagesAsked imagesAsked;   // the newest request for them
   std::string allowOutside;  // of models (frame::Sources)
+  bool editable = false;     // likewise: materials will be changed (io::Limits)
 
   bool running() const {
     return model.running() || environment.running() || measured.running() || fit.running() || table.running() ||

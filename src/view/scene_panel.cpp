@@ -8,6 +8,7 @@
 
 #include "scene/geometry.hpp"
 #include "scene/nodes.hpp"
+#include "view/edit_panel.hpp"
 #include "view/inspector.hpp"
 #include "view/scene_tree.hpp"
 #include "view/statistics_panel.hpp"
@@ -74,10 +75,10 @@ void treeSearch(SceneTree& tree) {
   ImGui::SetNextItemWidth(-7.5f * ImGui::GetFontSize() - ImGui::GetStyle().ItemSpacing.x);
   if (searchField("##search", "search by name", tree.filter)) tree.stale = true;
   ImGui::SameLine();
-  static constexpr const char* kinds[] = {"nodes", "meshes", "materials"};
+  static constexpr const char* kinds[] = {"nodes", "meshes", "materials", "textures"};
   ImGui::SetNextItemWidth(7.5f * ImGui::GetFontSize());
   if (!beginList("##kind", kinds[static_cast<int>(tree.kind)])) return;
-  for (int i = 0; i < 3; ++i)
+  for (int i = 0; i < static_cast<int>(std::size(kinds)); ++i)
     if (ImGui::Selectable(kinds[i], static_cast<int>(tree.kind) == i))
       tree.kind = static_cast<TreeKind>(i), tree.stale = true;
   ImGui::EndCombo();
@@ -112,6 +113,10 @@ void nodeRow(ViewerState& state, const TreeRow& row) {
     ImGui::Dummy({ImGui::GetFrameHeight(), 0});
   }
   ImGui::SameLine(0, 0.2f * em);
+  bool shown = !isHidden(state, row.index);
+  if (ImGui::Checkbox("##shown", &shown)) setHidden(state, row.index, !shown);
+  hint("shown; \"alone\", below, shows nothing else");
+  ImGui::SameLine(0, 0.3f * em);
   ImGui::AlignTextToFramePadding();
   const std::string kinds = nodeKinds(model.nodes[index]);
   const float kindsWidth = ImGui::CalcTextSize(kinds.c_str()).x, all = ImGui::GetContentRegionAvail().x;
@@ -145,6 +150,10 @@ void treeList(ViewerState& state, PanelResult& result, float height) {
   state.selection.reveal = false;
   updateTree(tree, model, state.shown.scene);
   if (!ImGui::BeginChild("tree", {0, height}, true)) return ImGui::EndChild();
+  if (tree.kind == TreeKind::textures) {
+    textureList(state.shown.textures, tree.filter);
+    return ImGui::EndChild();
+  }
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 1});
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().FramePadding.x, 1});
   const float rowHeight = ImGui::GetFrameHeightWithSpacing();
@@ -223,11 +232,17 @@ void swatch(const char* id, const glm::vec3& linear) {
   ImGui::SameLine();
 }
 
-void pointValues(PanelLayout& layout, const Inspection& at, const scene::Model& model) {
+void pointValues(PanelLayout& layout, const Inspection& at, std::optional<glm::dvec3>& measuredFrom,
+                 const scene::Model& model) {
   if (!section(layout, "At the point")) return;
   if (!beginDetails("point")) return;
   const scene::Mesh& mesh = model.meshes[static_cast<size_t>(at.hit.mesh)];
   detail("position", vectorText(at.hit.position, "%.4g  %.4g  %.4g") + " m");
+  if (measuredFrom && *measuredFrom != at.hit.position) {
+    const glm::dvec3 way = at.hit.position - *measuredFrom;
+    detail("distance", format("%.5g m", glm::length(way)) + "\n" + vectorText(glm::abs(way), "%.4g  %.4g  %.4g"));
+    hint("of the point that was chosen to measure from; along X, Y and Z");
+  }
   detail("pixel", std::to_string(at.pixel.x) + ", " + std::to_string(at.pixel.y) + " from the lower left");
   if (at.uv) detail("uv", format("%.5f  %.5f", static_cast<double>(at.uv->x), static_cast<double>(at.uv->y)));
   if (mesh.primitives.size() > 1) detail("primitive", std::to_string(at.hit.primitive));
@@ -256,6 +271,8 @@ void pointValues(PanelLayout& layout, const Inspection& at, const scene::Model& 
     wrappedText(format("%.3g  %.3g  %.3g", v.x, v.y, v.z));
   }
   ImGui::EndTable();
+  if (ImGui::SmallButton("measure from here")) measuredFrom = at.hit.position;
+  hint("the next points that are clicked tell how far they are from this one");
   if (at.nextChannel < shading::channelCount) ImGui::TextDisabled("reading ...");
 }
 
@@ -272,19 +289,28 @@ void materialTable(ViewerState& state, const std::string& name) {
 void scenePanel(ViewerState& state, PanelResult& result) {
   if (!state.shown.content) return;
   const scene::Model& model = *state.shown.content;
+  editBar(state, result);
   treeSearch(state.tree);
   const bool chosen = state.selection.node >= 0 || state.selection.material >= 0;
   const float all = ImGui::GetContentRegionAvail().y;
   treeList(state, result, chosen ? 0.36f * all : std::max(all, 1.0f));
   if (!chosen) return;
   if (ImGui::BeginChild("chosen")) {
-    if (state.inspection.on) pointValues(state.layout, state.inspection, model);
+    if (state.inspection.on) pointValues(state.layout, state.inspection, state.measuredFrom, model);
     const int material = state.selection.material;
     if (state.inspection.on)
       materialTable(state, state.inspection.materialName);
     else if (material >= 0)
       materialTable(state, materialName(model, material));
-    if (state.selection.node >= 0) nodeDetails(state, result);
+    if (material >= 0 && !state.inspection.on && section(state.layout, "Change###change material"))
+      editMaterial(state, material);
+    const int node = state.selection.node;
+    if (node >= 0) nodeDetails(state, result);
+    if (node >= 0 && section(state.layout, "Change###change node", false)) {
+      editNode(state, node);
+      const int light = model.nodes[static_cast<size_t>(node)].light;
+      if (light >= 0) editLight(state, light);
+    }
   }
   ImGui::EndChild();
 }

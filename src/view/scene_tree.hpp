@@ -10,7 +10,7 @@
 
 namespace facet::view {
 
-enum class TreeKind { nodes, meshes, materials };
+enum class TreeKind { nodes, meshes, materials, textures };
 
 struct TreeRow {
   int index = 0;  // of the node, mesh or material

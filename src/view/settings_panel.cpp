@@ -13,6 +13,7 @@
 #include "scene/usage.hpp"
 #include "shading/features.hpp"
 #include "view/camera_panel.hpp"
+#include "view/edit_panel.hpp"
 #include "view/error_view.hpp"
 #include "view/measured_panel.hpp"
 #include "view/playback.hpp"
@@ -164,6 +165,7 @@ void materialSection(ViewerState& state) {
   slider("roughness", material.perceptualRoughness, 0, 1, "%.2f", plain.perceptualRoughness,
          "perceptual; its square is the width of the microfacets' distribution");
   slider("ior", material.ior, 1, 3, "%.3f", plain.ior, "index of refraction of the dielectric");
+  materialLayers(state.settings);
 }
 
 // ---- Rendering ------------------------------------------------------------------------------------------------------
@@ -437,6 +439,7 @@ void settingsPanel(ViewerState& state, PanelResult& result) {
   cameraSection(state, result);
   environmentSection(state);
   materialSection(state);
+  modelSection(state);
   pictureSection(state);
   overlaySection(state);
   modelsSection(state);

@@ -21,11 +21,13 @@
 #include "shading/features.hpp"
 #include "view/bookmarks.hpp"
 #include "view/file_check.hpp"
+#include "view/history.hpp"
 #include "view/keys.hpp"
 #include "view/listing.hpp"
 #include "view/panel_layout.hpp"
 #include "view/preferences.hpp"
 #include "view/scene_tree.hpp"
+#include "view/textures.hpp"
 
 namespace facet::view {
 
@@ -152,6 +154,7 @@ struct ShownScene {
   bool compared = false;                               // both are drawn
   std::optional<frame::ComparisonFigures> comparison;  // of them, of the picture on the screen
   std::vector<std::string> warnings, infos;
+  std::vector<ShownTexture> textures;
   ViewerStatistics statistics;
 };
 
@@ -173,6 +176,8 @@ struct ViewerState {
   PanelLayout layout;
   double coveredLeft = 0, coveredRight = 0;  // by panels, of the picture [pixels]
   Inspection inspection;
+  std::optional<glm::dvec3> measuredFrom;  // a point that distances are told from, world
+  History history;
   std::vector<std::string> environments;  // that are offered: the built-in ones, those that were given, "none"
   std::vector<Entry> databases;           // of measured BRDFs, as the browser has found them
   bool fitting = false;                   // a model is being fitted to the measured BRDF

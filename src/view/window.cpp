@@ -19,6 +19,7 @@
 #include "view/camera_control.hpp"
 #include "view/camera_exchange.hpp"
 #include "view/controls.hpp"
+#include "view/edits.hpp"
 #include "view/follow.hpp"
 #include "view/imgui_session.hpp"
 #include "view/input.hpp"
@@ -106,10 +107,10 @@ double waitForEvents(Loop& loop, const Loader& loader, const Viewport& viewport,
   if (loop.framesToDraw > 0 || !loop.input.hands.empty() || flightDirection(loop, state.keys) != glm::dvec3(0))
     glfwPollEvents();
   else
-    glfwWaitEventsTimeout(atWork(viewport, state) || viewport.comingUp || loader.measured.running() ? stepWait
-                          : loader.running() || loader.fileCheck.running()                          ? busyWait
-                          : viewport.clock.waiting()                                                ? timerWait
-                                                                                                    : idle);
+    glfwWaitEventsTimeout(atWork(viewport, state) || viewport.comingUp || loader.measured.running()     ? stepWait
+                          : loader.running() || loader.fileCheck.running() || loader.exported.running() ? busyWait
+                          : viewport.clock.waiting()                                                    ? timerWait
+                                                                                                        : idle);
   const auto now = std::chrono::steady_clock::now();
   const double seconds = std::chrono::duration<double>(now - loop.last).count();
   loop.last = now;
@@ -157,6 +158,7 @@ void takeLoaded(Viewport& viewport, ViewerState& state, Loader& loader) {
   if (auto fit = loader.fit.take()) takeFit(viewport, state, std::move(*fit));
   if (auto table = loader.table.take()) takeTable(state, std::move(*table));
   if (auto images = loader.images.take()) takeImages(viewport, state, std::move(*images));
+  if (auto exported = loader.exported.take()) takeExport(state, std::move(*exported));
   if (auto checked = loader.fileCheck.take()) takeFileCheck(state, std::move(*checked));
 }
 
@@ -260,8 +262,8 @@ bool turn(Loop& loop, ImGuiSession& imgui, Viewport& viewport, ViewerState& stat
   glfwGetWindowSize(loop.window, &width, &height);
   const Flight flight{flightDirection(loop, state.keys) * seconds, isDown(loop.window, GLFW_KEY_LEFT_SHIFT)};
   Actions actions = control(input, flight, currentView(viewport, state), height, state);
-  const bool wasLoading =
-      loader.running() || loader.fileCheck.running() || viewport.comingUp || viewport.clock.waiting();
+  const bool wasLoading = loader.running() || loader.fileCheck.running() || loader.exported.running() ||
+                          viewport.comingUp || viewport.clock.waiting();
   takeLoaded(viewport, state, loader);
   const bool reloaded = shadersChanged(loop.shaders, loop.last);
   if (reloaded) reloadShaders(viewport, state);
@@ -294,12 +296,15 @@ bool turn(Loop& loop, ImGuiSession& imgui, Viewport& viewport, ViewerState& stat
       copyCommand(options::commandLine(commandSettings(state), state.shown.model, "picture.png"), state);
     applyPanel(panel, viewport, state, loop.input, actions);
     keepBookmarks(state, loop.bookmarks);
+    if (panel.exportModel) startExport(state, loader);
+    followEdits(viewport, state, loader, ImGui::IsAnyItemActive());
     loop.input.handingOver = std::max(0, loop.input.handingOver - 1);
     loop.input.textAwaited = ImGui::GetIO().WantTextInput ? 0 : std::max(0, loop.input.textAwaited - 1);
   }
   loop.input.keyboardTaken |= state.searchAsked || loop.browser.focusing > 0;
   if (!actions.model.empty()) {
     state.settings.sources.bump.clear();  // it belonged to the scene before
+    loader.editable = false;
     startModel(loader, loop.model = actions.model);
   }
   if (actions.cancel) cancelLoading(viewport, state, loader);
@@ -385,6 +390,7 @@ Result<void> checkStart(const WindowOptions& options) {
 Result<bool> runWindow(const WindowOptions& options) {
   Loader loader;  // first: what it still reads at the end is waited for after the window has gone
   loader.allowOutside = options.settings.sources.allowOutside;
+  loader.editable = !options.settings.placement.arrangement.edits.empty();
   ViewerState state;
   if (Result<Preferences> preferences = readPreferences(preferencesFile()))
     state.preferences = *preferences;
