@@ -17,6 +17,14 @@ void choosePreset(MaterialChoice& choice, std::string_view name) {
   }
 }
 
+Result<void> chooseLayers(MaterialChoice& choice, scene::Edits edits) {
+  if (const Result<scene::Material> known = scene::edited({}, edits); !known)
+    return fail({}, {}, known.error().problem, known.error().remedy);
+  choice.on = true;
+  choice.edits = std::move(edits);
+  return {};
+}
+
 std::vector<std::string_view> layerWords() {
   std::vector<std::string_view> words;
   for (const scene::Effect effect : scene::effects) words.push_back(scene::word(effect));

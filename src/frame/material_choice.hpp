@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/error.hpp"
 #include "scene/edit.hpp"
 
 namespace facet::scene {
@@ -30,6 +31,10 @@ struct MaterialChoice {
 // A metal sets the base colour to its F at normal incidence and metallic to 1, a dielectric the index of refraction and
 // metallic to 0. Roughness, and a dielectric's colour, are not the substance's: they stay. Empty: all stays.
 void choosePreset(MaterialChoice& choice, std::string_view name);
+
+// Switches it on, with these values of what extensions add. Errors, which name neither file nor place: a material has
+// no such property.
+Result<void> chooseLayers(MaterialChoice& choice, scene::Edits edits);
 
 // Layers that extensions add to a material, as the command line calls them, in the order of scene::Effect: bit i of
 // Look::without is of word i.

@@ -2,7 +2,6 @@
 
 #include "base/text.hpp"
 #include "frame/settings.hpp"
-#include "scene/edited.hpp"
 
 namespace facet::options {
 
@@ -44,14 +43,7 @@ std::string writeSet(const PictureSettings& settings) {
 Result<void> parseMaterialSet(std::string_view text, PictureSettings& settings) {
   Result<scene::Edits> edits = scene::parseEdits(text);
   if (!edits) return tl::unexpected(edits.error());
-  if (const Result<scene::Material> known = scene::edited({}, *edits); !known) {
-    Error error = known.error();
-    error.file.clear(), error.about = Setting::none;
-    return tl::unexpected(error);
-  }
-  settings.look.material.on = true;
-  settings.look.material.edits = std::move(*edits);
-  return {};
+  return frame::chooseLayers(settings.look.material, std::move(*edits));
 }
 std::string writeMaterialSet(const PictureSettings& settings) {
   return settings.look.material.on ? scene::writeEdits(settings.look.material.edits) : std::string();

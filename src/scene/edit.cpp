@@ -51,11 +51,7 @@ std::string writeValue(const Edit& edit) {
     if (mode >= 0 && mode < 3) return std::string(alphaModes[static_cast<size_t>(mode)]);
   }
   std::string text;
-  // In the precision that the model has, where that says the same.
-  for (const double value : edit.values) {
-    const std::string brief = number(static_cast<float>(value));
-    text += (text.empty() ? "" : ",") + (*parseNumber(brief, -1e30, 1e30) == value ? brief : number(value));
-  }
+  for (const double value : edit.values) text += (text.empty() ? "" : ",") + number(value);
   return text;
 }
 

@@ -302,8 +302,11 @@ void scenePanel(ViewerState& state, PanelResult& result) {
       materialTable(state, state.inspection.materialName);
     else if (material >= 0)
       materialTable(state, materialName(model, material));
-    if (material >= 0 && !state.inspection.on && section(state.layout, "Change###change material"))
-      editMaterial(state, material);
+    const int changed = state.inspection.on ? state.inspection.material : material;
+    const bool ofFile = changed >= 0 && changed < static_cast<int>(model.materials.size());
+    if (ofFile && (!state.inspection.on || materialSource(state.settings) == MaterialSource::file) &&
+        section(state.layout, "Change###change material"))
+      editMaterial(state, changed);
     const int node = state.selection.node;
     if (node >= 0) nodeDetails(state, result);
     if (node >= 0 && section(state.layout, "Change###change node", false)) {

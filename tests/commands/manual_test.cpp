@@ -133,7 +133,8 @@ TEST_CASE("every value of an option that names files, folders or words is comple
                                          "STOPS",      "FROM,TO", "#rrggbb|R,G,B",
                                          "NAME|INDEX", "TABLE",   "THETAV,THETAL,PHI",
                                          "N,...",      "WxH,...", "OPTION=VALUE,...",
-                                         "M"};
+                                         "M",          "NODE,...", "NAME=VALUE",
+                                         "POINTER=VALUE"};
   for (const CommandText& each : program()) {
     for (const OptionText& option : each.options) {
       if (option.value.empty() || std::ranges::find(open, option.value) != open.end()) continue;

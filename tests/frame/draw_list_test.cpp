@@ -264,7 +264,7 @@ TEST_CASE("Draw list: one material in place of all, and none of the model's") {
   builder.json["materials"] = {{{"alphaMode", "BLEND"}}};
   builder.json["meshes"][0]["primitives"][0]["material"] = 0;
   frame::DrawOptions options;
-  options.material = {true, {0.1f, 0.2f, 0.3f}, 1, 0.25f, 1.5f, {}};
+  options.material = {true, {0.1f, 0.2f, 0.3f}, 1, 0.25f, 1.5f, {}, {}};
   const frame::DrawList list = frame::buildDrawList(load(builder), 0, options);
   REQUIRE(list.opaque.size() == 1);
   CHECK(list.blended.empty());
@@ -328,5 +328,6 @@ TEST_CASE("Framing takes in what moves far for a moment only") {
   sampler.values = {0, 0, 0, 0, 0, 0, 20, 0, 0, 0, 0, 0, 0, 0, 0};
   sampler.width = 3;
   model.animations = {{"jump", {sampler}, {{0, scene::AnimatedProperty::translation, 0, {}}}}};
-  CHECK(frame::framingBounds({.animation = "jump"}, model, 0, {}).max.x == Approx(21));
+  CHECK(frame::framingBounds({.scene = -1, .animation = "jump", .timeSeconds = 0, .arrangement = {}}, model, 0, {})
+            .max.x == Approx(21));
 }

@@ -130,7 +130,7 @@ TEST_CASE("Overlays: a skeleton is where the animation puts its joints, a light 
   model.model.skins[0].inverseBindMatrices = {glm::translate(glm::dmat4(1), {-1, 0, 0}),
                                               glm::translate(glm::dmat4(1), {-1, -2, 0})};
   for (const double time : {0.0, 0.5}) {
-    const frame::Placement placement{.scene = -1, .animation = "go", .timeSeconds = time};
+    const frame::Placement placement{.scene = -1, .animation = "go", .timeSeconds = time, .arrangement = {}};
     const frame::DrawList list = frame::buildDrawList(model.model, 0, {}, *frame::choosePose(placement, model.model));
     const frame::OverlayLines skeleton = linesOf(model.model, list, Overlay::skeleton, placement);
     REQUIRE(skeleton.lines.size() == 3);  // a bone and two joints

@@ -62,7 +62,19 @@ PictureSettings unusual() {
   s.placement.scene = 3;
   s.look.variant = "night & day";
   s.look.without = 0b101;
-  s.look.material = {true, {0.1f, 1.0f / 3, 0.7f}, 0.25f, 0.05f, 2.125f, "diamond"};
+  s.look.material = {true,
+                     {0.1f, 1.0f / 3, 0.7f},
+                     0.25f,
+                     0.05f,
+                     2.125f,
+                     "diamond",
+                     {{"/clearcoatFactor", {0.5}}, {"/sheenColorFactor", {0, 0.25, 1}}}};
+  s.placement.arrangement = {{{"/materials/0/baseColorTexture", {}}, {"/nodes/3/translation", {1.0 / 3, -2, 1e-9}}},
+                             {"lid", "4"},
+                             frame::UpAxis::z,
+                             {90, 0, -0.5},
+                             {1e-7, 2, 3},
+                             0.001};
   s.sources.bump = "h.png", s.sources.bumpScale = -0.125;
   s.look.models.diffuse = optics::DiffuseModel::callOfDuty, s.look.models.fresnel = optics::FresnelModel::f82Tint;
   s.look.models.distribution = optics::NormalDistribution::blinn, s.look.models.masking = optics::Masking::cavity;
@@ -255,6 +267,15 @@ TEST_CASE("every way to be wrong has its sentence") {
       {"material-metallic", "-1", "--material-metallic: -1 is out of range; give a number from 0 to 1."},
       {"material-roughness", "2", "--material-roughness: 2 is out of range; give a number from 0 to 1."},
       {"material-ior", "0.9", "--material-ior: 0.9 is out of range; give a number from 1 to 3."},
+      {"set", "roughness",
+       "--set: 'roughness' sets nothing; give POINTER=VALUE such as /materials/0/roughnessFactor=0.2."},
+      {"material-set", "clearcoat=1",
+       "--material-set: nothing is set by '/materials/0/clearcoat': there is no 'clearcoat'; perhaps clearcoatFactor "
+       "is meant."},
+      {"only", ",", "--only: no node is named; give names or indices of nodes."},
+      {"model-up", "w", "--model-up: 'w' is not known; choose one of y, z, x."},
+      {"model-rotation", "1,2", "--model-rotation: '1,2' is not a rotation; give X,Y,Z in degrees such as 0,90,0."},
+      {"model-scale", "0", "--model-scale: 0 is out of range; give a number from 1e-09 to 1e+09."},
       {"without", "clearcoat,shen", "--without: 'shen' is not known; perhaps sheen is meant."},
       {"lights", "secne", "--lights: 'secne' is not known; perhaps scene is meant."},
       {"lights", "all", "--lights: 'all' is not known; choose one of scene, none, demo."},

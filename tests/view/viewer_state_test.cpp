@@ -63,7 +63,7 @@ TEST_CASE("viewer state: a measured BRDF takes the materials' place, and gives i
   view::ViewerState state;
   using view::MaterialSource;
   CHECK(view::materialSource(state.settings) == MaterialSource::file);
-  state.settings.look.material = {true, {0.1f, 0.2f, 0.3f}, 0.75f, 0.25f, 1.5f, {}};
+  state.settings.look.material = {true, {0.1f, 0.2f, 0.3f}, 0.75f, 0.25f, 1.5f, {}, {}};
   CHECK(view::materialSource(state.settings) == MaterialSource::one);
   view::chooseBrdf(state, "a.binary");
   CHECK(view::materialSource(state.settings) == MaterialSource::measured);
@@ -91,7 +91,7 @@ TEST_CASE("viewer state: the material choice takes every draw's place") {
   const Result<io::LoadedModel> loaded = io::loadGltfBytes(glb, "triangle.glb");
   REQUIRE(loaded);
   view::ViewerState state;
-  state.settings.look.material = {true, {0.1f, 0.2f, 0.3f}, 0.75f, 0.25f, 1.5f, {}};
+  state.settings.look.material = {true, {0.1f, 0.2f, 0.3f}, 0.75f, 0.25f, 1.5f, {}, {}};
   const frame::DrawList list = frame::buildDrawList(loaded->model, 0, frame::drawOptions(state.settings, true));
   REQUIRE(list.opaque.size() == 1);
   const scene::Material& material = list.materials[static_cast<size_t>(list.opaque[0].material)];

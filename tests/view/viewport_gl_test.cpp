@@ -114,7 +114,7 @@ TEST_CASE("viewport: the copied command renders the picture on the screen, byte 
        }},
       {"builtin:spheres",
        [](view::ViewerState& s) {
-         s.settings.look.material = {true, {0.1f, 0.2f, 0.7f}, 0.5f, 0.15f, 1.9f, {}};
+         s.settings.look.material = {true, {0.1f, 0.2f, 0.7f}, 0.5f, 0.15f, 1.9f, {}, {}};
          s.settings.look.lights = frame::Lights::demo;
          s.settings.frame.background = frame::Background::color;
          s.settings.frame.backgroundColor = {0.123f, 1.0f / 3, 0.01f};
