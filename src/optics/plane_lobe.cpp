@@ -21,7 +21,7 @@ PlaneLobe planeLobe(const std::function<glm::dvec3(const glm::dvec3& V, const gl
       if (std::abs(angle) < 895 * tenth) lobe.angles.push_back(angle);
   lobe.angles.push_back(theta);
   std::ranges::sort(lobe.angles);
-  lobe.angles.erase(std::ranges::unique(lobe.angles).begin(), lobe.angles.end());
+  lobe.angles.erase(std::unique(lobe.angles.begin(), lobe.angles.end()), lobe.angles.end());
   for (const double angle : lobe.angles) {
     const glm::dvec3 L = at(angle);
     lobe.values.push_back(f(V, L) * L.z);
