@@ -134,8 +134,7 @@ int load(facet_renderer& renderer, const std::string& model) {
   if (const Result<void> r = options::apply(renderer.arguments, settings); !r) return tell(renderer, r.error());
   if (const int status = start(renderer, settings.sources.shaderDir); status != FACET_GOOD) return status;
   Notes notes;
-  if (const Result<void> r = renderer.session->load(model, settings, notes); !r)
-    return tell(renderer, r.error());
+  if (const Result<void> r = renderer.session->load(model, settings, notes); !r) return tell(renderer, r.error());
   renderer.model = model;
   warn(renderer, notes);
   return FACET_GOOD;

@@ -10,13 +10,13 @@ namespace {
 
 constexpr std::string_view alphaModes[] = {"opaque", "mask", "blend"};  // in the order of AlphaMode
 
-std::string_view lastPart(std::string_view pointer) {
+std::string_view lastToken(std::string_view pointer) {
   const size_t slash = pointer.rfind('/');
   return slash == std::string_view::npos ? pointer : pointer.substr(slash + 1);
 }
 
 bool isYesOrNo(std::string_view pointer) {
-  return lastPart(pointer) == "visible" || lastPart(pointer) == "doubleSided";
+  return lastToken(pointer) == "visible" || lastToken(pointer) == "doubleSided";
 }
 
 Result<double> parseValue(std::string_view text) {
@@ -46,7 +46,7 @@ Result<Edit> parseEdit(std::string_view text) {
 std::string writeValue(const Edit& edit) {
   if (edit.values.empty()) return "none";
   if (edit.values.size() == 1 && isYesOrNo(edit.pointer)) return edit.values[0] != 0 ? "true" : "false";
-  if (edit.values.size() == 1 && lastPart(edit.pointer) == "alphaMode") {
+  if (edit.values.size() == 1 && lastToken(edit.pointer) == "alphaMode") {
     const double mode = edit.values[0];
     if (mode >= 0 && mode < 3) return std::string(alphaModes[static_cast<size_t>(mode)]);
   }

@@ -244,7 +244,7 @@ TEST_CASE("every way to be wrong has its sentence") {
       {"fov-y", "45deg", "--fov-y: '45deg' is not a number; give a number from 1 to 179."},
       {"projection", "ortographic", "--projection: 'ortographic' is not known; perhaps orthographic is meant."},
       {"view-height", "0", "--view-height: 0 is out of range; give a number from 1e-09 to 1e+09."},
-      {"up", "w", "--up: 'w' is not a direction; give x, y, z or X,Y,Z such as 0,0,-1."},
+      {"up", "w", "--up: 'w' is not a direction; give X,Y,Z such as 0,0,-1; or x, y, z."},
       {"up", "0,0,0", "--up: '0,0,0' is no direction; give x, y, z or X,Y,Z such as 0,0,-1."},
       {"roll", "up", "--roll: 'up' is not a number; give a number from -36000 to 36000."},
       {"camera", "", "--camera: the value is empty; give a name or leave the option out."},
