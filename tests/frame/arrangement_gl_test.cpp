@@ -13,7 +13,7 @@ using namespace facet::test;
 namespace {
 
 // A rough ball and a quad behind it, two nodes.
-GltfBuilder scene() {
+GltfBuilder ballAndWall() {
   GltfBuilder b = emptyScene();
   b.append("materials", material({0.8, 0.5, 0.2, 1}, 0, 0.6));
   b.append("materials", material({0.2, 0.4, 0.8, 1}, 0, 0.9));
@@ -75,14 +75,14 @@ TEST_CASE("An edited model is drawn as the file in which it is so", "[gl][edits]
       {"/nodes/ball/visible=false", [](nlohmann::json& gltf) { gltf["scenes"][0]["nodes"] = {1}; }},
   };
   Studio studio;
-  const io::LoadedModel plain = loadBuilt(scene());
+  const io::LoadedModel plain = loadBuilt(ballAndWall());
   const frame::Picture unchanged = studio.render(plain, settingsOf());
   for (const auto& row : rows) {
     INFO(row.edit);
     frame::PictureSettings settings = settingsOf();
     settings.placement.arrangement.edits = *scene::parseEdits(row.edit);
     const frame::Picture edited = studio.render(plain, settings);
-    GltfBuilder baked = scene();
+    GltfBuilder baked = ballAndWall();
     row.bake(baked.json);
     const frame::Picture wanted = studio.render(loadBuilt(baked), settingsOf());
     CHECK(largestDifference(edited, wanted) == 0);
@@ -96,13 +96,13 @@ TEST_CASE("One material's further layers are drawn as a file's", "[gl][edits]") 
   settings.look.material.on = true;
   settings.look.material.edits =
       *scene::parseEdits("clearcoatFactor=1;sheenColorFactor=0,0,1;sheenRoughnessFactor=0.4");
-  GltfBuilder baked = scene();
+  GltfBuilder baked = ballAndWall();
   for (nlohmann::json& m : baked.json["materials"]) {
     m = material({0.8, 0.8, 0.8, 1}, 0, 0.4);
     m["extensions"]["KHR_materials_clearcoat"]["clearcoatFactor"] = 1;
     m["extensions"]["KHR_materials_sheen"] = {{"sheenColorFactor", {0, 0, 1}}, {"sheenRoughnessFactor", 0.4}};
   }
-  const frame::Picture edited = studio.render(loadBuilt(scene()), settings);
+  const frame::Picture edited = studio.render(loadBuilt(ballAndWall()), settings);
   CHECK(largestDifference(edited, studio.render(loadBuilt(baked), settingsOf())) == 0);
 }
 
@@ -114,16 +114,16 @@ TEST_CASE("A model is turned, scaled and moved as a node above it would", "[gl][
   arrangement.rotationDeg = {0, 40, 10};
   arrangement.position = {0.1, 0.2, 0.3};
   arrangement.scale = 0.7;
-  GltfBuilder baked = scene();
+  GltfBuilder baked = ballAndWall();
   const glm::dmat4 world = frame::worldFromModel(arrangement);
   nlohmann::json matrix = nlohmann::json::array();
   for (int c = 0; c < 4; ++c)
     for (int r = 0; r < 4; ++r) matrix.push_back(world[c][r]);
   const int root = baked.append("nodes", {{"matrix", matrix}, {"children", {0, 1}}});
   baked.json["scenes"][0]["nodes"] = {root};
-  const frame::Picture got = studio.render(loadBuilt(scene()), settings);
+  const frame::Picture got = studio.render(loadBuilt(ballAndWall()), settings);
   CHECK(largestDifference(got, studio.render(loadBuilt(baked), settingsOf())) < 1e-5);
-  CHECK(largestDifference(got, studio.render(loadBuilt(scene()), settingsOf())) > 0.01);
+  CHECK(largestDifference(got, studio.render(loadBuilt(ballAndWall()), settingsOf())) > 0.01);
 }
 
 TEST_CASE("The axis that is up, and the order of turns", "[edits]") {
@@ -144,8 +144,8 @@ TEST_CASE("A part that is shown alone is framed and drawn alone", "[gl][edits]")
   Studio studio;
   frame::PictureSettings settings = settingsOf();
   settings.placement.arrangement.only = {"ball"};
-  GltfBuilder baked = scene();
+  GltfBuilder baked = ballAndWall();
   baked.json["scenes"][0]["nodes"] = {0};
-  CHECK(largestDifference(studio.render(loadBuilt(scene()), settings), studio.render(loadBuilt(baked), settingsOf())) ==
-        0);
+  CHECK(largestDifference(studio.render(loadBuilt(ballAndWall()), settings),
+                          studio.render(loadBuilt(baked), settingsOf())) == 0);
 }
