@@ -269,8 +269,9 @@ TEST_CASE("every way to be wrong has its sentence") {
       {"material-ior", "0.9", "--material-ior: 0.9 is out of range; give a number from 1 to 3."},
       {"set", "roughness",
        "--set: 'roughness' sets nothing; give POINTER=VALUE such as /materials/0/roughnessFactor=0.2."},
-      {"material-set", "clearcoat=1",
-       "--material-set: nothing is set by '/materials/0/clearcoat': there is no 'clearcoat'; perhaps clearcoatFactor "
+      {"material-set", "clearcoatFacto=1",
+       "--material-set: nothing is set by '/materials/0/clearcoatFacto': there is no 'clearcoatFacto'; perhaps "
+       "clearcoatFactor "
        "is meant."},
       {"only", ",", "--only: no node is named; give names or indices of nodes."},
       {"model-up", "w", "--model-up: 'w' is not known; choose one of y, z, x."},
@@ -503,5 +504,5 @@ TEST_CASE("every row of a choice is an option's word, comes back as it was given
     REQUIRE_FALSE(wrong);
     CHECK(wrong.error().problem == "'nonsense' is not known");
   }
-  CHECK(choices == 19);
+  CHECK(choices == 20);
 }
