@@ -22,8 +22,12 @@ Result<void> writeLast(const fs::path& file, const std::string& model, const fra
   nlohmann::ordered_json values = {{"folder", fs::current_path(ignored).string()}, {"model", model}};
   nlohmann::ordered_json& picture = values["picture"] = nlohmann::ordered_json::object();
   const std::vector<std::string> words = options::commandWords(settings, model);
-  for (size_t i = 1; i + 1 < words.size(); i += 2)
-    if (const std::string name = words[i].substr(2); name != "size") picture[name] = words[i + 1];
+  for (size_t i = 1; i < words.size(); ++i) {
+    const std::string name = words[i].substr(2);
+    const bool flag = options::findOption(name)->flag;  // no word follows it
+    if (name != "size") picture[name] = flag ? nlohmann::ordered_json(true) : nlohmann::ordered_json(words[i + 1]);
+    if (!flag) ++i;
+  }
   std::filesystem::create_directories(file.parent_path(), ignored);
   return writeWholeFile(file, values.dump(2) + "\n");
 }

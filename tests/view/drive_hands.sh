@@ -152,23 +152,53 @@ quit
 eval "\"$facet\" $command" >/dev/null 2>&1 || fail "the copied command fails: $command"
 cmp window.png picture.png || fail "the copied command has other bytes: $command"
 
+# A node hidden by its check in the scene's list: as the copied command has it, undone and done again, and as a file.
+start builtin:metals --size 1280x800 --samples 1 --env builtin:studio --visibility none
+await "frame drawn: builtin:metals, builtin:studio$" 1
+find_window
+sleep 0.5
+screenshot plain
+xdotool mousemove --window "$window" 1091 70 click 1
+sleep 1
+xdotool mousemove --window "$window" 1036 128 click 1 mousemove --window "$window" 640 700
+sleep 2
+screenshot window
+differ plain window
+xdotool key ctrl+c
+await "copied: facet render builtin:metals .*--set /nodes/[0-9]*/extensions/KHR_node_visibility/visible=false" 1
+command=$(sed -n 's/.*copied: facet //p' log | tail -1)
+xdotool key ctrl+z
+sleep 2
+screenshot undone
+same plain undone
+xdotool key ctrl+y
+sleep 2
+screenshot redone
+same window redone
+xdotool mousemove --window "$window" 1199 95 click 1
+await "exported: /.*metals-changed.glb" 1
+quit
+eval "\"$facet\" $command" >/dev/null 2>&1 || fail "the copied command fails: $command"
+cmp window.png picture.png || fail "the copied command has other bytes: $command"
+"$facet" inspect metals-changed.glb | grep -q "KHR_node_visibility" || fail "the exported model does not hide the node"
+
 # Lines over the picture, chosen in their section: beside screenshots until that is chosen, too.
 start builtin:metals --size 1280x800 --samples 1 --env builtin:studio --visibility none
 await "frame drawn: builtin:metals, builtin:studio$" 1
 find_window
 sleep 0.5
-for header in 95 120 170 195; do # folded: Camera, Environment, Picture; unfolded: Overlays
+for header in 95 120 195 220; do # folded: Camera, Environment, Picture; unfolded: Overlays
   xdotool mousemove --window "$window" 1100 $header click 1
   sleep 1
 done
 screenshot plain
-for box in 220 270 295; do # wireframe, axes, grid
+for box in 245 295 320; do # wireframe, axes, grid
   xdotool mousemove --window "$window" 1008 $box click 1
   sleep 1
 done
 screenshot lines
 same plain lines
-xdotool mousemove --window "$window" 1008 445 click 1
+xdotool mousemove --window "$window" 1008 470 click 1
 sleep 1
 screenshot window
 differ plain window

@@ -14,7 +14,7 @@ for size in "640 480" "300 300" "160 120" "640 480" "1280 800" "400 800" "1280 3
   xdotool windowsize --sync "$window" $size
   sleep 0.4
 done
-await "frame drawn" 3
+await "frame drawn" 2
 # What is in the window is the picture: it has not stayed black.
 if command -v import >/dev/null; then
   xdotool key h
@@ -125,7 +125,7 @@ sleep 0.5
 quit
 mkdir -p "${layout%/*}"
 printf '[facet][Shown]\nbrowser=1\nsettings=1\ntimeline=1\n' >"$layout"
-for section in Camera "Environment and lights" Material Picture Models Accuracy Statistics Window; do
+for section in Camera "Environment and lights" Material Model Picture Models Accuracy Statistics Window; do
   echo "section=0 $section" >>"$layout"
 done
 echo "section=1 validation" >>"$layout"
@@ -133,7 +133,7 @@ start wrong.gltf --env none --size 1280x800 --samples 1
 await "checked: wrong.gltf: 1 error, 0 warnings, 1 more" 1
 find_window
 sleep 0.5
-for y in 280 290 300 310; do # the first line, whatever the font
+for y in 305 315 325 335; do # the first line, whatever the font
   xdotool mousemove --window "$window" 1100 $y click 1
   sleep 0.4
   [ "$(count "finding chosen: ")" -gt 0 ] && break
