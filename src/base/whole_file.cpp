@@ -100,6 +100,13 @@ Result<void> writeWholeFile(const std::filesystem::path& path, std::string_view 
   return writeWholeFile(path, std::as_bytes(std::span(text)));
 }
 
+Result<void> writeOutputFile(const std::filesystem::path& path, std::span<const std::byte> bytes) {
+  if (path != "-") return writeWholeFile(path, bytes);
+  const int problem = writeAll(STDOUT_FILENO, bytes);
+  if (problem == 0) return {};
+  return fail("standard output", "", std::string("cannot be written: ") + std::strerror(problem), "see what reads it");
+}
+
 Result<void> copyWholeFile(const std::filesystem::path& from, const std::filesystem::path& to) {
   std::ifstream in(from, std::ios::binary);
   const std::vector<char> bytes{std::istreambuf_iterator<char>(in), {}};

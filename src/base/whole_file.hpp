@@ -20,6 +20,9 @@ namespace facet {
 Result<void> writeWholeFile(const std::filesystem::path& path, std::span<const std::byte> bytes);
 Result<void> writeWholeFile(const std::filesystem::path& path, std::string_view text);
 
+// The same, but "-" is standard output.
+Result<void> writeOutputFile(const std::filesystem::path& path, std::span<const std::byte> bytes);
+
 // The same of another file's bytes. Errors: that cannot be read, too.
 Result<void> copyWholeFile(const std::filesystem::path& from, const std::filesystem::path& to);
 

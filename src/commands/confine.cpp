@@ -21,7 +21,7 @@ fs::path folderOf(const fs::path& file) {
 }
 
 bool isFile(const std::string& source) {
-  return !source.empty() && source != "none" && !source.starts_with(io::builtinPrefix);
+  return !source.empty() && source != "none" && source != io::standardInput && !source.starts_with(io::builtinPrefix);
 }
 
 // What a glTF file names lies beside it; through a link, beside the link.
@@ -69,7 +69,7 @@ void addNoSandbox(CLI::App& app, bool& noSandbox) {
 }
 
 void needOutput(Needed& needed, const fs::path& file) {
-  if (!file.empty()) needed.written.push_back(folderOf(file));
+  if (!file.empty() && file != "-") needed.written.push_back(folderOf(file));
 }
 
 void needOutputFolder(Needed& needed, const fs::path& folder) {

@@ -7,6 +7,7 @@
 
 #include "base/log.hpp"
 #include "base/text.hpp"
+#include "base/whole_file.hpp"
 #include "commands/commands.hpp"
 #include "commands/picture_arguments.hpp"
 #include "commands/write_tables.hpp"
@@ -34,11 +35,11 @@ Result<void> exportModel(const ExportArguments& arguments) {
       frame::exportGlb(arguments.model, settings.placement.arrangement, notes, limits);
   if (!glb) return tl::unexpected(glb.error());
   for (const Note& note : notes) log::warning(options::describe(arguments.model, note));
-  return writeText(arguments.output, {reinterpret_cast<const char*>(glb->data()), glb->size()});
+  return writeOutputFile(arguments.output, std::as_bytes(std::span(*glb)));
 }
 
 int runExport(const ExportArguments& arguments) {
-  if (!arguments.output.ends_with(".glb"))
+  if (!arguments.output.ends_with(".glb") && arguments.output != "-")
     return badInput({arguments.output, "-o", "what is written is binary glTF", "end the name in .glb"});
   if (const Result<void> written = exportModel(arguments); !written) return badInput(written.error());
   log::info(arguments.output);
@@ -52,7 +53,7 @@ std::function<int()> addExport(CLI::App& app) {
   app.add_option("MODEL", arguments->model, "a .gltf or .glb file, or a built-in scene (facet materials --list)")
       ->type_name("FILE|builtin:NAME")
       ->required();
-  app.add_option("-o,--output", arguments->output, "the file")->type_name("OUT.glb")->required();
+  app.add_option("-o,--output", arguments->output, "the file; - for standard output")->type_name("OUT.glb")->required();
   addPictureOptions(app, arguments->picture, changing);
   return [arguments] { return runExport(*arguments); };
 }

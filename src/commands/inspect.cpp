@@ -228,10 +228,11 @@ int runInspect(const InspectArguments& arguments) {
   }
   const io::Limits limits = {.allowOutside = settings.sources.allowOutside};
   if (arguments.list) return listNames(arguments, limits);
-  const Result<io::validate::Report> report = io::validateModel(arguments.model, limits);
-  if (!report) return badInput(report.error());
-  Result<io::LoadedModel> loaded = io::loadModel(arguments.model, limits);
-  if (!loaded) return tellRefused(arguments, loaded.error(), *report);
+  const Result<io::ModelBytes> read = io::readModelBytes(arguments.model, limits);
+  if (!read) return badInput(read.error());
+  const io::validate::Report report = io::validateBytes(read->bytes(), read->name, read->folder, limits);
+  Result<io::LoadedModel> loaded = io::loadModel(*read, limits);
+  if (!loaded) return tellRefused(arguments, loaded.error(), report);
   const scene::Model& model = loaded->model;
   const Result<int> scene = frame::chooseScene(settings.placement, model);
   if (!scene) return badInput(scene.error());
@@ -248,14 +249,14 @@ int runInspect(const InspectArguments& arguments) {
   Json out = describeModel(model, loaded->notes, list, *scene, *measured);
   out["images"] = describeImages(model, frame::missingImages(model, list, {}));
   if (arguments.asJson) {
-    out["validation"] = describeValidation(*report);
+    out["validation"] = describeValidation(report);
     out["origin"] = originJson(originOfProcess());
     std::cout << out.dump(2, ' ', false, Json::error_handler_t::replace) << std::endl;
   } else {
     print(out);
-    printValidation(*report, arguments.all, std::cout);
+    printValidation(report, arguments.all, std::cout);
   }
-  bool warned = report->count(io::validate::Severity::error) > 0;
+  bool warned = report.count(io::validate::Severity::error) > 0;
   for (const Note& note : loaded->notes) warned = warned || note.severity == Note::Severity::warning;
   return warned && arguments.strict ? exitBadInput : exitGood;
 }

@@ -1,7 +1,6 @@
 #include "commands/jobs.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -47,9 +46,9 @@ Result<Job> parseJob(const json& object, const std::string& name, const std::str
   job.model = model->starts_with("builtin:") ? *model : (folder / *model).string();
   job.output = folder / *output;
   if (!stats->empty()) job.stats = folder / *stats;
-  if (auto named = checkOutputName(job.output); !named) {
-    return fail(name, pointer + "/output", named.error().problem, named.error().remedy);
-  }
+  const Result<io::PictureFormat> format = formatOfName(job.output);
+  if (!format) return fail(name, pointer + "/output", format.error().problem, format.error().remedy);
+  job.format = *format;
   if (auto set = applyObject(object, ownKeys, folder.string(), name, pointer, job.settings); !set) {
     return tl::unexpected(set.error());
   }
@@ -74,12 +73,10 @@ Result<const json*> listOf(const json& document, const std::string& name) {
 
 }  // namespace
 
-Result<void> checkOutputName(const std::filesystem::path& output) {
-  std::string extension = output.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (extension == ".png" || extension == ".exr") return {};
-  return fail({}, {}, inQuotes(output.string()) + " is neither a .png nor an .exr",
-              "name the picture .png (after tone mapping) or .exr (scene-linear)");
+Result<io::PictureFormat> formatOfName(const std::filesystem::path& output) {
+  if (const auto format = io::pictureFormat(output)) return *format;
+  return fail({}, {}, inQuotes(output.string()) + " is no picture's name",
+              "end it in " + io::pictureEndings(false) + " (after tone mapping) or .exr (scene-linear)");
 }
 
 Result<std::vector<Job>> parseJobs(std::string_view text, const std::string& name, const std::filesystem::path& folder,

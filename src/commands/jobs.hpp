@@ -12,14 +12,16 @@
 #include "base/error.hpp"
 #include "commands/picture_arguments.hpp"
 #include "frame/settings.hpp"
+#include "io/picture_file.hpp"
 
 namespace facet::commands {
 
 struct Job {
-  std::string model;             // a path or "builtin:NAME"
-  std::filesystem::path output;  // .png or .exr
-  std::filesystem::path stats;   // .json; empty: none
-  frame::PictureSettings settings;
+  std::string model;                 // a path or "builtin:NAME"
+  std::filesystem::path output;      // "-": standard output
+  std::filesystem::path stats = {};  // .json; empty: none
+  frame::PictureSettings settings = {};
+  io::PictureFormat format = io::PictureFormat::png;  // of the output
 };
 
 // What the command line gives (overrides) wins over the file. Everything is checked before anything is rendered: no
@@ -33,7 +35,7 @@ Result<std::vector<Job>> parseJobs(std::string_view text, const std::string& nam
 // "frame_%04d.png", 7 -> "frame_0007.png". Errors: not exactly one %d or %0Nd (N from 1 to 9); %% is a percent sign.
 Result<std::string> numberedName(const std::string& pattern, int number);
 
-// A picture is written as .png or .exr, whatever the letters' case.
-Result<void> checkOutputName(const std::filesystem::path& output);
+// By the name's ending.
+Result<io::PictureFormat> formatOfName(const std::filesystem::path& output);
 
 }  // namespace facet::commands

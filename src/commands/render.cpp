@@ -1,26 +1,20 @@
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cstdio>
 #include <filesystem>
-#include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "base/interrupt.hpp"
 #include "base/log.hpp"
-#include "base/origin_json.hpp"
 #include "base/whole_file.hpp"
 #include "commands/commands.hpp"
 #include "commands/config_file.hpp"
 #include "commands/confine.hpp"
 #include "commands/jobs.hpp"
-#include "commands/notes_json.hpp"
 #include "commands/number_check.hpp"
 #include "commands/picture_arguments.hpp"
+#include "commands/picture_output.hpp"
+#include "commands/render_statistics.hpp"
 #include "commands/shard.hpp"
-#include "frame/left_out.hpp"
-#include "frame/max_error.hpp"
 #include "frame/session.hpp"
 #include "options/remarks.hpp"
 
@@ -31,7 +25,8 @@ namespace {
 struct RenderArguments {
   PictureArguments picture;
   std::string model, output, stats, jobs, shard, config;
-  bool strict = false, noCache = false, glDebug = false, errorLayer = false, noSandbox = false;
+  OutputOptions out;
+  bool strict = false, noCache = false, glDebug = false, noSandbox = false;
   int repeat = 0;
   int frames = 0;  // 0: one picture
   double fps = 30;
@@ -39,131 +34,6 @@ struct RenderArguments {
 
 // Far beyond what anybody renders; a typing error otherwise fills the disk.
 constexpr int maxFrames = 100'000;
-
-bool isExr(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension == ".exr";
-}
-
-// Median of the frames after the first, which pays for what is done once.
-double steadyFrameMs(const std::vector<double>& frameMs) {
-  std::vector<double> steady(frameMs.begin() + 1, frameMs.end());
-  std::ranges::sort(steady);
-  return (steady[(steady.size() - 1) / 2] + steady[steady.size() / 2]) / 2;
-}
-
-// The same for the same picture: without a date, and wherever it is written to.
-Origin pictureOrigin(const Job& job, const frame::Session& session, bool errorLayer = false) {
-  Origin origin = gl::originOn(session.context());
-  origin.date.clear();
-  origin.command = options::commandLine(job.settings, job.model, "picture" + job.output.extension().string()) +
-                   (errorLayer ? " --error-layer" : "");
-  origin.environment = session.environmentName(), origin.model = job.model;
-  origin.seed = job.settings.quality.seed;
-  return origin;
-}
-
-nlohmann::ordered_json statsJson(const Job& job, const frame::Session& session, const frame::Picture& picture,
-                                 const Stages& stages, const Notes& notes, const Confined& confined) {
-  using Json = nlohmann::ordered_json;
-  const frame::PictureStatistics& s = picture.statistics;
-  Json out;
-  Origin origin = pictureOrigin(job, session);
-  origin.date = originOfProcess().date;
-  out["origin"] = originJson(origin);
-  out["model"] = job.model;
-  out["environment"] = session.environmentName();
-  out["command"] = options::commandLine(job.settings, job.model, job.output.string());
-  out["opengl"] = {{"platform", session.context().platform},
-                   {"renderer", session.context().renderer},
-                   {"version", session.context().version}};
-  Json times = Json::object();
-  for (const Stage& stage : stages.all())
-    times[stage.name] = {{"wallMs", stage.wallMs}, {"cpuMs", stage.cpuMs}, {"peakMB", stage.peakMB}};
-  out["stages"] = times;
-  out["frameMs"] = s.frameMs;
-  if (!s.attempts.empty()) {
-    Json attempts = Json::array();
-    for (const frame::Attempt& a : s.attempts)
-      attempts.push_back({{"samples", a.samples},
-                          {"likely", a.error.likely / 255},
-                          {"most", a.error.most / 255},
-                          {"ms", a.milliseconds}});
-    out["error"] = {{"wanted", *job.settings.quality.maxError},   {"likely", s.attempts.back().error.likely / 255},
-                    {"most", s.attempts.back().error.most / 255}, {"confidence", frame::errorConfidence},
-                    {"samples", s.attempts.back().samples},       {"attempts", attempts}};
-  }
-  if (s.frameMs.size() > 1) out["steadyFrameMs"] = steadyFrameMs(s.frameMs);
-  out["peakMemoryMB"] = Stages::peakMegabytes();
-  out["gpuBytes"] = {{"textures", s.textureBytes},
-                     {"geometry", s.geometryBytes},
-                     {"tables", s.tableBytes},
-                     {"targets", s.targetBytes}};
-  out["imagesDecoded"] = s.imagesDecoded;
-  out["programs"] = {{"compiled", s.programsCompiled}, {"fromDiskCache", s.programsFromDisk}};
-  Json variants = Json::array();
-  for (const auto& [name, draws] : s.variants) variants.push_back({{"name", name}, {"draws", draws}});
-  out["variants"] = variants;
-  Json tables = Json::array();
-  for (const ibl::TableStatistics& table : s.tables)
-    tables.push_back({{"name", table.name},
-                      {"bytes", table.bytes},
-                      {"fetches", table.fetches},
-                      {"ms", table.milliseconds},
-                      {"gpuMs", table.gpuMilliseconds}});
-  out["tables"] = tables;
-  if (job.settings.quality.maxError) {
-    Json methods = Json::object();
-    constexpr const char* parts[] = {"irradiance", "layers", "dfg"};
-    for (const ibl::Candidate* chosen : s.methods)
-      methods[parts[static_cast<size_t>(chosen->part)]] = {{"method", chosen->name}, {"error", chosen->error}};
-    out["methods"] = methods;
-  }
-  const frame::TextureFilter filter =
-      frame::chooseTextureFilter(job.settings.quality.textureFilter, gl::drawsBySoftware());
-  out["textureFilter"] = rowOf(frame::textureFilters, filter).word;
-  out["frame"] = {{"passes", s.frame.passes},
-                  {"bands", s.bands},
-                  {"draws", s.frame.draws},
-                  {"instances", s.frame.instances},
-                  {"triangles", s.frame.triangles}};
-  if (s.gridSpacing) out["overlay"] = {{"gridSpacing", *s.gridSpacing}};
-  if (s.range)
-    out["range"] = {{"channel", job.settings.look.channel},
-                    {"from", s.range->range.from},
-                    {"to", s.range->range.to},
-                    {"unit", s.range->unit},
-                    {"logarithmic", s.range->range.logarithmic}};
-  out["visibility"] = {{"method", s.visibility.method}, {"why", s.visibility.why}};
-  if (s.traced)
-    out["paths"] = {{"bounces", job.settings.quality.bounces},
-                    {"rays", s.frame.rays},
-                    {"triangles", s.traced->triangles},
-                    {"bytes", s.traced->bytes},
-                    {"treesMs", s.traced->buildMs}};
-  if (s.ground)
-    out["ground"] = {{"points", s.ground->size * s.ground->size},
-                     {"samples", s.ground->samples},
-                     {"rays", s.ground->rays},
-                     {"ms", s.ground->milliseconds}};
-  if (s.comparison)
-    out["brdfComparison"] = {
-        {"rms", s.comparison->rms}, {"share", s.comparison->share}, {"largest", s.comparison->largest}};
-  if (isExr(job.output)) out["pixels"] = {{"fullyClamped", s.clampedPixels}, {"nonFinite", s.nonFinitePixels}};
-  out["leftOut"] = frame::leftOut(session.model()->model, s);
-  out["sandbox"] = {{"files", confined.files}, {"calls", confined.calls}};
-  out["notes"] = notesJson(notes);
-  return out;
-}
-
-Result<void> writeOutput(const Job& job, const frame::Session& session, const frame::Picture& picture) {
-  std::vector<io::ExrLayerImage> layers;
-  if (!picture.standardError.pixels.empty()) layers.push_back({"error", &picture.standardError});
-  return isExr(job.output)
-             ? io::writeExr(job.output, picture.radiance, pictureOrigin(job, session, !layers.empty()), layers)
-             : io::writePng(job.output, picture.display);
-}
 
 // What was repaired or is missing; true where there was a warning.
 bool tell(const std::string& model, const Notes& notes) {
@@ -186,15 +56,11 @@ struct JobOutcome {
 Result<JobOutcome> runJob(const Job& job, const RenderArguments& arguments, bool last, frame::Session& session,
                           const Confined& confined, Stages stages) {
   Notes notes;
-  const bool exr = isExr(job.output);
-  const frame::PictureRequest request{.radiance = exr,
-                                      .display = !exr,
-                                      .standardError = exr && arguments.errorLayer,
-                                      .repeat = arguments.repeat,
-                                      .last = last};
+  const bool exr = job.format == io::PictureFormat::exr;
+  const frame::PictureRequest request = pictureRequest(job, arguments.out, arguments.repeat, last);
   Result<frame::Picture> picture = session.render(job.model, job.settings, request, notes, stages);
   if (!picture) return tl::unexpected(picture.error());
-  if (arguments.errorLayer && picture->standardError.pixels.empty())
+  if (arguments.out.errorLayer && picture->standardError.pixels.empty())
     notes.push_back(
         {Note::Severity::warning, "",
          exr ? "--error-layer: the picture does not converge, and has no error to be told; give more than 16 "
@@ -203,10 +69,11 @@ Result<JobOutcome> runJob(const Job& job, const RenderArguments& arguments, bool
   const options::Remarks remarks = options::remarksOn(job.settings, picture->statistics, exr);
   notes.insert(notes.end(), remarks.notes.begin(), remarks.notes.end());
   const bool warned = tell(job.model, notes);
-  if (Result<void> written = writeOutput(job, session, *picture); !written) return tl::unexpected(written.error());
+  if (Result<void> written = writeOutput(job, arguments.out, session, *picture); !written)
+    return tl::unexpected(written.error());
   stages.mark("write");
   if (!job.stats.empty()) {
-    const std::string text = statsJson(job, session, *picture, stages, notes, confined)
+    const std::string text = statisticsJson(job, session, *picture, stages, notes, confined)
                                  .dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
     if (Result<void> written = writeWholeFile(job.stats, text + "\n"); !written) return tl::unexpected(written.error());
   }
@@ -242,18 +109,28 @@ Result<std::vector<Job>> listJobs(const RenderArguments& arguments) {
       return fail({}, "--jobs", "names models and outputs itself", "leave out MODEL and -o");
     const Result<Shard> shard = parseShard(arguments.shard.empty() ? "1/1" : arguments.shard);
     if (!shard) return tl::unexpected(shard.error());
-    return readJobs(arguments.jobs, arguments.picture).map([&](const auto& jobs) { return shardOf(jobs, *shard); });
+    if (!arguments.out.format.empty())
+      return fail({}, "--format", "is for standard output (-o -)", "the names of the jobs' pictures say it");
+    const Result<std::vector<Job>> jobs = readJobs(arguments.jobs, arguments.picture);
+    if (!jobs) return jobs;
+    for (const Job& job : *jobs)
+      if (Result<void> r = checkOutput(job, arguments.out); !r) return tl::unexpected(r.error());
+    return shardOf(*jobs, *shard);
   }
   if (!arguments.shard.empty()) return fail({}, "--shard", "is a part of many pictures", "give --jobs FILE.json, too");
   if (arguments.model.empty()) return fail({}, "MODEL", "is missing", "give a .gltf or .glb file or builtin:spheres");
   if (arguments.output.empty()) return fail({}, "-o", "is missing", "give -o PICTURE.png or -o PICTURE.exr");
-  Job job{arguments.model, arguments.output, arguments.stats, {}};
-  if (Result<void> r = checkOutputName(job.output); !r) return tl::unexpected(r.error());
+  Job job{.model = arguments.model, .output = arguments.output, .stats = arguments.stats};
+  if (auto format = outputFormat(job.output, arguments.out))
+    job.format = *format;
+  else
+    return tl::unexpected(format.error());
   PictureArguments given = arguments.picture;
   if (!arguments.config.empty() && arguments.config != "none")
     if (Result<void> r = applyConfig(arguments.config, job.model, given); !r) return tl::unexpected(r.error());
   if (Result<void> r = options::apply(given, job.settings); !r) return tl::unexpected(r.error());
   if (Result<void> r = options::checkTogether(job.settings); !r) return tl::unexpected(r.error());
+  if (Result<void> r = checkOutput(job, arguments.out); !r) return tl::unexpected(r.error());
   if (arguments.frames > 0) return listFrames(job, arguments);
   return std::vector<Job>{job};
 }
@@ -324,7 +201,8 @@ int runRender(const RenderArguments& arguments) {
 std::function<int()> addRender(CLI::App& app) {
   auto arguments = std::make_shared<RenderArguments>();
   app.add_option("MODEL", arguments->model, "a .gltf or .glb file, or builtin:NAME")->type_name("MODEL");
-  app.add_option("-o,--output", arguments->output, "the picture: .png (display) or .exr (scene-linear)")
+  app.add_option("-o,--output", arguments->output,
+                 "the picture: .png, .jpg, .webp, .avif (display) or .exr (scene-linear); - for standard output")
       ->type_name("FILE");
   app.add_option("--jobs", arguments->jobs, "many pictures in one process: a JSON list of jobs")->type_name("FILE");
   app.add_option("--shard", arguments->shard, "of --jobs only each N-th from the I-th on, for many machines")
@@ -340,8 +218,7 @@ std::function<int()> addRender(CLI::App& app) {
   app.add_option("--fps", arguments->fps, "frames per second (30)")
       ->type_name("F")
       ->check(numberIn(1e-3, 1e6), "FLOAT in [0.001 - 1e+06]");
-  app.add_flag("--error-layer", arguments->errorLayer,
-               "in an EXR of more than 4 samples that converges: each pixel's standard error as the layer \"error\"");
+  addOutputOptions(app, arguments->out);
   app.add_flag("--strict", arguments->strict, "any warning makes the exit status 2");
   app.add_flag("--no-cache", arguments->noCache,
                "neither read nor write the caches of compiled shaders and of light tables");

@@ -34,6 +34,8 @@ Result<void> sortSources(const std::vector<std::string>& sources, view::WindowOp
   for (const std::string& source : sources) {
     if (std::filesystem::is_directory(source, ignored)) {
       options.folders.push_back(source);
+    } else if (source == io::standardInput) {
+      return fail("-", "", "is standard input, which a window could not read again", "name a file");
     } else if (named) {
       return fail(source, "", "is the second model", "name one model, and folders to browse");
     } else {

@@ -74,8 +74,19 @@ void compareRadiance(io::RadianceImage& picture, const io::RadianceImage& fitted
   }
 }
 
-void readBand(Picture& picture, const PictureRequest& request, const Targets& targets, const PictureSettings& settings,
-              float unit, int firstRow) {
+// Of what is shown in 16 bits a channel.
+Targets deepTargets(int width, int height) {
+  Targets targets;
+  targets.width = width, targets.height = height;
+  targets.display = gl::Texture({.format = GL_RGBA16, .width = width, .height = height}, "display, 16 bits");
+  targets.shown = gl::Framebuffer("shown in 16 bits");
+  targets.shown.attach(GL_COLOR_ATTACHMENT0, targets.display);
+  return targets;
+}
+
+// shown: what holds the display values.
+void readBand(Picture& picture, const PictureRequest& request, const Targets& targets, const Targets& shown,
+              const PictureSettings& settings, float unit, int firstRow) {
   const auto width = static_cast<size_t>(settings.frame.width), height = static_cast<size_t>(settings.frame.height);
   if (request.radiance) {
     io::RadianceImage band = readRadiance(targets, unit);
@@ -93,10 +104,10 @@ void readBand(Picture& picture, const PictureRequest& request, const Targets& ta
     placeBand(picture.standardError.pixels, band.pixels, width, settings.frame.height, firstRow);
   }
   if (request.display) {
-    io::Pixels band = readDisplay(targets, settings.frame.background == Background::transparent);
+    io::Pixels band = readDisplay(shown, settings.frame.background == Background::transparent);
     picture.display.width = settings.frame.width, picture.display.height = settings.frame.height;
-    picture.display.channels = band.channels;
-    const size_t rowLength = width * static_cast<size_t>(band.channels);
+    picture.display.channels = band.channels, picture.display.bytesPerSample = band.bytesPerSample;
+    const size_t rowLength = width * static_cast<size_t>(band.channels * band.bytesPerSample);
     picture.display.data.resize(rowLength * height);
     placeBand(picture.display.data, band.data, rowLength, settings.frame.height, firstRow);
   }
@@ -317,6 +328,8 @@ Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& 
   const bool contrasts = request.standardError && converging && !list.compared;
   const bool estimate = asked.quality.maxError || (request.estimate && converging) || contrasts;
   Targets targets = pictureTargets(settings, context, rows, list.features.difference, estimate, contrasts, precise);
+  std::optional<Targets> deep;
+  if (request.display && request.deep) deep = deepTargets(settings.frame.width, rows);
   prepareBehind(targets, list);
   prepareComparison(targets, list);
   statistics.bands = (settings.frame.height + rows - 1) / rows;
@@ -333,18 +346,20 @@ Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& 
     setTextureDetail(gpu, list.features.paths ? tracedDraws : gatheredDraws(settings, targets),
                      settings.quality.textureFilter, context);
     std::vector<ComparisonSums> comparison;
-    Result<DrawnFrame> drawn = drawBands(input, drawable.screen.get(), targets, programs, context,
-                                         [&](const FrameInput& band) -> Result<void> {
-                                           stages.mark("first frame");
-                                           readBand(picture, request, targets, settings, unit, band.firstRow);
-                                           if (comparing(band)) {
-                                             Result<ComparisonSums> sums = sumComparison(band, targets, 1, programs);
-                                             if (!sums) return tl::unexpected(sums.error());
-                                             comparison.push_back(std::move(*sums));
-                                           }
-                                           stages.mark("read back");
-                                           return {};
-                                         });
+    Result<DrawnFrame> drawn = drawBands(
+        input, drawable.screen.get(), targets, programs, context, [&](const FrameInput& band) -> Result<void> {
+          stages.mark("first frame");
+          if (deep)
+            if (Result<void> r = showPicture(band, targets, 1, *deep, programs); !r) return r;
+          readBand(picture, request, targets, deep ? *deep : targets, settings, unit, band.firstRow);
+          if (comparing(band)) {
+            Result<ComparisonSums> sums = sumComparison(band, targets, 1, programs);
+            if (!sums) return tl::unexpected(sums.error());
+            comparison.push_back(std::move(*sums));
+          }
+          stages.mark("read back");
+          return {};
+        });
     if (!drawn) return tl::unexpected(drawn.error());
     statistics.frame = std::move(drawn->statistics);
     statistics.frameMs = {drawn->milliseconds};
@@ -372,7 +387,8 @@ Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& 
   statistics.textureBytes = gpu.textureBytes();
   statistics.geometryBytes = gpu.geometryBytes();
   statistics.tableBytes = drawable.environment->tables.bytes();
-  statistics.targetBytes = targetBytes(targets) + (drawable.screen ? drawable.screen->bytes() : 0);
+  statistics.targetBytes =
+      targetBytes(targets) + (deep ? targetBytes(*deep) : 0) + (drawable.screen ? drawable.screen->bytes() : 0);
   statistics.variants = variantsOf(list);
   if (request.radiance) countExtremes(picture.radiance, unit * largestStored(precise), statistics);
   return picture;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "frame/depth_pass.hpp"
@@ -93,6 +94,23 @@ Result<void> drawOverlay(FrameInput in, const Drawable& drawable, const OverlayL
   return {};
 }
 
+namespace {
+
+// Of a picture of such samples, straight alpha, by lines of 8 bits times alpha.
+template <class Sample>
+void layOver(const uint8_t* over, Sample* pixel, size_t channels) {
+  constexpr float full = std::numeric_limits<Sample>::max();
+  const float a = static_cast<float>(over[3]) / 255, below = channels == 4 ? static_cast<float>(pixel[3]) / full : 1;
+  const float covered = a + below * (1 - a);
+  for (size_t c = 0; c < 3; ++c)
+    pixel[c] = static_cast<Sample>(std::lround(std::min(
+        full,
+        (static_cast<float>(over[c]) * (full / 255) + static_cast<float>(pixel[c]) * below * (1 - a)) / covered)));
+  if (channels == 4) pixel[3] = static_cast<Sample>(std::lround(full * covered));
+}
+
+}  // namespace
+
 void layOver(const OverlayTargets& targets, int firstRow, io::Pixels& picture) {
   const auto width = static_cast<size_t>(targets.width), channels = static_cast<size_t>(picture.channels);
   std::vector<uint8_t> lines(width * static_cast<size_t>(targets.height) * 4);
@@ -103,14 +121,11 @@ void layOver(const OverlayTargets& targets, int firstRow, io::Pixels& picture) {
     for (size_t x = 0; x < width; ++x) {
       const uint8_t* const over = &lines[(static_cast<size_t>(row) * width + x) * 4];
       if (over[3] == 0) continue;
-      const auto y = static_cast<size_t>(picture.height - 1 - firstRow - row);
-      uint8_t* const pixel = &picture.data[(y * width + x) * channels];
-      const float a = static_cast<float>(over[3]) / 255, below = channels == 4 ? static_cast<float>(pixel[3]) / 255 : 1;
-      const float covered = a + below * (1 - a);
-      for (size_t c = 0; c < 3; ++c)
-        pixel[c] = static_cast<uint8_t>(std::lround(std::min(
-            255.0f, (static_cast<float>(over[c]) + static_cast<float>(pixel[c]) * below * (1 - a)) / covered)));
-      if (channels == 4) pixel[3] = static_cast<uint8_t>(std::lround(255 * covered));
+      const size_t first = (static_cast<size_t>(picture.height - 1 - firstRow - row) * width + x) * channels;
+      if (picture.bytesPerSample == 2)
+        layOver(over, reinterpret_cast<uint16_t*>(picture.data.data()) + first, channels);
+      else
+        layOver(over, &picture.data[first], channels);
     }
 }
 

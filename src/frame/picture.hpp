@@ -70,13 +70,14 @@ struct PictureRequest {
   // Radiance alone is drawn in single precision; what is shown is drawn in halves, as the window draws it, and so is
   // radiance beside it.
   bool radiance = false, display = false;
+  bool deep = false;      // what is shown in 16 bits a channel, drawn in single precision
   bool estimate = false;  // of the noise of what converges (FrameStatistics::parts), also without an error to keep to
   bool standardError = false;  // of each pixel
   int repeat = 0;              // further frames, for timing
   // Nothing is rendered after this: Session frees in main memory what is on the GPU by then.
   bool last = false;
 
-  bool precise() const { return radiance && !display; }
+  bool precise() const { return deep || (radiance && !display); }
 };
 
 // Runs a plan to its end. notes: the list's. statistics: what that took.

@@ -135,11 +135,13 @@ io::Pixels readDisplay(const Targets& targets, bool withAlpha) {
   out.width = targets.width;
   out.height = targets.height;
   out.channels = withAlpha ? 4 : 3;
-  out.data.resize(static_cast<size_t>(targets.width) * static_cast<size_t>(targets.height) *
-                  static_cast<size_t>(out.channels));
-  glGetTextureImage(targets.display.id(), 0, withAlpha ? GL_RGBA : GL_RGB, GL_UNSIGNED_BYTE,
+  out.bytesPerSample = targets.display.description().format == GL_RGBA16 ? 2 : 1;
+  const size_t rowBytes = static_cast<size_t>(targets.width) * static_cast<size_t>(out.channels * out.bytesPerSample);
+  out.data.resize(rowBytes * static_cast<size_t>(targets.height));
+  glGetTextureImage(targets.display.id(), 0, withAlpha ? GL_RGBA : GL_RGB,
+                    out.bytesPerSample == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_BYTE,
                     static_cast<GLsizei>(out.data.size()), out.data.data());
-  flipRows(out.data, static_cast<size_t>(targets.width) * static_cast<size_t>(out.channels));
+  flipRows(out.data, rowBytes);
   return out;
 }
 

@@ -275,17 +275,18 @@ Result<void> writeExr(const std::filesystem::path& path, const RadianceImage& im
       buffer.insert(name, Imf::Slice::Make(Imf::FLOAT, &from.pixels.data()->x + c, header.dataWindow(),
                                            sizeof(glm::vec4), sizeof(glm::vec4) * static_cast<size_t>(from.width)));
     };
-    const char* names[] = {"R", "G", "B", "A"};
-    for (int c = 0; c < 4; ++c) insert(names[c], image, c);
-    for (const ExrLayerImage& layer : layers)
-      for (int c = 0; c < 3; ++c) insert(layer.name + "." + names[c], *layer.image, c);
+    const auto insertAll = [&](const std::string& before, const std::string& components, const RadianceImage& from) {
+      for (size_t c = 0; c < components.size(); ++c) insert(before + components[c], from, static_cast<int>(c));
+    };
+    insertAll("", "RGBA", image);
+    for (const ExrLayerImage& layer : layers) insertAll(layer.name + ".", layer.components, *layer.image);
     MemoryOutput memory(path.string());
     {
       Imf::OutputFile file(memory, header, exrThreads());
       file.setFrameBuffer(buffer);
       file.writePixels(image.height);
     }
-    return writeWholeFile(path, memory.bytes);
+    return writeOutputFile(path, std::as_bytes(std::span(memory.bytes)));
   } catch (const std::exception& e) {
     return fail(path.string(), "", std::string("cannot be written: ") + e.what(),
                 "check the folder, its permissions and the space left");

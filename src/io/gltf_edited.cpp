@@ -262,26 +262,13 @@ Result<Bytes> write(Document& doc, const scene::Model& model, const Changes& cha
 
 Result<Bytes> editedGlb(const std::string& source, const std::function<Result<Changes>(const scene::Model&)>& changesIn,
                         Notes& notes, const Limits& limits) {
-  const bool builtin = source.starts_with(builtinPrefix);
-  Bytes made;
-  FileBytes file;
-  if (builtin) {
-    Result<Bytes> scene = scene::builtinScene(source);
-    if (!scene) return tl::unexpected(scene.error());
-    made = std::move(*scene);
-  } else {
-    Result<FileBytes> read = readRegularFile(source, std::min(limits.fileBytes, limits.totalBytes));
-    if (!read) return tl::unexpected(read.error());
-    file = std::move(*read);
-  }
-  const std::span<const uint8_t> bytes = builtin ? std::span<const uint8_t>(made) : file.span();
-  const std::filesystem::path path(source), parent = path.parent_path();
-  const std::filesystem::path folder = builtin ? std::filesystem::path() : parent.empty() ? "." : parent;
-  const Result<LoadedModel> loaded = loadGltfBytes(bytes, source, folder, limits);
+  const Result<ModelBytes> read = readModelBytes(source, limits);
+  if (!read) return tl::unexpected(read.error());
+  const Result<LoadedModel> loaded = loadGltfBytes(read->bytes(), read->name, read->folder, limits);
   if (!loaded) return tl::unexpected(loaded.error());
   const Result<Changes> changes = changesIn(loaded->model);
   if (!changes) return tl::unexpected(changes.error());
-  return withBuffers(bytes, source, folder, limits,
+  return withBuffers(read->bytes(), read->name, read->folder, limits,
                      [&](Document& doc) { return write(doc, loaded->model, *changes, notes); });
 }
 

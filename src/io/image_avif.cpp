@@ -26,6 +26,13 @@ struct AvifLibrary {
   decltype(&avifResultToString) resultToString = nullptr;
   decltype(&avifRGBImageSetDefaults) rgbSetDefaults = nullptr;
   decltype(&avifImageYUVToRGB) yuvToRGB = nullptr;
+  decltype(&avifImageRGBToYUV) rgbToYUV = nullptr;
+  decltype(&avifImageCreate) imageCreate = nullptr;
+  decltype(&avifImageDestroy) imageDestroy = nullptr;
+  decltype(&avifEncoderCreate) encoderCreate = nullptr;
+  decltype(&avifEncoderWrite) encoderWrite = nullptr;
+  decltype(&avifEncoderDestroy) encoderDestroy = nullptr;
+  decltype(&avifRWDataFree) dataFree = nullptr;
 };
 
 template <class Function>
@@ -45,7 +52,11 @@ const AvifLibrary* avif() {
         find(library, "avifDecoderParse", f.decoderParse) &&
         find(library, "avifDecoderNextImage", f.decoderNextImage) &&
         find(library, "avifResultToString", f.resultToString) &&
-        find(library, "avifRGBImageSetDefaults", f.rgbSetDefaults) && find(library, "avifImageYUVToRGB", f.yuvToRGB);
+        find(library, "avifRGBImageSetDefaults", f.rgbSetDefaults) && find(library, "avifImageYUVToRGB", f.yuvToRGB) &&
+        find(library, "avifImageRGBToYUV", f.rgbToYUV) && find(library, "avifImageCreate", f.imageCreate) &&
+        find(library, "avifImageDestroy", f.imageDestroy) && find(library, "avifEncoderCreate", f.encoderCreate) &&
+        find(library, "avifEncoderWrite", f.encoderWrite) && find(library, "avifEncoderDestroy", f.encoderDestroy) &&
+        find(library, "avifRWDataFree", f.dataFree);
     return whole ? std::optional(f) : std::nullopt;
   }();
   return loaded ? &*loaded : nullptr;
@@ -134,6 +145,40 @@ Result<Pixels> decodeAvif(std::span<const uint8_t> bytes, const ImageHeader& hea
   result = avif()->yuvToRGB(decoder->image, &rgb);
   if (result != AVIF_RESULT_OK) return damagedImage(std::string("its AVIF data: ") + avif()->resultToString(result));
   return pixels;
+}
+
+bool canReadAvif() { return avif() != nullptr; }
+
+std::vector<uint8_t> avifOf(const Pixels& pixels, int quality) {
+  const bool lossless = quality == 100;
+  const std::unique_ptr<avifImage, decltype(&avifImageDestroy)> image(
+      avif()->imageCreate(static_cast<uint32_t>(pixels.width), static_cast<uint32_t>(pixels.height), 8,
+                          AVIF_PIXEL_FORMAT_YUV444),
+      avif()->imageDestroy);
+  const std::unique_ptr<avifEncoder, decltype(&avifEncoderDestroy)> encoder(avif()->encoderCreate(),
+                                                                            avif()->encoderDestroy);
+  if (!image || !encoder) throw std::bad_alloc();
+  image->colorPrimaries = AVIF_COLOR_PRIMARIES_BT709;
+  image->transferCharacteristics = AVIF_TRANSFER_CHARACTERISTICS_SRGB;
+  // Green, blue and red as they are, where nothing may be lost.
+  image->matrixCoefficients = lossless ? AVIF_MATRIX_COEFFICIENTS_IDENTITY : AVIF_MATRIX_COEFFICIENTS_BT601;
+  image->yuvRange = AVIF_RANGE_FULL;
+  avifRGBImage rgb;
+  avif()->rgbSetDefaults(&rgb, image.get());
+  rgb.format = pixels.channels == 4 ? AVIF_RGB_FORMAT_RGBA : AVIF_RGB_FORMAT_RGB;
+  rgb.depth = 8;
+  rgb.pixels = const_cast<uint8_t*>(pixels.data.data());
+  rgb.rowBytes = static_cast<uint32_t>(pixels.width * pixels.channels);
+  if (avif()->rgbToYUV(image.get(), &rgb) != AVIF_RESULT_OK) return {};
+  encoder->codecChoice = AVIF_CODEC_CHOICE_AOM;
+  encoder->speed = 8;
+  encoder->maxThreads = 1;  // the same bytes on all machines
+  encoder->minQuantizer = encoder->maxQuantizer = AVIF_QUANTIZER_WORST_QUALITY * (100 - quality) / 100;
+  encoder->minQuantizerAlpha = encoder->maxQuantizerAlpha = AVIF_QUANTIZER_BEST_QUALITY;
+  avifRWData data = AVIF_DATA_EMPTY;
+  const avifResult result = avif()->encoderWrite(encoder.get(), image.get(), &data);
+  const std::unique_ptr<avifRWData, decltype(&avifRWDataFree)> freed(&data, avif()->dataFree);
+  return result == AVIF_RESULT_OK ? std::vector<uint8_t>(data.data, data.data + data.size) : std::vector<uint8_t>();
 }
 
 }  // namespace facet::io

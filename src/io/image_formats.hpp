@@ -55,7 +55,12 @@ Result<Pixels> decodeKtx2(std::span<const uint8_t> bytes, const ImageHeader& hea
 
 std::string pngText(std::span<const uint8_t> bytes, std::string_view keyword);
 
-// The pixels as a PNG file, 8 bits a channel; empty where memory does not do.
+// The pixels as files; empty where memory does not do. PNG of 8 or 16 bits a channel, as the pixels have; the others of
+// 8. quality: io/picture_file.hpp.
 std::vector<uint8_t> pngOf(const Pixels& pixels, std::span<const PngText> texts);
+std::vector<uint8_t> jpegOf(const Pixels& pixels, int quality);  // RGB
+std::vector<uint8_t> webpOf(const Pixels& pixels, int quality);  // RGB, RGBA
+std::vector<uint8_t> avifOf(const Pixels& pixels, int quality);  // RGB, RGBA; canReadAvif()
+bool canReadAvif();                                              // its library is installed
 
 }  // namespace facet::io

@@ -95,4 +95,19 @@ Result<Pixels> decodeJpeg(std::span<const uint8_t> bytes, const ImageHeader& hea
   return pixels;
 }
 
+std::vector<uint8_t> jpegOf(const Pixels& pixels, int quality) {
+  const JpegHandle handle(tjInitCompress());
+  if (!handle) throw std::bad_alloc();
+  constexpr int fine = 90;  // from here on colours are not subsampled
+  const int sampling = quality >= fine ? TJSAMP_444 : TJSAMP_420;
+  unsigned long size = tjBufSize(pixels.width, pixels.height, sampling);
+  if (size == static_cast<unsigned long>(-1)) return {};
+  std::vector<uint8_t> bytes(size);
+  uint8_t* into = bytes.data();
+  const int status = tjCompress2(handle.get(), pixels.data.data(), pixels.width, 0, pixels.height, TJPF_RGB, &into,
+                                 &size, sampling, quality, TJFLAG_NOREALLOC | TJFLAG_ACCURATEDCT);
+  bytes.resize(status == 0 ? size : 0);
+  return bytes;
+}
+
 }  // namespace facet::io

@@ -42,17 +42,29 @@ int paeth(int left, int up, int corner) {
   return pl <= pu && pl <= pc ? left : pu <= pc ? up : corner;
 }
 
+// Its samples as the format has them: the higher byte of two first.
+std::span<const uint8_t> fileRow(std::span<const uint8_t> row, int bytesPerSample, std::vector<uint8_t>& swapped) {
+  if (bytesPerSample == 1) return row;
+  swapped.resize(row.size());
+  for (size_t i = 0; i + 1 < row.size(); i += 2) {
+    uint16_t sample;
+    std::memcpy(&sample, &row[i], sizeof sample);
+    swapped[i] = static_cast<uint8_t>(sample >> 8), swapped[i + 1] = static_cast<uint8_t>(sample & 255);
+  }
+  return swapped;
+}
+
 // Of the five filters the one whose bytes are the smallest, as the specification suggests (12.8). above: zeros for the
 // first row. out: the filter's number, then the row.
-void filterRow(std::span<const uint8_t> row, const uint8_t* above, size_t channels, std::vector<uint8_t>& candidate,
+void filterRow(std::span<const uint8_t> row, const uint8_t* above, size_t pixelBytes, std::vector<uint8_t>& candidate,
                uint8_t* out) {
   long best = std::numeric_limits<long>::max();
   for (uint8_t filter = 0; filter < 5; ++filter) {
     const auto with = [&](auto predict) {
-      const size_t first = std::min(channels, row.size());
+      const size_t first = std::min(pixelBytes, row.size());
       for (size_t i = 0; i < first; ++i) candidate[i] = static_cast<uint8_t>(row[i] - predict(0, above[i], 0));
       for (size_t i = first; i < row.size(); ++i)
-        candidate[i] = static_cast<uint8_t>(row[i] - predict(row[i - channels], above[i], above[i - channels]));
+        candidate[i] = static_cast<uint8_t>(row[i] - predict(row[i - pixelBytes], above[i], above[i - pixelBytes]));
     };
     if (filter == 0) with([](int, int, int) { return 0; });
     if (filter == 1) with([](int left, int, int) { return left; });
@@ -98,7 +110,8 @@ void deflateBand(std::span<const uint8_t> filtered, size_t begin, size_t end, Ba
 
 std::vector<uint8_t> pngOf(const Pixels& pixels, std::span<const PngText> texts) {
   const auto channels = static_cast<size_t>(pixels.channels), height = static_cast<size_t>(pixels.height);
-  const size_t rowBytes = static_cast<size_t>(pixels.width) * channels, filteredBytes = rowBytes + 1;
+  const size_t pixelBytes = channels * static_cast<size_t>(pixels.bytesPerSample);
+  const size_t rowBytes = static_cast<size_t>(pixels.width) * pixelBytes, filteredBytes = rowBytes + 1;
   const size_t rowsOfBand = std::max<size_t>(bandBytes / filteredBytes, 1);
   const auto endRow = [&](size_t band) { return std::min((band + 1) * rowsOfBand, height); };
   std::vector<Band> bands((height + rowsOfBand - 1) / rowsOfBand);
@@ -116,10 +129,12 @@ std::vector<uint8_t> pngOf(const Pixels& pixels, std::span<const PngText> texts)
   std::vector<uint8_t> filtered(height * filteredBytes);
   const std::vector<uint8_t> zeros(rowBytes, 0);
   const bool allFiltered = eachBand([&](size_t band) {
-    std::vector<uint8_t> candidate(rowBytes);
+    std::vector<uint8_t> candidate(rowBytes), row, above;
+    const auto rowAt = [&](size_t y, std::vector<uint8_t>& swapped) {
+      return fileRow(std::span(pixels.data).subspan(y * rowBytes, rowBytes), pixels.bytesPerSample, swapped);
+    };
     for (size_t y = band * rowsOfBand; y < endRow(band); ++y)
-      filterRow(std::span(pixels.data).subspan(y * rowBytes, rowBytes),
-                y > 0 ? &pixels.data[(y - 1) * rowBytes] : zeros.data(), channels, candidate,
+      filterRow(rowAt(y, row), y > 0 ? rowAt(y - 1, above).data() : zeros.data(), pixelBytes, candidate,
                 &filtered[y * filteredBytes]);
   });
   if (!allFiltered || !eachBand([&](size_t i) {
@@ -140,7 +155,7 @@ std::vector<uint8_t> pngOf(const Pixels& pixels, std::span<const PngText> texts)
   std::vector<uint8_t> header;
   addWord(header, static_cast<uint32_t>(pixels.width));
   addWord(header, static_cast<uint32_t>(pixels.height));
-  header.insert(header.end(), {8, colorTypes[channels], 0, 0, 0});
+  header.insert(header.end(), {static_cast<uint8_t>(8 * pixels.bytesPerSample), colorTypes[channels], 0, 0, 0});
   addChunk(out, "IHDR", header);
   for (const PngText& text : texts) {
     std::vector<uint8_t> data(text.keyword.begin(), text.keyword.end());

@@ -1,6 +1,8 @@
 #include <webp/decode.h>
+#include <webp/encode.h>
 
 #include <cstring>
+#include <memory>
 
 #include "io/image_formats.hpp"
 
@@ -40,6 +42,34 @@ Result<Pixels> decodeWebp(std::span<const uint8_t> bytes, const ImageHeader& hea
   if (!function(bytes.data(), bytes.size(), pixels.data.data(), pixels.data.size(), header.width * header.channels))
     return damagedImage("its WebP data is faulty or too short");
   return pixels;
+}
+
+std::vector<uint8_t> webpOf(const Pixels& pixels, int quality) {
+  WebPConfig config;
+  WebPPicture picture;
+  if (!WebPConfigInit(&config) || !WebPPictureInit(&picture)) return {};
+  config.quality = static_cast<float>(quality);
+  // Also the colour of what is transparent stays.
+  if (quality == 100 && !WebPConfigLosslessPreset(&config, 2)) return {};
+  config.exact = 1;
+  config.thread_level = 1;
+  picture.use_argb = quality == 100 ? 1 : 0;
+  picture.width = pixels.width, picture.height = pixels.height;
+  const std::unique_ptr<WebPPicture, decltype(&WebPPictureFree)> freed(&picture, WebPPictureFree);
+  const auto import = pixels.channels == 4 ? WebPPictureImportRGBA : WebPPictureImportRGB;
+  if (!import(&picture, pixels.data.data(), pixels.width * pixels.channels)) return {};
+  std::vector<uint8_t> bytes;
+  picture.custom_ptr = &bytes;
+  picture.writer = [](const uint8_t* data, size_t size, const WebPPicture* to) {
+    auto* const out = static_cast<std::vector<uint8_t>*>(to->custom_ptr);
+    try {
+      out->insert(out->end(), data, data + size);
+    } catch (const std::bad_alloc&) {
+      return 0;
+    }
+    return 1;
+  };
+  return WebPEncode(&config, &picture) ? bytes : std::vector<uint8_t>();
 }
 
 }  // namespace facet::io

@@ -39,11 +39,12 @@ void applyColorMatrix(RadianceImage& image, const glm::dmat3& matrix);
 Result<scene::Environment> loadEnvironment(const std::filesystem::path& path, Notes& notes, const Limits& limits = {},
                                            const std::string& layer = {});
 
-// 32-bit float RGBA, whole or not at all (base/whole_file.hpp), with what is known of its origin as attributes of the
-// header, and layers of R, G, B: channels "error.R" and so on. Errors: the file cannot be written.
+// 32-bit float RGBA, whole or not at all (base/whole_file.hpp; "-" is standard output), with what is known of its
+// origin as attributes of the header, and layers: channels "error.R" and so on. Errors: the file cannot be written.
 struct ExrLayerImage {
   std::string name;
-  const RadianceImage* image;  // of the picture's size
+  const RadianceImage* image;      // of the picture's size
+  std::string components = "RGB";  // a letter for each of the image's numbers that is written
 };
 Result<void> writeExr(const std::filesystem::path& path, const RadianceImage& image, const Origin& origin = {},
                       const std::vector<ExrLayerImage>& layers = {});

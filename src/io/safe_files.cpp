@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <vector>
 
 #include "io/uri.hpp"
 
@@ -116,6 +117,32 @@ Result<fs::path> resolveBelow(const fs::path& folder, const std::string& uri, co
   // Some writers forget to encode, so that a per cent sign belongs to the name.
   const fs::path literal = canonicalOrEmpty(folder / uri);
   return allowed(literal) && fs::exists(literal, code) ? literal : path;
+}
+
+FileBytes copyOf(std::span<const uint8_t> bytes) {
+  FileBytes copy{std::make_unique_for_overwrite<uint8_t[]>(bytes.size()), bytes.size()};
+  std::ranges::copy(bytes, copy.data.get());
+  return copy;
+}
+
+Result<FileBytes> readStandardInput(uint64_t maxBytes) {
+  const std::string name = "standard input";
+  if (::isatty(STDIN_FILENO)) return fail(name, "", "is a terminal", "write a file to it: facet ... - < model.glb");
+  std::vector<uint8_t> bytes;
+  constexpr size_t atOnce = size_t{1} << 20;
+  for (;;) {
+    const size_t before = bytes.size();
+    bytes.resize(before + atOnce);
+    const ssize_t n = ::read(STDIN_FILENO, &bytes[before], atOnce);
+    bytes.resize(before + static_cast<size_t>(std::max<ssize_t>(n, 0)));
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) return fail(name, "", std::string("cannot be read: ") + std::strerror(errno), "name a file");
+    if (n == 0) break;
+    if (bytes.size() > maxBytes)
+      return fail(name, "", "has more than " + std::to_string(maxBytes) + " bytes", "name a smaller file");
+  }
+  if (bytes.empty()) return fail(name, "", "is empty", "write a file to it: facet ... - < model.glb");
+  return copyOf(bytes);
 }
 
 }  // namespace facet::io

@@ -21,11 +21,16 @@ struct FileBytes {
   std::span<const uint8_t> span() const { return {data.get(), size}; }
 };
 
+FileBytes copyOf(std::span<const uint8_t> bytes);
+
 // What readRegularFile would say of the file before it reads it: missing, not a regular file, larger than maxBytes.
 Result<void> checkRegularFile(const std::filesystem::path& path, uint64_t maxBytes);
 
 // Errors: missing, not a regular file (a pipe is never opened), larger than maxBytes, unreadable.
 Result<FileBytes> readRegularFile(const std::filesystem::path& path, uint64_t maxBytes);
+
+// All of standard input. Errors: it is a terminal, empty, larger than maxBytes, unreadable.
+Result<FileBytes> readStandardInput(uint64_t maxBytes);
 
 // The existing or missing file below folder (which must be canonical) that a relative URI names, symbolic links
 // followed. Errors (file and place left empty): a scheme, an absolute path, a place outside the folder. An empty folder

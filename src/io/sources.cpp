@@ -15,13 +15,14 @@ namespace facet::io {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 bool isBuiltin(const std::string& source) { return source.starts_with(builtinPrefix); }
 
-Result<LoadedModel> readModel(const std::string& source, const Limits& limits) {
-  if (!isBuiltin(source)) return loadGltf(source, limits);
-  const Result<std::vector<uint8_t>> bytes = scene::builtinScene(source);
-  if (!bytes) return tl::unexpected(bytes.error());
-  return loadGltfBytes(*bytes, source, {}, limits);
+LoadedModel completed(LoadedModel loaded, const Limits& limits) {
+  scene::completeGeometry(loaded.model, loaded.notes, -1, limits.editable);
+  loaded.editable = limits.editable;
+  return loaded;
 }
 
 Result<void> checkBump(const std::string& source, const Bump& bump) {
@@ -35,6 +36,7 @@ Result<void> checkModelSource(const std::string& source, const Limits& limits, c
   if (Result<void> r = checkBump(source, bump); !r) return r;
   if (!bump.file.empty())
     if (Result<void> r = checkRegularFile(bump.file, limits.fileBytes); !r) return r;
+  if (source == standardInput) return {};
   if (!isBuiltin(source)) return checkRegularFile(source, limits.fileBytes);
   if (scene::findBuiltinScene(source)) return {};
   const Result<std::vector<uint8_t>> unknown = scene::builtinScene(source);
@@ -61,14 +63,34 @@ Result<void> checkEnvironmentSource(const std::string& source, const Limits& lim
   return unknown ? Result<void>() : tl::unexpected(unknown.error());
 }
 
+Result<ModelBytes> readModelBytes(const std::string& source, const Limits& limits) {
+  const uint64_t most = std::min(limits.fileBytes, limits.totalBytes);
+  if (source == standardInput)
+    return readStandardInput(most).map([](FileBytes bytes) { return ModelBytes{"standard input", std::move(bytes)}; });
+  if (isBuiltin(source))
+    return scene::builtinScene(source).map([&](const std::vector<uint8_t>& bytes) {
+      return ModelBytes{source, copyOf(bytes)};
+    });
+  const fs::path parent = fs::path(source).parent_path();
+  return readRegularFile(source, most).map([&](FileBytes bytes) {
+    return ModelBytes{source, std::move(bytes), parent.empty() ? "." : parent};
+  });
+}
+
+Result<LoadedModel> loadModel(const ModelBytes& source, const Limits& limits) {
+  return loadGltfBytes(source.bytes(), source.name, source.folder, limits).map([&](LoadedModel loaded) {
+    return completed(std::move(loaded), limits);
+  });
+}
+
 Result<LoadedModel> loadModel(const std::string& source, const Limits& limits, const Bump& bump) {
   if (Result<void> r = checkBump(source, bump); !r) return tl::unexpected(r.error());
-  Result<LoadedModel> loaded = readModel(source, limits);
+  const Result<ModelBytes> bytes = readModelBytes(source, limits);
+  if (!bytes) return tl::unexpected(bytes.error());
+  Result<LoadedModel> loaded = loadGltfBytes(bytes->bytes(), bytes->name, bytes->folder, limits);
   if (loaded && !bump.file.empty())
     if (auto ok = applyBump(loaded->model, bump, limits); !ok) return tl::unexpected(ok.error());
-  if (loaded) scene::completeGeometry(loaded->model, loaded->notes, -1, limits.editable);
-  if (loaded) loaded->editable = limits.editable;
-  return loaded;
+  return loaded ? completed(std::move(*loaded), limits) : std::move(loaded);
 }
 
 Result<scene::Environment> loadEnvironmentSource(const std::string& source, Notes& notes, const Limits& limits) {

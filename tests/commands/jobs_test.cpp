@@ -63,8 +63,9 @@ TEST_CASE("jobs: every way to be wrong has its sentence") {
        "j.json: /0/model: this is no file name; give a text that is not empty."},
       {"[{\"model\": \"a\", \"output\": \"\"}]",
        "j.json: /0/output: this is no file name; give a text that is not empty."},
-      {"[{\"model\": \"a\", \"output\": \"a.jpg\"}]",
-       "j.json: /0/output: 'dir/a.jpg' is neither a .png nor an .exr; name the picture .png (after tone mapping) or "
+      {"[{\"model\": \"a\", \"output\": \"a.gif\"}]",
+       "j.json: /0/output: 'dir/a.gif' is no picture's name; end it in .png, .jpg, .webp or .avif (after tone mapping) "
+       "or "
        ".exr (scene-linear)."},
       {"[{\"model\": \"a\", \"output\": \"a.png\", \"stats\": []}]",
        "j.json: /0/stats: this is no file name; give a text that is not empty."},

@@ -6,7 +6,6 @@
 #include "io/sources.hpp"
 #include "io/validate/checks.hpp"
 #include "io/validate/schema.hpp"
-#include "scene/builtin_scenes.hpp"
 
 namespace facet::io {
 
@@ -77,15 +76,9 @@ Report validateBytes(std::span<const uint8_t> bytes, const std::string& name, co
 }
 
 Result<Report> validateModel(const std::string& source, const Limits& limits) {
-  if (source.starts_with(builtinPrefix)) {
-    const Result<std::vector<uint8_t>> bytes = scene::builtinScene(source);
-    if (!bytes) return tl::unexpected(bytes.error());
-    return validateBytes(*bytes, source, {}, limits);
-  }
-  const std::filesystem::path path = source;
-  const auto bytes = readRegularFile(path, std::min(limits.fileBytes, limits.totalBytes));
-  if (!bytes) return tl::unexpected(bytes.error());
-  return validateBytes(bytes->span(), source, path.has_parent_path() ? path.parent_path() : ".", limits);
+  return readModelBytes(source, limits).map([&](const ModelBytes& read) {
+    return validateBytes(read.bytes(), read.name, read.folder, limits);
+  });
 }
 
 }  // namespace facet::io
