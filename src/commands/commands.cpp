@@ -15,6 +15,8 @@ constexpr Command commandTable[] = {
      "  facet render builtin:spheres -o spheres.png\n"
      "  facet render helmet.glb --env studio.hdr --orbit 30,75,3 --size 800x600 -o helmet.png\n"
      "  facet render helmet.glb --background transparent --occlusion 0 -o helmet.exr --stats helmet.json\n"
+     "  facet render helmet.glb --frames 72 --turntable -o turn.webp\n"
+     "  facet render helmet.glb --samples 64 --layers baseColor,normal,depth,node -o helmet.exr\n"
      "  facet render --jobs pictures.json --size 256x256",
      addRender},
     {"inspect", "what a file holds, what is wrong in it, what it needs and what it leaves out",
@@ -29,6 +31,10 @@ constexpr Command commandTable[] = {
      "  facet compare before.png after.png --json\n"
      "  facet compare before.glb after.glb -o changes.png",
      addCompare},
+    {"sheet", "many models in one picture",
+     "  facet sheet models -o sheet.png\n"
+     "  facet sheet a.glb b.glb c.glb -o sheet.webp --columns 3 --size 400x300 --env studio.hdr",
+     addSheet},
     {"regress", "a suite of pictures against their baselines, with reports for people and CI systems",
      "  facet regress tests/pictures\n"
      "  facet regress tests/pictures --accept --filter glass\n"
@@ -54,7 +60,10 @@ constexpr Command commandTable[] = {
      addMaterials},
     {"tables", "an environment's tables as pictures: DFG, prefiltered radiance, irradiance",
      "  facet tables --env studio.hdr -o tables", addTables},
-    {"export", "a built-in scene as a file", "  facet export builtin:robot -o robot.glb", addExport},
+    {"export", "a model, changed or as it is, or a built-in scene as one file",
+     "  facet export builtin:robot -o robot.glb\n"
+     "  facet export helmet.gltf --set '/materials/*/pbrMetallicRoughness/roughnessFactor=0.3' -o smooth.glb",
+     addExport},
     {"report", "how far each approximate formula is from its truth, as tables",
      "  facet report fresnel\n"
      "  facet report diffuse -o diffuse.csv\n"

@@ -55,6 +55,7 @@ std::function<int()> addRegress(CLI::App& app);
 std::function<int()> addRender(CLI::App& app);
 std::function<int()> addReport(CLI::App& app);
 std::function<int()> addSelftest(CLI::App& app);
+std::function<int()> addSheet(CLI::App& app);
 std::function<int()> addSweep(CLI::App& app);
 std::function<int()> addTables(CLI::App& app);
 std::function<int()> addThumbnail(CLI::App& app);

@@ -37,6 +37,11 @@ std::vector<Candidate> builtinEnvironments() {
 std::vector<Candidate> builtinBrdfs() { return fromRows(optics::syntheticBrdfs(), io::builtinPrefix, summaryOf); }
 std::vector<Candidate> topics() { return fromRows(report::reportTopics(), "", summaryOf); }
 std::vector<Candidate> metrics() { return fromRows(compare::metrics(), "", summaryOf); }
+std::vector<Candidate> channelNames() {
+  std::vector<Candidate> words;
+  for (const std::string& word : options::wordsFor(*options::findOption("channel"))) words.push_back({word, {}});
+  return words;
+}
 std::vector<Candidate> syntheticNames() { return fromRows(optics::syntheticBrdfs(), "", summaryOf); }
 
 // What a part of a value's name stands for.
@@ -65,6 +70,7 @@ constexpr ValueKind valueKinds[] = {
     {"D.svg", "svg", true},
     {"METRIC", {}, false, metrics},
     {"TOPIC", {}, false, topics},
+    {"CHANNEL,...", {}, false, channelNames},
     {"BRDF", {}, false, syntheticNames},
 };
 

@@ -86,14 +86,16 @@ Result<void> writeLayers(const Job& job, const OutputOptions& options, frame::Se
 
 }  // namespace
 
-void addOutputOptions(CLI::App& app, OutputOptions& options) {
-  app.add_option("--format", options.format,
-                 "of -o -, standard output: png (it is that otherwise), jpg, webp, avif, exr")
-      ->type_name("NAME");
+void addFileOptions(CLI::App& app, OutputOptions& options) {
+  app.add_option("--format", options.format, "of -o -, standard output (png)")->type_name("png|jpg|webp|avif|exr");
   app.add_option("--quality", options.quality,
                  "of JPEG, WebP and AVIF, 1 to 100 (90); 100 loses nothing in WebP and AVIF")
       ->type_name("N")
       ->check(CLI::Range(1, 100));
+}
+
+void addOutputOptions(CLI::App& app, OutputOptions& options) {
+  addFileOptions(app, options);
   app.add_option("--bits", options.bits, "of a channel in a PNG: 8 or 16 (8)")
       ->type_name("N")
       ->check(CLI::IsMember({8, 16}));
@@ -101,7 +103,7 @@ void addOutputOptions(CLI::App& app, OutputOptions& options) {
                "in an EXR of more than 4 samples that converges: each pixel's standard error as the layer \"error\"");
   app.add_option("--layers", options.layers,
                  "in an EXR: further layers, each what --channel NAME draws, such as baseColor,normal,depth,node")
-      ->type_name("NAME,...");
+      ->type_name("CHANNEL,...");
 }
 
 Result<PictureFormat> outputFormat(const std::filesystem::path& output, const OutputOptions& options) {

@@ -19,6 +19,7 @@ struct OutputOptions {
   bool errorLayer = false;
   std::string layers;  // channels, by commas
 };
+void addFileOptions(CLI::App& app, OutputOptions& options);  // format and quality alone
 void addOutputOptions(CLI::App& app, OutputOptions& options);
 
 // "-" is standard output: PNG, unless it is said.

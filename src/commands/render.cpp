@@ -1,16 +1,19 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/interrupt.hpp"
 #include "base/log.hpp"
+#include "base/text.hpp"
 #include "base/whole_file.hpp"
 #include "commands/commands.hpp"
 #include "commands/config_file.hpp"
 #include "commands/confine.hpp"
+#include "commands/film.hpp"
 #include "commands/jobs.hpp"
-#include "commands/number_check.hpp"
 #include "commands/picture_arguments.hpp"
 #include "commands/picture_output.hpp"
 #include "commands/render_statistics.hpp"
@@ -27,13 +30,9 @@ struct RenderArguments {
   std::string model, output, stats, jobs, shard, config;
   OutputOptions out;
   bool strict = false, noCache = false, glDebug = false, noSandbox = false;
+  FilmOptions film;
   int repeat = 0;
-  int frames = 0;  // 0: one picture
-  double fps = 30;
 };
-
-// Far beyond what anybody renders; a typing error otherwise fills the disk.
-constexpr int maxFrames = 100'000;
 
 // What was repaired or is missing; true where there was a warning.
 bool tell(const std::string& model, const Notes& notes) {
@@ -53,8 +52,9 @@ struct JobOutcome {
   std::string reached;  // options::Remarks
 };
 
-Result<JobOutcome> runJob(const Job& job, const RenderArguments& arguments, bool last, frame::Session& session,
-                          const Confined& confined, Stages stages) {
+// film: that the picture goes into; null: into its own file.
+Result<JobOutcome> runJob(const Job& job, const RenderArguments& arguments, bool last, Film* film,
+                          frame::Session& session, const Confined& confined, Stages stages) {
   Notes notes;
   const bool exr = job.format == io::PictureFormat::exr;
   const frame::PictureRequest request = pictureRequest(job, arguments.out, arguments.repeat, last);
@@ -69,8 +69,8 @@ Result<JobOutcome> runJob(const Job& job, const RenderArguments& arguments, bool
   const options::Remarks remarks = options::remarksOn(job.settings, picture->statistics, exr);
   notes.insert(notes.end(), remarks.notes.begin(), remarks.notes.end());
   const bool warned = tell(job.model, notes);
-  if (Result<void> written = writeOutput(job, arguments.out, session, *picture); !written)
-    return tl::unexpected(written.error());
+  const Result<void> written = film ? film->add(picture->display) : writeOutput(job, arguments.out, session, *picture);
+  if (!written) return tl::unexpected(written.error());
   stages.mark("write");
   if (!job.stats.empty()) {
     const std::string text = statisticsJson(job, session, *picture, stages, notes, confined)
@@ -80,29 +80,17 @@ Result<JobOutcome> runJob(const Job& job, const RenderArguments& arguments, bool
   return JobOutcome{warned, remarks.reached};
 }
 
-// Frame by frame from --time on.
-Result<std::vector<Job>> listFrames(const Job& first, const RenderArguments& arguments) {
-  if (first.settings.placement.animation.empty())
-    return fail({}, "--frames", "nothing moves without an animation", "give --animation NAME, or --animation all");
-  if (!first.stats.empty()) return fail({}, "--stats", "is for one picture", "leave out --frames");
-  std::vector<Job> jobs;
-  for (int i = 0; i < arguments.frames; ++i) {
-    const Result<std::string> output = numberedName(first.output.string(), i);
-    if (!output) return tl::unexpected(output.error());
-    Job job = first;
-    job.output = *output;
-    job.settings.placement.timeSeconds += i / arguments.fps;
-    if (job.settings.placement.timeSeconds > 1e6)
-      return fail({}, "--frames", "picture " + std::to_string(i) + " would be of a time beyond a million seconds",
-                  "take fewer, or more a second (--fps)");
-    jobs.push_back(std::move(job));
-  }
-  return jobs;
+// A film's pictures are as a PNG's.
+Result<void> chooseFormat(Job& job, const RenderArguments& arguments) {
+  if (isFilm(job.output, arguments.film)) return {};
+  if (isFilmName(job.output) && arguments.film.frames == 0)
+    return fail({}, {}, inQuotes(job.output.string()) + " is a film's name", "give --frames N");
+  return outputFormat(job.output, arguments.out).map([&](io::PictureFormat format) { job.format = format; });
 }
 
 Result<std::vector<Job>> listJobs(const RenderArguments& arguments) {
   if (!arguments.jobs.empty()) {
-    if (arguments.frames > 0) return fail({}, "--frames", "does not go with --jobs", "give the jobs their times");
+    if (arguments.film.frames > 0) return fail({}, "--frames", "does not go with --jobs", "give the jobs their times");
     if (!arguments.config.empty())
       return fail({}, "--config", "does not go with --jobs", "give the jobs their options");
     if (!arguments.model.empty() || !arguments.output.empty())
@@ -121,17 +109,17 @@ Result<std::vector<Job>> listJobs(const RenderArguments& arguments) {
   if (arguments.model.empty()) return fail({}, "MODEL", "is missing", "give a .gltf or .glb file or builtin:spheres");
   if (arguments.output.empty()) return fail({}, "-o", "is missing", "give -o PICTURE.png or -o PICTURE.exr");
   Job job{.model = arguments.model, .output = arguments.output, .stats = arguments.stats};
-  if (auto format = outputFormat(job.output, arguments.out))
-    job.format = *format;
-  else
-    return tl::unexpected(format.error());
+  if (Result<void> r = chooseFormat(job, arguments); !r) return tl::unexpected(r.error());
   PictureArguments given = arguments.picture;
   if (!arguments.config.empty() && arguments.config != "none")
     if (Result<void> r = applyConfig(arguments.config, job.model, given); !r) return tl::unexpected(r.error());
   if (Result<void> r = options::apply(given, job.settings); !r) return tl::unexpected(r.error());
   if (Result<void> r = options::checkTogether(job.settings); !r) return tl::unexpected(r.error());
   if (Result<void> r = checkOutput(job, arguments.out); !r) return tl::unexpected(r.error());
-  if (arguments.frames > 0) return listFrames(job, arguments);
+  if (arguments.film.frames > 0) return listFrames(job, arguments.film);
+  for (const auto& [option, given] : {std::pair("--turntable", arguments.film.turntable),
+                                      std::pair("--camera-path", !arguments.film.cameraPath.empty())})
+    if (given) return fail({}, option, "is for several pictures", "give --frames N, too");
   return std::vector<Job>{job};
 }
 
@@ -147,6 +135,17 @@ Confined confineTo(const std::vector<Job>& jobs, const RenderArguments& argument
 
 std::string writtenOf(size_t pictures, size_t all) {
   return std::to_string(pictures) + " of " + std::to_string(all) + " pictures written";
+}
+
+std::string filmWords(size_t pictures, size_t all) {
+  return "no film written, " + std::to_string(pictures) + " of " + std::to_string(all) + " pictures drawn";
+}
+
+int endFilm(Film& film, const Job& first, size_t pictures, size_t all, int status) {
+  if (pictures < all) return log::error(filmWords(pictures, all)), status;
+  if (const Result<void> ended = film.end(); !ended) return badInput(ended.error());
+  log::info(first.output.string() + ": " + std::to_string(pictures) + " pictures");
+  return status;
 }
 
 int runRender(const RenderArguments& arguments) {
@@ -167,6 +166,12 @@ int runRender(const RenderArguments& arguments) {
     return exitNoOpenGL;
   }
   stages.mark("context");
+  std::optional<Film> film;
+  if (!jobs->empty() && isFilm(jobs->front().output, arguments.film)) {
+    Result<Film> begun = Film::begin(jobs->front(), arguments.film, arguments.out);
+    if (!begun) return badInput(begun.error());
+    film.emplace(std::move(*begun));
+  }
   const Confined confined = confineTo(*jobs, arguments);
   stages.mark("sandbox");
   int status = exitGood;
@@ -175,12 +180,13 @@ int runRender(const RenderArguments& arguments) {
   LastWords lastWords(writtenOf(0, jobs->size()));
   for (size_t i = 0; i < jobs->size(); ++i) {
     const Job& job = (*jobs)[i];
-    const Result<JobOutcome> result =
-        runJob(job, arguments, i + 1 == jobs->size(), **session, confined, i == 0 ? stages : Stages());
+    const Result<JobOutcome> result = runJob(job, arguments, i + 1 == jobs->size(), film ? &*film : nullptr, **session,
+                                             confined, i == 0 ? stages : Stages());
     const std::string place = many ? std::to_string(i + 1) + "/" + std::to_string(jobs->size()) + " " : "";
     if (!result) {
       log::error(place + (many ? job.output.string() + ": " : "") + options::describe(result.error()));
       status = exitBadInput;
+      if (film) break;  // it would lack a picture
       if (!gl::isOfDriver(result.error()) || i + 1 == jobs->size()) continue;
       session->reset();
       session = frame::Session::create(wished);
@@ -189,9 +195,10 @@ int runRender(const RenderArguments& arguments) {
       return exitNoOpenGL;
     }
     if (result->warned && arguments.strict) status = exitBadInput;
-    lastWords.change(writtenOf(++pictures, jobs->size()));
-    log::info(place + job.output.string() + result->reached);
+    lastWords.change(film ? filmWords(++pictures, jobs->size()) : writtenOf(++pictures, jobs->size()));
+    if (!film) log::info(place + job.output.string() + result->reached);
   }
+  if (film) return endFilm(*film, jobs->front(), pictures, jobs->size(), status);
   if (pictures < jobs->size() && many) log::error(writtenOf(pictures, jobs->size()));
   return status;
 }
@@ -212,12 +219,7 @@ std::function<int()> addRender(CLI::App& app) {
   app.add_option("--repeat", arguments->repeat, "draw N more frames, for timing")
       ->type_name("N")
       ->check(CLI::NonNegativeNumber);
-  app.add_option("--frames", arguments->frames, "as many pictures of the animation, from --time on: -o frame_%04d.png")
-      ->type_name("N")
-      ->check(CLI::Range(1, maxFrames));
-  app.add_option("--fps", arguments->fps, "frames per second (30)")
-      ->type_name("F")
-      ->check(numberIn(1e-3, 1e6), "FLOAT in [0.001 - 1e+06]");
+  addFilmOptions(app, arguments->film);
   addOutputOptions(app, arguments->out);
   app.add_flag("--strict", arguments->strict, "any warning makes the exit status 2");
   app.add_flag("--no-cache", arguments->noCache,
