@@ -29,6 +29,7 @@ Result<WebpFilm> WebpFilm::begin(int width, int height, int quality) {
   encoder->config.quality = static_cast<float>(quality);
   if (quality == 100 && !WebPConfigLosslessPreset(&encoder->config, 2)) return noFilmMemory();
   encoder->config.thread_level = 1;
+  encoder->config.use_sharp_yuv = 1;
   encoder->animation.reset(WebPAnimEncoderNew(width, height, &options));
   if (!encoder->animation) return noFilmMemory();
   return WebpFilm(std::move(encoder));

@@ -60,7 +60,8 @@ TEST_CASE("facet render --frames: every way to be wrong has its sentence") {
     CHECK_THAT(outcome.text, Catch::Contains(sentence));
   };
   says({"--frames", "2", "-o", folder.file("f_%02d.png")},
-       "--frames: nothing moves without an animation; give --animation NAME, or --animation all.");
+       "--frames: nothing moves without an animation; give --animation NAME or all, --turntable or "
+       "--camera-path FILE.");
   says({"--frames", "2", "--animation", "rise", "-o", folder.file("f.png")},
        "does not say where the frame's number goes; give a name like frame_%04d.png.");
   says({"--animation", "fall", "-o", folder.file("f.png")}, "(--animation)");

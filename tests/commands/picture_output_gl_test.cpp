@@ -41,10 +41,11 @@ TEST_CASE("facet render writes PNG, JPEG, WebP and AVIF of one picture") {
               {"compare", folder.file("a.png"), folder.file(lossless), "--metric", "largest", "--max-error", "0"})
               .status == 0);
   }
-  for (const char* lossy : {"b.jpg", "b.webp", "b.avif"}) {
+  // WebP has half the resolution for colours, whatever its quality.
+  for (const auto& [lossy, most] : {std::pair("b.jpg", "6"), {"b.webp", "22"}, {"b.avif", "6"}}) {
     REQUIRE(draw(folder.file(lossy), {"--quality", "95"}).status == 0);
     const test::Outcome outcome =
-        test::runFacet({"compare", folder.file("a.png"), folder.file(lossy), "--metric", "drmse", "--max-error", "6"});
+        test::runFacet({"compare", folder.file("a.png"), folder.file(lossy), "--metric", "drmse", "--max-error", most});
     INFO(outcome.text);
     CHECK(outcome.status == 0);
   }
@@ -133,7 +134,7 @@ TEST_CASE("facet render: what a format cannot hold is said before anything is dr
     CHECK(outcome.status == 2);
     CHECK_THAT(outcome.text, Catch::Contains(sentence));
   };
-  says("a.gif", {}, "is no picture's name; end it in .png, .jpg, .webp or .avif (after tone mapping) or .exr");
+  says("a.tif", {}, "is no picture's name; end it in .png, .jpg, .webp or .avif (after tone mapping) or .exr");
   says("a.jpg", {"--background", "transparent"}, "--background: JPEG has no transparency");
   says("a.jpg", {"--bits", "16"}, "--bits: JPEG holds 8 bits a channel");
   says("a.exr", {"--bits", "16"}, "--bits: OpenEXR holds 32 bits a channel");
