@@ -29,7 +29,7 @@ struct RenderArguments {
   PictureArguments picture;
   std::string model, output, stats, jobs, shard, config;
   OutputOptions out;
-  bool strict = false, noCache = false, glDebug = false, noSandbox = false;
+  bool strict = false, noCache = false, glDebug = false, noSandbox = false, passTimes = false;
   FilmOptions film;
   int repeat = 0;
 };
@@ -57,7 +57,8 @@ Result<JobOutcome> runJob(const Job& job, const RenderArguments& arguments, bool
                           frame::Session& session, const Confined& confined, Stages stages) {
   Notes notes;
   const bool exr = job.format == io::PictureFormat::exr;
-  const frame::PictureRequest request = pictureRequest(job, arguments.out, arguments.repeat, last);
+  frame::PictureRequest request = pictureRequest(job, arguments.out, arguments.repeat, last);
+  request.passTimes = arguments.passTimes && !job.stats.empty();
   Result<frame::Picture> picture = session.render(job.model, job.settings, request, notes, stages);
   if (!picture) return tl::unexpected(picture.error());
   if (arguments.out.errorLayer && picture->standardError.pixels.empty())
@@ -107,6 +108,8 @@ Result<std::vector<Job>> listJobs(const RenderArguments& arguments) {
   }
   if (!arguments.shard.empty()) return fail({}, "--shard", "is a part of many pictures", "give --jobs FILE.json, too");
   if (arguments.model.empty()) return fail({}, "MODEL", "is missing", "give a .gltf or .glb file or builtin:spheres");
+  if (arguments.passTimes && arguments.stats.empty())
+    return fail({}, "--pass-times", "is told in statistics", "give --stats FILE, too");
   if (arguments.output.empty()) return fail({}, "-o", "is missing", "give -o PICTURE.png or -o PICTURE.exr");
   Job job{.model = arguments.model, .output = arguments.output, .stats = arguments.stats};
   if (Result<void> r = chooseFormat(job, arguments); !r) return tl::unexpected(r.error());
@@ -219,6 +222,8 @@ std::function<int()> addRender(CLI::App& app) {
   app.add_option("--repeat", arguments->repeat, "draw N more frames, for timing")
       ->type_name("N")
       ->check(CLI::NonNegativeNumber);
+  app.add_flag("--pass-times", arguments->passTimes,
+               "in --stats, the GPU time of each pass of the last frame, which takes a little longer by that");
   addFilmOptions(app, arguments->film);
   addOutputOptions(app, arguments->out);
   app.add_flag("--strict", arguments->strict, "any warning makes the exit status 2");

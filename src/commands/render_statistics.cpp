@@ -85,6 +85,12 @@ nlohmann::ordered_json statisticsJson(const Job& job, const frame::Session& sess
                   {"draws", s.frame.draws},
                   {"instances", s.frame.instances},
                   {"triangles", s.frame.triangles}};
+  if (!s.passTimes.empty()) {
+    Json passes = Json::array();
+    for (const frame::PassTime& pass : s.passTimes)
+      passes.push_back({{"name", pass.name}, {"startMs", pass.startMs}, {"gpuMs", pass.gpuMs}, {"runs", pass.runs}});
+    out["passTimes"] = passes;
+  }
   if (s.gridSpacing) out["overlay"] = {{"gridSpacing", *s.gridSpacing}};
   if (s.range)
     out["range"] = {{"channel", job.settings.look.channel},

@@ -11,6 +11,7 @@
 #include "frame/ground.hpp"
 #include "frame/max_error.hpp"
 #include "frame/overlay.hpp"
+#include "frame/pass_clock.hpp"
 #include "frame/picture.hpp"
 #include "frame/screen.hpp"
 #include "frame/settings.hpp"
@@ -174,13 +175,14 @@ Result<DrawnFrame> drawBands(FrameInput in, Screen* screen, const Targets& targe
     if (Result<void> r = prepareScreen(in, *screen, programs, before); !r) return tl::unexpected(r.error());
   std::optional<Difference> difference;
   if (in.list.features.difference) {
+    beginPass(in, before, "trace difference");
     setTextureDetail(in.gpu, tracedDraws, in.settings.quality.textureFilter, context);
     Result<Difference> traced = traceDifference(in, programs);
     setTextureDetail(in.gpu, gatheredDraws(in.settings, targets), in.settings.quality.textureFilter, context);
     if (!traced) return tl::unexpected(traced.error());
     difference = std::move(*traced);
     in.difference = &*difference;
-    before.passes.emplace_back("trace difference");
+    endPass(in);
     before.rays = difference->rays;
   }
   wait();
@@ -318,7 +320,9 @@ Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& 
   const Result<scene::View> view = chooseView(settings.viewpoint, aspectOf(settings.frame), drawable.scene->source,
                                               drawable.scene->model(), list, framingOf(drawable, settings));
   if (!view) return tl::unexpected(view.error());
-  const FrameInput input = frameInput(drawable, *view, settings);
+  PassClock clock;
+  FrameInput input = frameInput(drawable, *view, settings);
+  if (request.passTimes) input.clock = &clock;
   const GpuScene& gpu = drawable.scene->gpu;
   const bool precise = request.precise();
   const float unit = radianceUnit(settings.display, list.features.channel);
@@ -346,6 +350,7 @@ Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& 
     setTextureDetail(gpu, list.features.paths ? tracedDraws : gatheredDraws(settings, targets),
                      settings.quality.textureFilter, context);
     std::vector<ComparisonSums> comparison;
+    clock.take();  // of the attempt before
     Result<DrawnFrame> drawn = drawBands(
         input, drawable.screen.get(), targets, programs, context, [&](const FrameInput& band) -> Result<void> {
           stages.mark("first frame");
@@ -371,6 +376,7 @@ Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& 
     samples = nextSamples(asked, statistics.attempts);
   }
   for (int i = 0; i < request.repeat; ++i) {
+    clock.take();
     const Result<DrawnFrame> drawn = drawBands(input, drawable.screen.get(), targets, programs, context, {});
     if (!drawn) return tl::unexpected(drawn.error());
     statistics.frameMs.push_back(drawn->milliseconds);
@@ -380,6 +386,7 @@ Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& 
     if (Result<void> r = addOverlay(input, drawable, picture, programs); !r) return tl::unexpected(r.error());
     stages.mark("overlay");
   }
+  statistics.passTimes = clock.take();
   statistics.range = rangeShown(list, *view, settings.display.range);
   statistics.visibility = chosenVisibility(asked, list);
   if (drawable.paths)

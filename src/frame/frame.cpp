@@ -14,6 +14,7 @@
 #include "frame/draw_calls.hpp"
 #include "frame/fitted_gpu.hpp"
 #include "frame/ground.hpp"
+#include "frame/pass_clock.hpp"
 #include "frame/paths.hpp"
 #include "frame/scene_pass.hpp"
 #include "frame/screen.hpp"
@@ -74,7 +75,7 @@ Result<void> drawSorted(const FrameInput& in, std::span<const Draw> draws, bool 
 Result<void> drawOpaque(const FrameInput& in, const VisibleDraws& visible, ProgramStore& programs,
                         FrameStatistics& statistics) {
   if (visible.opaque.empty()) return {};
-  statistics.passes.emplace_back("opaque");
+  beginPass(in, statistics, "opaque");
   if (shading::isChannel(in.list.features.channel, shading::Channel::overdraw)) {
     glDisable(GL_DEPTH_TEST);  // all that there is, one over the other
     glEnable(GL_BLEND);
@@ -93,7 +94,7 @@ Result<void> drawSky(const FrameInput& in, ProgramStore& programs, FrameStatisti
   if (!skyVisible(in)) return {};
   const auto program = skyProgram(in, programs);
   if (!program) return tl::unexpected(program.error());
-  statistics.passes.emplace_back("sky");
+  beginPass(in, statistics, "sky");
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_GEQUAL);
   glDepthMask(GL_FALSE);
@@ -107,7 +108,7 @@ Result<void> drawSky(const FrameInput& in, ProgramStore& programs, FrameStatisti
 Result<void> drawBlended(const FrameInput& in, std::span<const Draw> draws, const char* pass, ProgramStore& programs,
                          FrameStatistics& statistics) {
   if (draws.empty()) return {};
-  statistics.passes.emplace_back(pass);
+  beginPass(in, statistics, pass);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_GEQUAL);
   glDepthMask(GL_FALSE);
@@ -125,9 +126,9 @@ Result<void> drawTransmitting(const FrameInput& in, const VisibleDraws& visible,
   if (visible.transmitting.empty()) return {};
   const std::span<const Draw> behind = std::span(visible.blended).first(visible.blendedBehind);
   if (Result<void> drawn = drawBlended(in, behind, "blend behind", programs, statistics); !drawn) return drawn;
-  statistics.passes.emplace_back("copy behind");
+  beginPass(in, statistics, "copy behind");
   if (Result<void> copied = copyBehind(targets, programs); !copied) return copied;
-  statistics.passes.emplace_back("transmit");
+  beginPass(in, statistics, "transmit");
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_GREATER);
   glDepthMask(GL_TRUE);
@@ -159,6 +160,15 @@ void setBlurredSun(const FrameInput& in, layout::FrameUniforms& u) {
 }
 
 }  // namespace
+
+void beginPass(const FrameInput& in, FrameStatistics& statistics, std::string pass) {
+  if (in.clock) in.clock->begin(pass);
+  statistics.passes.push_back(std::move(pass));
+}
+
+void endPass(const FrameInput& in) {
+  if (in.clock) in.clock->end();
+}
 
 std::vector<shading::Define> backgroundDefines(const FrameInput& in) {
   std::vector<shading::Define> defines;
@@ -244,10 +254,11 @@ Result<FrameStatistics> drawScene(const FrameInput& in, const VisibleDraws& visi
   if (!drawn) return tl::unexpected(drawn.error());
   for (GLuint unit = 0; unit < layout::materialSlotCount; ++unit) glBindSampler(unit, 0);
   if (targets.samples > 1) {
-    statistics.passes.emplace_back("resolve");
+    beginPass(in, statistics, "resolve");
     glBlitNamedFramebuffer(targets.drawn.id(), targets.resolved.id(), 0, 0, targets.width, targets.height, 0, 0,
                            targets.width, targets.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
   }
+  endPass(in);
   return statistics;
 }
 

@@ -62,6 +62,7 @@ struct PathScene;
 struct Difference;
 struct Ground;
 struct Screen;
+class PassClock;
 
 struct FrameInput {
   const scene::Model& model;
@@ -76,10 +77,15 @@ struct FrameInput {
   const Difference* difference = nullptr;   // what is added to the picture, where rays correct it
   const Ground* ground = nullptr;           // the floor, where there is one
   const Screen* screen = nullptr;           // what it knows of what stands in the light's way, where that is wanted
+  PassClock* clock = nullptr;               // measures the passes, where that is wanted
   int firstRow = 0;                         // the targets hold the picture's rows from here on, counted from the bottom
   bool fitted = false;                      // draws the fitted model in the measured BRDF's place
   bool precise = false;                     // as createTargets has it
 };
+
+// Tells a pass, and measures it until the next one or endPass().
+void beginPass(const FrameInput& in, FrameStatistics& statistics, std::string pass);
+void endPass(const FrameInput& in);
 
 // One program, compiled where it is not there yet.
 using ProgramGetter = std::function<Result<const gl::Program*>()>;

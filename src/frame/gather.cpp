@@ -6,6 +6,7 @@
 
 #include "frame/difference.hpp"
 #include "frame/display_pass.hpp"
+#include "frame/pass_clock.hpp"
 #include "frame/scene_pass.hpp"
 #include "frame/settings.hpp"
 #include "optics/sobol.hpp"
@@ -54,7 +55,9 @@ Result<FrameStatistics> drawOnce(const FrameInput& in, const Targets& targets, c
   Result<FrameStatistics> drawn =
       drawScene(in, gathering.visible, targets, gathering.done, gathering.draws(), gathering.offsets[index], programs);
   if (!drawn || !targets.sum) return drawn;
+  if (in.clock) in.clock->begin("gather");
   if (Result<void> added = addToSum(targets, sum, gathering, programs); !added) return tl::unexpected(added.error());
+  endPass(in);
   return drawn;
 }
 
@@ -121,6 +124,7 @@ Result<void> gatherPaths(const FrameInput& in, const Targets& targets, Gathering
     const int band = static_cast<int>(std::min<int64_t>(rows, targets.height - gathering.rows));
     FrameInput fitted = in;
     fitted.fitted = true;
+    if (in.clock) in.clock->begin("paths");
     Result<void> traced;
     if (comparing(in))
       traced = tracePaths(fitted, {gathering.rows, band, PathUse::picture, &targets.fitted, share}, gathering.paths,
@@ -128,6 +132,7 @@ Result<void> gatherPaths(const FrameInput& in, const Targets& targets, Gathering
     if (traced)
       traced = tracePaths(in, {gathering.rows, band, PathUse::picture, &targets.sum, share}, gathering.paths,
                           gathering.done, programs);
+    endPass(in);
     if (!traced) return traced;
     rows -= band;
     gathering.rows += band;
@@ -281,13 +286,14 @@ Result<FrameStatistics> drawFrame(const FrameInput& in, const Targets& targets, 
   statistics.rays = tracedRays(gathering.paths);
   statistics.parts = std::move(parts);
   if (in.difference) {
-    statistics.passes.emplace_back("add difference");
+    beginPass(in, statistics, "add difference");
     if (Result<void> added = addDifference(in, targets, *in.difference, programs); !added)
       return tl::unexpected(added.error());
   }
-  statistics.passes.emplace_back("display");
+  beginPass(in, statistics, "display");
   if (Result<void> result = drawDisplay(in, targets, gathering, targets, programs); !result)
     return tl::unexpected(result.error());
+  endPass(in);
   return statistics;
 }
 

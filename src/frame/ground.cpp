@@ -112,7 +112,7 @@ Result<void> drawGround(const FrameInput& in, ProgramStore& programs, FrameStati
   if (!in.ground || !in.ground->shares) return {};
   const auto program = drawProgram(in, programs);
   if (!program) return tl::unexpected(program.error());
-  statistics.passes.emplace_back("ground");
+  beginPass(in, statistics, "ground");
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_GEQUAL);
   glDepthMask(GL_FALSE);

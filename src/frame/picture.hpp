@@ -39,6 +39,7 @@ struct GroundStatistics {
 struct PictureStatistics {
   FrameStatistics frame;  // of all bands
   int bands = 1;
+  std::vector<PassTime> passTimes;  // where asked for
   int imagesDecoded = 0;
   int programsCompiled = 0, programsFromDisk = 0;
   std::vector<ibl::TableStatistics> tables;
@@ -73,6 +74,7 @@ struct PictureRequest {
   bool deep = false;      // what is shown in 16 bits a channel, drawn in single precision
   bool estimate = false;  // of the noise of what converges (FrameStatistics::parts), also without an error to keep to
   bool standardError = false;  // of each pixel
+  bool passTimes = false;      // of the last frame that is drawn, which takes a little longer by that
   int repeat = 0;              // further frames, for timing
   // Nothing is rendered after this: Session frees in main memory what is on the GPU by then.
   bool last = false;

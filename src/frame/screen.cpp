@@ -53,6 +53,7 @@ Result<void> drawHorizons(const FrameInput& in, Screen& screen, ProgramStore& pr
   const auto smooth = smoothProgram(programs);
   if (!smooth) return tl::unexpected(smooth.error());
   prepareTargets(screen, in.settings.frame);
+  beginPass(in, statistics, "horizons");
   FrameInput whole = in;
   whole.firstRow = 0, whole.screen = &screen;
   if (Result<void> r = drawDepth(whole, in.view, screen.depthOnly, {screen.width, screen.height}, DepthOf::frontSides,
@@ -65,7 +66,7 @@ Result<void> drawHorizons(const FrameInput& in, Screen& screen, ProgramStore& pr
   (*find)->set(layout::horizonReachLocation, glm::vec4(reachRadii, slices, stepsASide, 0));
   drawFullscreen({screen.finding, screen.noAttributes, screen.width, screen.height}, screen.depth, **find);
   drawFullscreen({screen.smoothing, screen.noAttributes, screen.width, screen.height}, screen.found, **smooth);
-  statistics.passes.emplace_back("horizons");
+  endPass(in);
   return {};
 }
 

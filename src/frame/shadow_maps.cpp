@@ -157,6 +157,7 @@ Result<void> drawShadowMaps(const FrameInput& in, ShadowMaps& maps, shading::Pro
   }
   std::vector<layout::ShadowUniforms> uniforms(1);
   const glm::dmat4 fromOrigin = glm::translate(glm::dmat4(1), in.list.origin);
+  beginPass(in, statistics, std::to_string(views.size()) + (views.size() == 1 ? " shadow map" : " shadow maps"));
   for (size_t i = 0; i < views.size(); ++i) {
     uniforms[0].clipFromWorld[i] = glm::mat4(views[i].clipFromWorld * fromOrigin);
     gl::Framebuffer framebuffer("shadow map");
@@ -167,7 +168,7 @@ Result<void> drawShadowMaps(const FrameInput& in, ShadowMaps& maps, shading::Pro
   }
   maps.uniforms = gl::Buffer::of(uniforms, "shadow maps");
   maps.environmentRotationDeg = rotation, maps.drawn = true;
-  statistics.passes.emplace_back(std::to_string(views.size()) + (views.size() == 1 ? " shadow map" : " shadow maps"));
+  endPass(in);
   return {};
 }
 

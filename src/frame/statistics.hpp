@@ -32,6 +32,14 @@ inline constexpr double errorConfidence = 0.79;
 // the first ones. What all draws have in common, and what none has met, they do not know.
 ErrorEstimate errorEstimate(std::span<const PartDifference> parts);
 
+// GPU time of a pass of a frame.
+struct PassTime {
+  std::string name;
+  double startMs = 0;  // of its first run, since the frame's first pass
+  double gpuMs = 0;    // of all its runs
+  int runs = 0;
+};
+
 struct FrameStatistics {
   std::vector<std::string> passes;
   int draws = 0;

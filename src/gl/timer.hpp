@@ -31,31 +31,44 @@ class Timer : public Handle<destroyQuery> {
   }
 };
 
-// GPU time from start to stop() by two time stamps, so that intervals may lie within each other and within a Timer's.
-// What the GPU waits for in between counts. Both ends are flushed: Mesa's software rasterizer writes a stamp with the
-// drawing that it belongs to, and compute shaders would not lie between.
-class Interval {
+// When the GPU had done what was asked of it so far. Flushed: Mesa's software rasterizer writes a stamp with the
+// drawing that it belongs to.
+class TimeStamp : public Handle<destroyQuery> {
  public:
-  Interval() {
-    glCreateQueries(GL_TIMESTAMP, 2, ids_);
-    mark(0);
+  static TimeStamp now() {
+    TimeStamp stamp;
+    GLuint id = 0;
+    glCreateQueries(GL_TIMESTAMP, 1, &id);
+    static_cast<Handle&>(stamp) = Handle(id);
+    glQueryCounter(id, GL_TIMESTAMP);
+    glFlush();
+    return stamp;
   }
-  ~Interval() { glDeleteQueries(2, ids_); }
-  Interval(const Interval&) = delete;
-  Interval& operator=(const Interval&) = delete;
-  double stop() {  // waits; milliseconds
-    mark(1);
-    GLuint64 ns[2] = {};
-    for (int i = 0; i < 2; ++i) glGetQueryObjectui64v(ids_[i], GL_QUERY_RESULT, &ns[i]);
-    return static_cast<double>(ns[1] - ns[0]) * 1e-6;
+  bool ready() const {
+    GLint available = 0;
+    glGetQueryObjectiv(id(), GL_QUERY_RESULT_AVAILABLE, &available);
+    return available != 0;
+  }
+  double millisecondsSince(const TimeStamp& before) const {  // waits where not ready
+    return static_cast<double>(nanoseconds() - before.nanoseconds()) * 1e-6;
   }
 
  private:
-  void mark(int which) {
-    glQueryCounter(ids_[which], GL_TIMESTAMP);
-    glFlush();
+  GLint64 nanoseconds() const {
+    GLint64 ns = 0;
+    glGetQueryObjecti64v(id(), GL_QUERY_RESULT, &ns);
+    return ns;
   }
-  GLuint ids_[2] = {};
+};
+
+// GPU time from start to stop() by two time stamps, so that intervals may lie within each other and within a Timer's.
+// What the GPU waits for in between counts.
+class Interval {
+ public:
+  double stop() { return TimeStamp::now().millisecondsSince(start_); }  // waits
+
+ private:
+  TimeStamp start_ = TimeStamp::now();
 };
 
 }  // namespace facet::gl

@@ -1,5 +1,9 @@
 #include "view/describe.hpp"
 
+#include <unistd.h>
+
+#include <fstream>
+
 namespace facet::view {
 
 namespace {
@@ -59,6 +63,18 @@ void describeShown(const Viewport& viewport, ViewerState& state) {
   describeNotes(viewport, shown);
 }
 
+namespace {
+
+// Of this process, as the system counts them.
+size_t residentBytes() {
+  std::ifstream statm("/proc/self/statm");
+  size_t all = 0, resident = 0;
+  statm >> all >> resident;
+  return resident * static_cast<size_t>(::sysconf(_SC_PAGESIZE));
+}
+
+}  // namespace
+
 void measureMemory(const Viewport& viewport, ViewerStatistics& statistics) {
   const frame::GpuScene& gpu = viewport.scene->gpu;
   statistics.imagesDecoded = gpu.imagesDecoded;
@@ -70,6 +86,11 @@ void measureMemory(const Viewport& viewport, ViewerStatistics& statistics) {
   if (viewport.errorView.picture) statistics.targetBytes += viewport.errorView.picture.bytes();
   statistics.measuredBytes = 0;
   for (const auto& kept : viewport.measured.store.kept) statistics.measuredBytes += kept->buffer.bytes();
+  statistics.treeBytes = viewport.shown.paths ? viewport.shown.paths->bytes() : 0;
+  statistics.environmentBytes = 0;
+  for (const auto& slot : viewport.environments.slots)
+    if (slot.get() != viewport.environments.shown) statistics.environmentBytes += slot->bytes();
+  statistics.mainBytes = residentBytes();
   statistics.programsCompiled = viewport.programs.statistics().compiled;
   statistics.programsFromDisk = viewport.programs.statistics().fromDisk;
 }

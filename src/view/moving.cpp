@@ -44,14 +44,24 @@ Result<void> finish(Viewport& viewport, ViewerState& state, const frame::FrameIn
                     frame::FrameStatistics statistics, double cpuMs) {
   Moving& m = viewport.moving;
   m.underWay = m.showsSmall = false;
+  viewport.passesDone = input.clock != nullptr;
   viewport.comparison.shown = m.settings.comparison;
   state.shown.statistics.frame = std::move(statistics);
   state.shown.statistics.cpuMs = cpuMs;
   return compare(viewport, input, viewport.targets, 1, true);
 }
 
+// Measured by pass, where that is looked at.
+frame::FrameInput timedInput(Viewport& viewport, const ViewerState& state, const scene::View& view, bool begins) {
+  frame::FrameInput input = frame::frameInput(viewport.shown, view, viewport.moving.settings);
+  if (!state.passesTimed) return input;
+  if (begins) viewport.passClock.take(), viewport.passesDone = false;
+  input.clock = &viewport.passClock;
+  return input;
+}
+
 Result<void> drawWhole(Viewport& viewport, ViewerState& state, const scene::View& view) {
-  const frame::FrameInput input = frame::frameInput(viewport.shown, view, viewport.moving.settings);
+  const frame::FrameInput input = timedInput(viewport, state, view, true);
   const auto start = Clock::now();
   FrameClock::Slot* slot = viewport.clock.begin();
   if (Result<void> looked = lookAround(viewport, input); !looked) return looked;
@@ -128,7 +138,7 @@ Result<bool> drawMoving(Viewport& viewport, ViewerState& state, const scene::Vie
   }
   if (always || reduction(m.pixelNs, pixels, m.turnMs) == 1)
     return drawWhole(viewport, state, view).map([] { return true; });
-  const frame::FrameInput input = frame::frameInput(viewport.shown, view, m.settings);
+  const frame::FrameInput input = timedInput(viewport, state, view, true);
   if (Result<void> looked = lookAround(viewport, input); !looked) return tl::unexpected(looked.error());
   m.picture = frame::beginSlices(input, viewport.context, isFinal(state));
   m.rows = static_cast<int64_t>(m.turnMs / (m.pixelNs * 1e-6 * m.settings.frame.width));
@@ -139,7 +149,7 @@ Result<bool> drawMoving(Viewport& viewport, ViewerState& state, const scene::Vie
 
 Result<bool> goOnMoving(Viewport& viewport, ViewerState& state, const scene::View& view) {
   Moving& m = viewport.moving;
-  const frame::FrameInput input = frame::frameInput(viewport.shown, view, m.settings);
+  const frame::FrameInput input = timedInput(viewport, state, view, false);
   frame::setTextureDetail(viewport.scene->gpu, 1, m.settings.quality.textureFilter, viewport.context);
   const int64_t rows = std::max(m.rows, fewestSliceRows);
   const auto start = Clock::now();

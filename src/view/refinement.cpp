@@ -237,7 +237,12 @@ bool refine(Viewport& viewport, ViewerState& state, const scene::View& view) {
     if (Result<void> begun = begin(viewport, state, view); !begun) return giveUp(r, state, begun.error()), true;
   }
   bool drew = false;
-  const frame::FrameInput in = frameInput(viewport, view);
+  frame::FrameInput in = frameInput(viewport, view);
+  // Of the last whole sample.
+  const bool timed = state.passesTimed && !viewport.passesDone;
+  if (timed && r.gathering->rows == 0) viewport.passClock.take();
+  if (timed) in.clock = &viewport.passClock;
+  const int done = r.gathering->done;
   setTextureDetail(viewport);
   if (r.pending) {
     r.pending = false;
@@ -260,7 +265,9 @@ bool refine(Viewport& viewport, ViewerState& state, const scene::View& view) {
     }
   }
   if (!r.ended)
-    if (Result<void> done = step(viewport, state, in, drew); !done) return giveUp(r, state, done.error()), true;
+    if (Result<void> stepped = step(viewport, state, in, drew); !stepped)
+      return giveUp(r, state, stepped.error()), true;
+  if (timed && r.gathering->rows == 0 && r.gathering->done > done) viewport.passesDone = true;
   return drew || r.ended;
 }
 

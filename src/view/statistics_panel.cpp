@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cstdio>
 
 #include "view/widgets.hpp"
@@ -21,6 +22,34 @@ std::string passText(const frame::FrameStatistics& frame) {
   std::string text;
   for (const std::string& pass : frame.passes) text += (text.empty() ? "" : ", ") + pass;
   return text;
+}
+
+// One bar for each, where it lies in the frame.
+void passTimeline(const std::vector<frame::PassTime>& passes) {
+  double end = 0;
+  float names = 0;
+  for (const frame::PassTime& pass : passes) {
+    end = std::max(end, pass.startMs + pass.gpuMs);
+    names = std::max(names, ImGui::CalcTextSize(pass.name.c_str()).x);
+  }
+  if (passes.empty()) return ImGui::TextDisabled("not measured yet");
+  const float gap = ImGui::GetStyle().ItemSpacing.x, times = ImGui::CalcTextSize("0000 ms in 000").x;
+  const float width = std::max(16.0f, ImGui::GetContentRegionAvail().x - names - times - 2 * gap);
+  const float height = ImGui::GetTextLineHeight();
+  for (const frame::PassTime& pass : passes) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float left = at.x + names + gap;
+    const auto placed = [&](double ms) { return left + width * static_cast<float>(ms / std::max(end, 1e-9)); };
+    ImDrawList* const list = ImGui::GetWindowDrawList();
+    list->AddRectFilled({left, at.y}, {left + width, at.y + height}, ImGui::GetColorU32(ImGuiCol_FrameBg));
+    list->AddRectFilled({placed(pass.startMs), at.y},
+                        {std::max(placed(pass.startMs) + 1, placed(pass.startMs + pass.gpuMs)), at.y + height},
+                        ImGui::GetColorU32(ImGuiCol_PlotHistogram));
+    ImGui::TextUnformatted(pass.name.c_str());
+    ImGui::SameLine(names + 2 * gap + width + (at.x - ImGui::GetWindowPos().x));
+    const std::string runs = pass.runs > 1 ? " in " + std::to_string(pass.runs) : "";
+    ImGui::Text("%s%s", milliseconds(pass.gpuMs).c_str(), runs.c_str());
+  }
 }
 
 }  // namespace
@@ -72,9 +101,14 @@ void statisticsSection(ViewerState& state) {
   row("light tables", byteText(s.tableBytes));
   if (s.measuredBytes > 0) row("measured BRDFs", byteText(s.measuredBytes));
   row("targets", byteText(s.targetBytes));
+  if (s.treeBytes > 0) row("rays' trees", byteText(s.treeBytes));
+  if (s.environmentBytes > 0) row("environments before", byteText(s.environmentBytes));
+  row("main memory", byteText(s.mainBytes) + " of this program");
   row("passes", passText(s.frame));
   row("OpenGL", state.openGL);
   ImGui::EndTable();
+  state.passesTimed = ImGui::TreeNodeEx("passes", ImGuiTreeNodeFlags_NoTreePushOnOpen, "GPU time of each pass");
+  if (state.passesTimed) passTimeline(s.passes);
 }
 
 }  // namespace facet::view

@@ -56,8 +56,12 @@ struct ViewerStatistics {
   int programsCompiled = 0, programsFromDisk = 0;
   int imagesDecoded = 0, images = 0;
   double cpuMs = 0, gpuMs = 0;                 // of the last frame that was measured
+  std::vector<frame::PassTime> passes;         // of that or of the last sample, where they are looked at
   std::vector<const ibl::Candidate*> methods;  // of the tables, where an error decides
   size_t textureBytes = 0, geometryBytes = 0, tableBytes = 0, targetBytes = 0, measuredBytes = 0;
+  size_t treeBytes = 0;         // that rays are traced through
+  size_t environmentBytes = 0;  // of environments that were shown before
+  size_t mainBytes = 0;         // of the process
 };
 
 // A camera of the file's scene: what `--camera` calls it and what the panel does.
@@ -199,6 +203,7 @@ struct ViewerState {
   bool screenshotAsked = false;     // as soon as a whole picture is there
   bool screenshotWaits = false;     // for the picture to converge
   bool overlaysInPictures = false;  // screenshots and copied commands have settings.overlays
+  bool passesTimed = false;         // the panel shows what each pass takes
   bool errorsShown = false;         // each pixel's, in colours over the picture
   bool panelVisible = true;         // the panels that are chosen to be shown; one key hides all
   bool browserVisible = true, settingsVisible = true, timelineVisible = true;

@@ -83,6 +83,21 @@ void goOnWithGround(Viewport& viewport, ViewerState& state, const scene::View& v
   if (!went || ground->done != done) viewport.drawn.reset();
 }
 
+// What each pass took; the picture is drawn anew where that is looked at and not known.
+void takePassTimes(Viewport& viewport, ViewerState& state) {
+  std::vector<frame::PassTime>& passes = state.shown.statistics.passes;
+  if (!state.passesTimed) {
+    viewport.passesDone = false;
+    if (!viewport.passClock.empty()) viewport.passClock.take();
+    return passes.clear();
+  }
+  if (viewport.passesDone && viewport.passClock.ready()) {
+    passes = viewport.passClock.take();
+    viewport.passesDone = false;
+  }
+  if (passes.empty() && viewport.passClock.empty()) viewport.drawn.reset();
+}
+
 void tellDrawn(const Viewport& viewport, ViewerState& state) {
   measureMemory(viewport, state.shown.statistics);
   log::debug("frame drawn: " + state.shown.model + ", " + state.shown.environment +
@@ -101,6 +116,7 @@ bool drawViewport(Viewport& viewport, ViewerState& state) {
     state.shown.statistics.gpuMs = *gpuMs;
     viewport.moving.pixelNs = *gpuMs * 1e6 / std::max(1.0, double(viewport.targets.width) * viewport.targets.height);
   }
+  takePassTimes(viewport, state);
   const std::optional<scene::View> view = currentView(viewport, state);
   if (!view || viewport.shadersBroken) return false;
   const DrawnFrame wanted = wantedFrame(viewport, state);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "frame/pass_clock.hpp"
 #include "frame/picture.hpp"
 #include "gl/context.hpp"
 #include "view/comparison.hpp"
@@ -60,6 +61,8 @@ struct Viewport {
   frame::Targets targets;
   std::optional<DrawnFrame> drawn;
   FrameClock clock;
+  frame::PassClock passClock;
+  bool passesDone = false;  // a whole frame's, which the GPU may not have come to
   Moving moving;
   Refinement refinement;
   Trees trees;
