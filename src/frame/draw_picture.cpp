@@ -243,7 +243,9 @@ Result<bool> drawSlice(FrameInput in, const Targets& targets, SlicedPicture& pic
   Gathering& gathering = *picture.gathering;
   if (Result<void> r = gatherRows(in, drawn, gathering, rows, programs); !r) return tl::unexpected(r.error());
   if (!gathering.complete()) return false;
+  beginPass(in, gathering.statistics, "display");
   if (Result<void> r = drawDisplay(in, drawn, gathering, drawn, programs); !r) return tl::unexpected(r.error());
+  endPass(in);
   const auto copy = [&](const gl::Texture& from, const gl::Texture& to) {
     if (from)
       glCopyImageSubData(from.id(), GL_TEXTURE_2D, 0, 0, 0, 0, to.id(), GL_TEXTURE_2D, 0, 0, in.firstRow, 0,
@@ -252,7 +254,6 @@ Result<bool> drawSlice(FrameInput in, const Targets& targets, SlicedPicture& pic
   copy(picture.band.color, targets.color);
   copy(picture.band.fitted, targets.fitted);
   copy(picture.band.display, targets.display);
-  gathering.statistics.passes.emplace_back("display");
   add(picture.statistics, std::move(gathering.statistics));
   picture.gathering.reset();
   picture.firstRow += picture.bandRows;

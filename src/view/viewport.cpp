@@ -6,6 +6,7 @@
 
 #include "base/log.hpp"
 #include "view/describe.hpp"
+#include "view/statistics_panel.hpp"
 
 namespace facet::view {
 
@@ -94,6 +95,10 @@ void takePassTimes(Viewport& viewport, ViewerState& state) {
   if (viewport.passesDone && viewport.passClock.ready()) {
     passes = viewport.passClock.take();
     viewport.passesDone = false;
+    std::string told;
+    for (const frame::PassTime& pass : passes)
+      told += (told.empty() ? "" : ", ") + pass.name + " " + milliseconds(pass.gpuMs);
+    log::debug("passes timed: " + told);
   }
   if (passes.empty() && viewport.passClock.empty()) viewport.drawn.reset();
 }
