@@ -27,6 +27,8 @@ struct WindowArguments {
   bool noCache = false, glDebug = false, last = false, noSandbox = false;
 };
 
+bool isSession(const std::string& source) { return std::filesystem::path(source).extension() == ".facet"; }
+
 // One model at most, any number of folders.
 Result<void> sortSources(const std::vector<std::string>& sources, view::WindowOptions& options) {
   bool named = false;
@@ -34,6 +36,8 @@ Result<void> sortSources(const std::vector<std::string>& sources, view::WindowOp
   for (const std::string& source : sources) {
     if (std::filesystem::is_directory(source, ignored)) {
       options.folders.push_back(source);
+    } else if (isSession(source)) {
+      return fail(source, "", "is a session, which has its own model", "name nothing beside it");
     } else if (source == io::standardInput) {
       return fail("-", "", "is standard input, which a window could not read again", "name a file");
     } else if (named) {
@@ -46,11 +50,10 @@ Result<void> sortSources(const std::vector<std::string>& sources, view::WindowOp
   return {};
 }
 
-// What was shown when the window was closed last.
-Result<void> applyLast(view::WindowOptions& options) {
-  const std::string file = view::lastFile().string();
+// What was shown when the window was closed last, or was kept as a session.
+Result<void> applyLast(const std::string& file, view::WindowOptions& options) {
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) return fail(file, "", "is not there yet", "close a window on a model first");
+  if (!stream) return fail(file, "", "is not there", "close a window on a model first, or keep a session with Ctrl+S");
   const nlohmann::json last = nlohmann::json::parse(stream, nullptr, false);
   const auto isText = [&](const char* key) { return last.contains(key) && last[key].is_string(); };
   if (!last.is_object() || !isText("folder") || !isText("model") || !last.contains("picture") ||
@@ -79,15 +82,17 @@ int runViewer(const WindowArguments& arguments) {
   options.settings.quality.samples = 256;  // a resting picture converges
   bool restored = false;                   // with settings of its own, which the usual file of options leaves alone
   const bool asItWas = arguments.sources.empty() && arguments.picture.empty() && view::startsWithLast();
-  if (arguments.last || asItWas) {
+  const bool session = arguments.sources.size() == 1 && isSession(arguments.sources.front());
+  if (session || arguments.last || asItWas) {
     view::WindowOptions last = options;
-    Result<void> r = applyLast(last);
+    Result<void> r = applyLast(session ? arguments.sources.front() : view::lastFile().string(), last);
     if (r) r = view::checkStart(last);
-    if (!r && arguments.last) return badInput(r.error());
+    if (!r && (session || arguments.last)) return badInput(r.error());
     if (r) options = last, restored = true;
     if (!r && std::filesystem::exists(view::lastFile())) log::warning(describe(r.error()));
   }
-  if (Result<void> r = sortSources(arguments.sources, options); !r) return badInput(r.error());
+  if (!session)
+    if (Result<void> r = sortSources(arguments.sources, options); !r) return badInput(r.error());
   PictureArguments given = arguments.picture;
   std::filesystem::path config = arguments.config;
   if (config.empty() && !restored) config = usualConfig();
@@ -117,7 +122,7 @@ int runViewer(const WindowArguments& arguments) {
 std::function<int()> addWindow(CLI::App& app) {
   auto arguments = std::make_shared<WindowArguments>();
   app.add_option("MODEL", arguments->sources,
-                 "a .gltf or .glb file, or builtin:NAME (builtin:poster); folders are browsed")
+                 "a .gltf or .glb file, or builtin:NAME (builtin:poster); folders are browsed; or a session (.facet)")
       ->type_name("MODEL|FOLDER");
   addConfig(app, arguments->config, " ($XDG_CONFIG_HOME/facet/config, where there is one)");
   app.add_flag("--last", arguments->last,

@@ -2,8 +2,6 @@
 
 #include <fcntl.h>
 #include <signal.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -11,9 +9,8 @@
 #include <fstream>
 #include <utility>
 
+#include "base/child_program.hpp"
 #include "base/text.hpp"
-
-extern char** environ;
 
 namespace facet::io {
 
@@ -55,22 +52,6 @@ std::vector<std::string> ffmpegWords(FilmCodec codec, const FilmShape& shape, co
   return words;
 }
 
-// The number of what was started, or -errno.
-int start(const std::vector<std::string>& words, int standardInput, const std::string& said) {
-  std::vector<char*> arguments;
-  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
-  arguments.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  if (posix_spawn_file_actions_init(&actions) != 0) return -ENOMEM;
-  posix_spawn_file_actions_adddup2(&actions, standardInput, STDIN_FILENO);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, said.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-  pid_t process = -1;
-  const int problem = posix_spawnp(&process, arguments[0], &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  return problem == 0 ? process : -problem;
-}
-
 // A program that has gone must not end this one.
 class NoBrokenPipe {
  public:
@@ -94,13 +75,6 @@ bool writeAllTo(int fd, std::span<const uint8_t> bytes) {
   return true;
 }
 
-int waitFor(int process) {
-  int status = -1;
-  while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
-  }
-  return status;
-}
-
 }  // namespace
 
 Result<FfmpegFilm> FfmpegFilm::begin(const fs::path& file, FilmCodec codec, const FilmShape& shape) {
@@ -117,7 +91,8 @@ Result<FfmpegFilm> FfmpegFilm::begin(const fs::path& file, FilmCodec codec, cons
   if (::pipe2(ends, O_CLOEXEC) != 0)
     return fail(file.string(), "", std::string("no pipe: ") + std::strerror(errno), "try again");
   film.pictures_ = ends[1];
-  const int process = start(ffmpegWords(codec, shape, film.beside_.string()), ends[0], film.said_.string());
+  const int process =
+      startProgram(ffmpegWords(codec, shape, film.beside_.string()), {.input = ends[0], .errors = film.said_.string()});
   ::close(ends[0]);
   if (process < 0)
     return fail(file.string(), "",
@@ -137,7 +112,7 @@ FfmpegFilm::FfmpegFilm(FfmpegFilm&& other) noexcept
 
 FfmpegFilm::~FfmpegFilm() {
   if (pictures_ >= 0) ::close(pictures_);
-  if (process_ > 0) waitFor(process_);
+  if (process_ > 0) waitForProgram(process_);
   std::error_code ignored;
   for (const fs::path& left : {beside_, said_})
     if (!left.empty()) fs::remove(left, ignored);
@@ -155,13 +130,13 @@ Error FfmpegFilm::broken() const {
 Result<void> FfmpegFilm::add(const Pixels& pixels) {
   if (writeAllTo(pictures_, pixels.data)) return {};
   ::close(std::exchange(pictures_, -1));
-  waitFor(std::exchange(process_, -1));
+  waitForProgram(std::exchange(process_, -1));
   return tl::unexpected(broken());
 }
 
 Result<void> FfmpegFilm::end() {
   ::close(std::exchange(pictures_, -1));
-  if (waitFor(std::exchange(process_, -1)) != 0) return tl::unexpected(broken());
+  if (waitForProgram(std::exchange(process_, -1)) != 0) return tl::unexpected(broken());
   const int fd = ::open(beside_.c_str(), O_RDONLY | O_CLOEXEC);
   int problem = fd < 0 ? errno : 0;
   if (fd >= 0 && ::fsync(fd) != 0 && errno != EINVAL) problem = errno;

@@ -137,6 +137,12 @@ void take(Command command, const std::optional<scene::View>& view, ViewerState& 
     case Command::copyCommand:
       actions.copyCommand = true;
       return;
+    case Command::openFile:
+      actions.openFile = true;
+      return;
+    case Command::saveSession:
+      actions.saveSession = true;
+      return;
     case Command::undo:
       if (!undo(state.history, state.settings)) say(state, "there is nothing to undo");
       return;

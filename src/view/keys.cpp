@@ -87,6 +87,8 @@ const std::vector<CommandRow>& commandRows() {
        "screenshot once the picture has converged",
        {"Shift+P"}},
       {Command::copyCommand, "copyCommand", "Window", "copy the facet render line of this picture", {"Ctrl+C"}},
+      {Command::openFile, "openFile", "Window", "open a file by the system's dialog", {"Ctrl+O"}},
+      {Command::saveSession, "saveSession", "Window", "keep all this as a file, for facet FILE.facet", {"Ctrl+S"}},
       {Command::undo, "undo", "Window", "undo, redo a change of the model", {"Ctrl+Z"}},
       {Command::redo, "redo", "Window", "undo, redo a change of the model", {"Ctrl+Shift+Z", "Ctrl+Y"}},
       {Command::messages, "messages", "Window", "all messages", {"M"}},

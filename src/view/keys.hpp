@@ -44,6 +44,8 @@ enum class Command {
   screenshot,
   screenshotConverged,
   copyCommand,
+  openFile,
+  saveSession,
   undo,
   redo,
   messages,

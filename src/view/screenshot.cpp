@@ -5,14 +5,18 @@
 
 namespace facet::view {
 
-std::filesystem::path screenshotName(const std::tm& time, const std::filesystem::path& folder) {
+std::filesystem::path newName(const std::tm& time, const std::filesystem::path& folder, const std::string& ending) {
   char stem[64];
   std::strftime(stem, sizeof stem, "facet-%Y%m%d-%H%M%S", &time);
-  std::filesystem::path path = folder / (std::string(stem) + ".png");
+  std::filesystem::path path = folder / (stem + ending);
   std::error_code ignored;
   for (int i = 2; std::filesystem::exists(path, ignored); ++i)
-    path = folder / (std::string(stem) + "-" + std::to_string(i) + ".png");
+    path = folder / (std::string(stem) + "-" + std::to_string(i) + ending);
   return path;
+}
+
+std::filesystem::path screenshotName(const std::tm& time, const std::filesystem::path& folder) {
+  return newName(time, folder, ".png");
 }
 
 Result<std::string> writeScreenshot(const frame::Targets& targets, const frame::PictureSettings& settings,

@@ -9,7 +9,8 @@
 
 namespace facet::view {
 
-// facet-YYYYMMDD-HHMMSS.png, or with -2, -3, ... where there is such a file in the folder already.
+// facet-YYYYMMDD-HHMMSS with the ending, or with -2, -3, ... where there is such a file in the folder already.
+std::filesystem::path newName(const std::tm& time, const std::filesystem::path& folder, const std::string& ending);
 std::filesystem::path screenshotName(const std::tm& time, const std::filesystem::path& folder);
 
 // The picture in the targets, without the panel, into the working directory; its name. Waits for the GPU.

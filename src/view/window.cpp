@@ -27,6 +27,7 @@
 #include "view/last.hpp"
 #include "view/layout.hpp"
 #include "view/load_time.hpp"
+#include "view/open_dialog.hpp"
 #include "view/panel.hpp"
 #include "view/playback.hpp"
 #include "view/present.hpp"
@@ -56,6 +57,7 @@ struct Loop {
   std::string noted;  // model and environment that the browser was told last
   LoadTime load;
   Bookmarks bookmarks;  // as they are in their file
+  std::optional<OpenDialog> dialog;
 };
 
 std::filesystem::path preferencesFile() {
@@ -78,6 +80,38 @@ void keepLast(const ViewerState& state) {
   settings.quality = state.settings.quality;
   if (const Result<void> written = writeLast(file, state.shown.model, settings); !written)
     log::warning(describe(written.error()));
+}
+
+// What is on the screen, as a file in the working directory.
+void saveSession(ViewerState& state) {
+  if (state.shown.model.empty()) return say(state, "there is nothing to keep yet");
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&now, &local);
+  std::error_code ignored;
+  const std::filesystem::path file = sessionName(local, std::filesystem::current_path(ignored));
+  frame::PictureSettings settings = commandSettings(state);
+  settings.quality = state.settings.quality;
+  if (const Result<void> written = writeLast(file, state.shown.model, settings); !written)
+    return complain(state, written.error());
+  say(state, "session written: " + file.string());
+}
+
+// The system's dialog: what is chosen in it is as if it were dropped.
+void followDialog(Loop& loop, const Actions& actions, ViewerState& state) {
+  if (actions.openFile && !loop.dialog) {
+    const std::filesystem::path shown = state.shown.model;
+    std::error_code ignored;
+    const bool file = shown.has_parent_path() && !state.shown.model.starts_with(io::builtinPrefix);
+    Result<OpenDialog> dialog = OpenDialog::open(file ? shown.parent_path() : std::filesystem::current_path(ignored));
+    if (!dialog) return complain(state, dialog.error());
+    loop.dialog.emplace(std::move(*dialog));
+  }
+  if (!loop.dialog) return;
+  const std::optional<std::string> chosen = loop.dialog->poll();
+  if (!chosen) return;
+  loop.dialog.reset();
+  if (!chosen->empty()) loop.input.dropped.push_back(*chosen), loop.input.any = true;
 }
 
 bool isDown(GLFWwindow* window, int key) { return glfwGetKey(window, key) == GLFW_PRESS; }
@@ -107,10 +141,11 @@ double waitForEvents(Loop& loop, const Loader& loader, const Viewport& viewport,
   if (loop.framesToDraw > 0 || !loop.input.hands.empty() || flightDirection(loop, state.keys) != glm::dvec3(0))
     glfwPollEvents();
   else
-    glfwWaitEventsTimeout(atWork(viewport, state) || viewport.comingUp || loader.measured.running()     ? stepWait
-                          : loader.running() || loader.fileCheck.running() || loader.exported.running() ? busyWait
-                          : viewport.clock.waiting()                                                    ? timerWait
-                                                                                                        : idle);
+    glfwWaitEventsTimeout(atWork(viewport, state) || viewport.comingUp || loader.measured.running() ? stepWait
+                          : loop.dialog || loader.running() || loader.fileCheck.running() || loader.exported.running()
+                              ? busyWait
+                          : viewport.clock.waiting() ? timerWait
+                                                     : idle);
   const auto now = std::chrono::steady_clock::now();
   const double seconds = std::chrono::duration<double>(now - loop.last).count();
   loop.last = now;
@@ -265,6 +300,8 @@ bool turn(Loop& loop, ImGuiSession& imgui, Viewport& viewport, ViewerState& stat
   const bool wasLoading = loader.running() || loader.fileCheck.running() || loader.exported.running() ||
                           viewport.comingUp || viewport.clock.waiting();
   takeLoaded(viewport, state, loader);
+  followDialog(loop, actions, state);
+  if (actions.saveSession) saveSession(state);
   const bool reloaded = shadersChanged(loop.shaders, loop.last);
   if (reloaded) reloadShaders(viewport, state);
   followFiles(loop, viewport, loader);

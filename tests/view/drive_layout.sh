@@ -86,6 +86,9 @@ xdotool key e
 await "environment: builtin:studio" 1
 sleep 0.3
 screenshot left
+xdotool key ctrl+s
+await "session written: " 1
+session=$(sed -n 's/.*session written: //p' log)
 quit
 start --last --size 1280x800
 await "frame drawn: .*wide.gltf, builtin:studio$" 1
@@ -94,6 +97,27 @@ sleep 0.5
 screenshot back
 same left back
 quit
+# A session brings it back as well, whatever came after it; Ctrl+O opens by the system's dialog.
+mv "$XDG_STATE_HOME/facet/last.json" kept.json
+mkdir -p bin
+printf '#!/bin/sh\necho "$@" >%s/asked\necho %s\n' "$folder" "$folder/chosen.gltf" >bin/zenity
+chmod +x bin/zenity
+cp wide.gltf chosen.gltf
+PATH=$folder/bin:$PATH start "$session" --size 1280x800
+await "frame drawn: .*wide.gltf, builtin:studio$" 1
+find_window
+sleep 0.5
+screenshot session
+same left session
+xdotool key ctrl+o
+await "frame drawn: .*chosen.gltf, builtin:studio$" 1
+grep -q -- "--file-selection .*--filename=$folder/" asked || fail "the dialog was asked otherwise: $(cat asked)"
+printf '#!/bin/sh\nexit 1\n' >bin/zenity # closed without a choice
+xdotool key ctrl+o
+sleep 0.5
+screenshot still
+quit
+mv kept.json "$XDG_STATE_HOME/facet/last.json"
 mkdir -p "$XDG_CONFIG_HOME/facet"
 echo '{"startWithLast": true}' >"$XDG_CONFIG_HOME/facet/settings.json"
 start

@@ -1,0 +1,22 @@
+#pragma once
+
+// Another program, beside this one.
+
+#include <string>
+#include <vector>
+
+namespace facet {
+
+// -1 and empty: nothing is read from there, or what is written is lost.
+struct ChildStreams {
+  int input = -1, output = -1;  // descriptors
+  std::string errors = {};      // a file
+};
+
+// Looked for as a shell does, words[0] first. Its process, or -errno.
+int startProgram(const std::vector<std::string>& words, const ChildStreams& streams);
+
+// Until it ends; its status as waitpid has it.
+int waitForProgram(int process);
+
+}  // namespace facet
