@@ -5,11 +5,12 @@
 
 #include "base/text.hpp"
 #include "io/gltf_document.hpp"
+#include "io/image_formats.hpp"
 #include "io/safe_files.hpp"
 #include "io/sources.hpp"
 #include "io/uri.hpp"
-#include "scene/builtin_scenes.hpp"
 #include "scene/edited.hpp"
+#include "scene/glb_container.hpp"
 #include "scene/nodes.hpp"
 #include "scene/properties.hpp"
 #include "scene/usage.hpp"
@@ -176,15 +177,6 @@ Bytes joinBuffers(Ordered& gltf, const Document& doc) {
   return binary;
 }
 
-const char* mediaType(std::span<const uint8_t> bytes) {
-  const std::string_view head(reinterpret_cast<const char*>(bytes.data()), std::min<size_t>(bytes.size(), 12));
-  if (head.starts_with("\x89PNG")) return "image/png";
-  if (head.starts_with("\xff\xd8")) return "image/jpeg";
-  if (head.starts_with("RIFF")) return "image/webp";
-  if (head.starts_with("\xabKTX")) return "image/ktx2";
-  return head.size() == 12 && head.substr(4, 4) == "ftyp" ? "image/avif" : nullptr;
-}
-
 // Images that have names of files, or lie in the text, into the buffer.
 void embedImages(Ordered& gltf, const Document& doc, const scene::Model& model, Bytes& binary, Notes& notes) {
   if (!gltf.contains("images")) return;
@@ -199,8 +191,8 @@ void embedImages(Ordered& gltf, const Document& doc, const scene::Model& model, 
         file = std::move(*there);
         bytes = file.span();
       }
-    const char* type = mediaType(bytes);
-    if (!type) {
+    const std::string type = mediaType(bytes);
+    if (type.empty()) {
       notes.push_back({Note::Severity::warning, pointer("/images", i),
                        "is not there to be taken along: the new file names it as the old one did"});
       continue;
@@ -211,29 +203,6 @@ void embedImages(Ordered& gltf, const Document& doc, const scene::Model& model, 
     image["mimeType"] = type;
     image["bufferView"] = gltf["bufferViews"].size() - 1;
   }
-}
-
-void addWord(Bytes& out, size_t word) {
-  for (int shift = 0; shift < 32; shift += 8) out.push_back(static_cast<uint8_t>(word >> shift));
-}
-
-Bytes container(std::string text, const Bytes& binary) {
-  text.resize((text.size() + 3) / 4 * 4, ' ');
-  const size_t padded = (binary.size() + 3) / 4 * 4;
-  Bytes out;
-  out.reserve(28 + text.size() + padded);
-  addWord(out, 0x46546C67);  // "glTF"
-  addWord(out, 2);
-  addWord(out, 12 + 8 + text.size() + (binary.empty() ? 0 : 8 + padded));
-  addWord(out, text.size());
-  addWord(out, 0x4E4F534A);  // "JSON"
-  out.insert(out.end(), text.begin(), text.end());
-  if (binary.empty()) return out;
-  addWord(out, padded);
-  addWord(out, 0x004E4942);  // "BIN"
-  out.insert(out.end(), binary.begin(), binary.end());
-  out.resize(out.size() + padded - binary.size());
-  return out;
 }
 
 Result<Bytes> write(Document& doc, const scene::Model& model, const Changes& changes, Notes& notes) {
@@ -255,7 +224,7 @@ Result<Bytes> write(Document& doc, const scene::Model& model, const Changes& cha
   std::string text = gltf.dump();
   if (text.size() + binary.size() > 0xFFFFFF00u)
     return doc.error("", "with all its files it is larger than 4 GiB, which one file cannot be", "use a smaller model");
-  return container(std::move(text), binary);
+  return scene::glbContainer(std::move(text), binary);
 }
 
 }  // namespace

@@ -303,6 +303,14 @@ std::vector<ImageInfo> describeImages(const scene::Model& model, const Limits& l
   return result;
 }
 
+std::string mediaType(std::span<const uint8_t> bytes) {
+  if (isJpeg(bytes)) return "image/jpeg";
+  if (isPng(bytes)) return "image/png";
+  if (isWebp(bytes)) return "image/webp";
+  if (isKtx2(bytes)) return "image/ktx2";
+  return isAvif(bytes) ? "image/avif" : "";
+}
+
 Pixels placeholderImage() {
   constexpr int size = 64, square = 8;
   Pixels pixels;

@@ -53,6 +53,9 @@ bool isKtx2(std::span<const uint8_t> bytes);
 Result<ImageHeader> readKtx2Header(std::span<const uint8_t> bytes);
 Result<Pixels> decodeKtx2(std::span<const uint8_t> bytes, const ImageHeader& header);
 
+// "image/png" by what it begins with; empty: none that glTF and its extensions know.
+std::string mediaType(std::span<const uint8_t> bytes);
+
 std::string pngText(std::span<const uint8_t> bytes, std::string_view keyword);
 
 // The pixels as files; empty where memory does not do. PNG of 8 or 16 bits a channel, as the pixels have; the others of

@@ -10,6 +10,7 @@
 #include "scene/material_properties.hpp"
 #include "scene/nodes.hpp"
 #include "scene/pick.hpp"
+#include "scene/properties.hpp"
 #include "scene/usage.hpp"
 
 namespace facet::scene {
@@ -98,13 +99,11 @@ std::string imageOf(const Model& model, const TextureRef& ref) {
   return name.empty() ? "an image" : inQuotes(name);
 }
 
-std::string_view lastPart(std::string_view path) { return path.substr(path.rfind('/') + 1); }
-
 void compareMaterials(Lines& lines, const Model& before, const Model& after) {
   compareNamed(lines, "material", before.materials, after.materials,
                [&](const std::string& prefix, Material was, Material is) {
                  for (const MaterialProperty& property : materialProperties())
-                   told(lines, prefix + " " + std::string(lastPart(property.path)), numbers(components(was, property)),
+                   told(lines, prefix + " " + std::string(lastToken(property.path)), numbers(components(was, property)),
                         numbers(components(is, property)));
                  for (const TextureSlot slot : textureSlots)
                    told(lines, prefix + " " + name(slot), imageOf(before, textureRef(was, slot)),

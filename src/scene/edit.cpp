@@ -3,17 +3,13 @@
 #include <algorithm>
 
 #include "base/text.hpp"
+#include "scene/properties.hpp"
 
 namespace facet::scene {
 
 namespace {
 
 constexpr std::string_view alphaModes[] = {"opaque", "mask", "blend"};  // in the order of AlphaMode
-
-std::string_view lastToken(std::string_view pointer) {
-  const size_t slash = pointer.rfind('/');
-  return slash == std::string_view::npos ? pointer : pointer.substr(slash + 1);
-}
 
 bool isYesOrNo(std::string_view pointer) {
   return lastToken(pointer) == "visible" || lastToken(pointer) == "doubleSided";

@@ -3,6 +3,8 @@
 #include <bit>
 #include <cstring>
 
+#include "scene/glb_container.hpp"
+
 namespace facet::scene {
 
 namespace {
@@ -34,10 +36,6 @@ int addAccessor(GlbWriter& w, const std::vector<T>& values, int target, int comp
   return append(
       w.gltf["accessors"],
       nlohmann::json{{"bufferView", view}, {"componentType", componentType}, {"count", values.size()}, {"type", type}});
-}
-
-void putWord(std::vector<uint8_t>& bytes, uint32_t word) {
-  for (int i = 0; i < 4; ++i) bytes.push_back(uint8_t(word >> (8 * i)));
 }
 
 }  // namespace
@@ -184,20 +182,7 @@ int addPointLight(GlbWriter& w, const std::string& name, const glm::dvec3& posit
 std::vector<uint8_t> glb(const GlbWriter& w) {
   nlohmann::json gltf = w.gltf;
   gltf["buffers"] = {{{"byteLength", w.binary.size()}}};
-  std::string text = gltf.dump();
-  text.resize((text.size() + 3) / 4 * 4, ' ');
-  std::vector<uint8_t> bytes;
-  bytes.reserve(28 + text.size() + w.binary.size());
-  putWord(bytes, 0x46546C67);  // "glTF"
-  putWord(bytes, 2);
-  putWord(bytes, uint32_t(28 + text.size() + w.binary.size()));
-  putWord(bytes, uint32_t(text.size()));
-  putWord(bytes, 0x4E4F534A);  // "JSON"
-  bytes.insert(bytes.end(), text.begin(), text.end());
-  putWord(bytes, uint32_t(w.binary.size()));
-  putWord(bytes, 0x004E4942);  // "BIN"
-  bytes.insert(bytes.end(), w.binary.begin(), w.binary.end());
-  return bytes;
+  return glbContainer(gltf.dump(), w.binary);
 }
 
 }  // namespace facet::scene

@@ -162,6 +162,9 @@ NodeTransforms worldTransforms(const Model& model, int scene, const Pose& pose) 
       if (isIndex(*it, model.nodes.size())) open.push_back({*it, parent});
   };
   push(model.scenes[size_t(scene)].nodes, -1);
+  std::vector<bool> only(model.nodes.size(), false);
+  for (const int node : pose.only)
+    if (isIndex(node, only.size())) only[size_t(node)] = true;
   while (!open.empty()) {
     const Visit visit = open.back();
     open.pop_back();
@@ -177,8 +180,7 @@ NodeTransforms worldTransforms(const Model& model, int scene, const Pose& pose) 
     else
       out.worldFromNode[n] = pose.worldFromModel ? *pose.worldFromModel * local : local;
     out.hidden[n] = !node.visible || (!root && out.hidden[size_t(visit.parent)]);
-    out.wanted[n] = std::ranges::find(pose.only, visit.node) != pose.only.end() ||
-                    (root ? pose.only.empty() : out.wanted[size_t(visit.parent)]);
+    out.wanted[n] = only[n] || (root ? pose.only.empty() : out.wanted[size_t(visit.parent)]);
     push(node.children, visit.node);
   }
   return out;

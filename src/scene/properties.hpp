@@ -26,6 +26,9 @@ struct PropertyPlace {
 };
 std::optional<PropertyPlace> placeOf(const Model& model, std::string_view pointer);
 
+// What comes after its last slash.
+constexpr std::string_view lastToken(std::string_view pointer) { return pointer.substr(pointer.rfind('/') + 1); }
+
 // A property, and how many numbers it has: a channel without a sampler. Of weights: one, for each morph target.
 struct PropertyTarget {
   AnimationChannel channel;

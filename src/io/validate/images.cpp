@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
 
 #include "io/image.hpp"
+#include "io/image_formats.hpp"
 #include "io/uri.hpp"
 #include "io/validate/checks.hpp"
 #include "io/validate/image_colour.hpp"
@@ -14,20 +14,6 @@
 namespace facet::io::validate {
 
 namespace {
-
-bool startsWith(std::span<const uint8_t> bytes, std::string_view magic, size_t at = 0) {
-  return bytes.size() >= at + magic.size() && std::memcmp(bytes.data() + at, magic.data(), magic.size()) == 0;
-}
-
-// Empty where it is none of those that glTF and its extensions know.
-std::string sniffed(std::span<const uint8_t> bytes) {
-  if (startsWith(bytes, "\xFF\xD8\xFF")) return "image/jpeg";
-  if (startsWith(bytes, "\x89PNG\r\n\x1A\n")) return "image/png";
-  if (startsWith(bytes, "RIFF") && startsWith(bytes, "WEBP", 8)) return "image/webp";
-  if (startsWith(bytes, "\xABKTX 20\xBB")) return "image/ktx2";
-  if (startsWith(bytes, "ftypavif", 4)) return "image/avif";
-  return {};
-}
 
 // The extension that a texture names images of that type by; null: none is needed, or there is none.
 const char* extensionFor(const std::string& mediaType) {
@@ -84,7 +70,7 @@ std::string checkImage(Asset& asset, const Json& image, const ImageUse& use, con
   else
     bytes = bytesOf(asset, view);
   if (bytes.empty()) return declared;
-  const std::string found = sniffed(bytes);
+  const std::string found = mediaType(bytes);
   if (uri.is_string() && isDataUri(uri.get<std::string>()) && mediaTypeOf(uri.get<std::string>()) != found) {
     asset.add(Code::INVALID_URI, place + "/uri",
               "the data: URI says " + inQuotes(mediaTypeOf(uri.get<std::string>())) + ", but holds " +
