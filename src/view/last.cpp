@@ -7,7 +7,6 @@
 #include "view/layout.hpp"
 #include "view/preferences.hpp"
 #include "view/recent.hpp"
-#include "view/screenshot.hpp"
 
 namespace facet::view {
 
@@ -32,8 +31,6 @@ Result<void> writeLast(const fs::path& file, const std::string& model, const fra
   std::filesystem::create_directories(file.parent_path(), ignored);
   return writeWholeFile(file, values.dump(2) + "\n");
 }
-
-fs::path sessionName(const std::tm& time, const fs::path& folder) { return newName(time, folder, ".facet"); }
 
 bool startsWithLast() {
   const fs::path folder = userConfigFolder();

@@ -2,7 +2,6 @@
 
 // What the window showed when it was closed, for the next start; what it shows, kept as a session on wish.
 
-#include <ctime>
 #include <filesystem>
 #include <string>
 
@@ -18,9 +17,6 @@ std::filesystem::path lastFile();
 // the size. Errors: cannot be written.
 Result<void> writeLast(const std::filesystem::path& file, const std::string& model,
                        const frame::PictureSettings& settings);
-
-// Name of a new session in the folder: facet-YYYYMMDD-HHMMSS.facet, as screenshots have it.
-std::filesystem::path sessionName(const std::tm& time, const std::filesystem::path& folder);
 
 // "start with what was shown last" is chosen in the window.
 bool startsWithLast();

@@ -15,17 +15,17 @@ std::filesystem::path newName(const std::tm& time, const std::filesystem::path& 
   return path;
 }
 
-std::filesystem::path screenshotName(const std::tm& time, const std::filesystem::path& folder) {
-  return newName(time, folder, ".png");
-}
-
-Result<std::string> writeScreenshot(const frame::Targets& targets, const frame::PictureSettings& settings,
-                                    const frame::OverlayTargets* overlay) {
+std::filesystem::path newNameHere(const std::string& ending) {
   const std::time_t now = std::time(nullptr);
   std::tm local{};
   localtime_r(&now, &local);
   std::error_code ignored;
-  const std::string name = screenshotName(local, std::filesystem::current_path(ignored)).string();
+  return newName(local, std::filesystem::current_path(ignored), ending);
+}
+
+Result<std::string> writeScreenshot(const frame::Targets& targets, const frame::PictureSettings& settings,
+                                    const frame::OverlayTargets* overlay) {
+  const std::string name = newNameHere(".png").string();
   const bool withAlpha = settings.frame.background == frame::Background::transparent;
   io::Pixels picture = frame::readDisplay(targets, withAlpha);
   if (overlay) frame::layOver(*overlay, 0, picture);

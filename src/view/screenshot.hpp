@@ -11,7 +11,8 @@ namespace facet::view {
 
 // facet-YYYYMMDD-HHMMSS with the ending, or with -2, -3, ... where there is such a file in the folder already.
 std::filesystem::path newName(const std::tm& time, const std::filesystem::path& folder, const std::string& ending);
-std::filesystem::path screenshotName(const std::tm& time, const std::filesystem::path& folder);
+// The same of now, in the working directory.
+std::filesystem::path newNameHere(const std::string& ending);
 
 // The picture in the targets, without the panel, into the working directory; its name. Waits for the GPU.
 // overlay: lines over the picture, or null.

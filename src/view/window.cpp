@@ -85,11 +85,7 @@ void keepLast(const ViewerState& state) {
 // What is on the screen, as a file in the working directory.
 void saveSession(ViewerState& state) {
   if (state.shown.model.empty()) return say(state, "there is nothing to keep yet");
-  const std::time_t now = std::time(nullptr);
-  std::tm local{};
-  localtime_r(&now, &local);
-  std::error_code ignored;
-  const std::filesystem::path file = sessionName(local, std::filesystem::current_path(ignored));
+  const std::filesystem::path file = newNameHere(".facet");
   frame::PictureSettings settings = commandSettings(state);
   settings.quality = state.settings.quality;
   if (const Result<void> written = writeLast(file, state.shown.model, settings); !written)

@@ -120,10 +120,10 @@ TEST_CASE("screenshot: the name tells the time and overwrites nothing") {
   const test::TemporaryFolder folder;
   std::tm time{};
   time.tm_year = 124, time.tm_mon = 1, time.tm_mday = 29, time.tm_hour = 7, time.tm_min = 5, time.tm_sec = 9;
-  CHECK(view::screenshotName(time, folder.path()) == folder.path() / "facet-20240229-070509.png");
+  CHECK(view::newName(time, folder.path(), ".png") == folder.path() / "facet-20240229-070509.png");
   folder.write("facet-20240229-070509.png", std::string("x"));
   folder.write("facet-20240229-070509-2.png", std::string("x"));
-  CHECK(view::screenshotName(time, folder.path()) == folder.path() / "facet-20240229-070509-3.png");
+  CHECK(view::newName(time, folder.path(), ".png") == folder.path() / "facet-20240229-070509-3.png");
 }
 
 TEST_CASE("Presets: a metal brings colour and conductor, a dielectric its index, sources are told") {
