@@ -6,13 +6,14 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <iterator>
 #include <string>
 #include <vector>
+
+#include "base/interrupt.hpp"
 
 namespace facet {
 
@@ -44,23 +45,6 @@ int writeInto(const std::string& path, int flags, std::span<const std::byte> byt
   return problem;
 }
 
-// Signals that ask for the end wait until this dies, so that nothing is left beside.
-class SignalsHeld {
- public:
-  SignalsHeld() {
-    sigset_t held;
-    sigemptyset(&held);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&held, signal);
-    pthread_sigmask(SIG_BLOCK, &held, &before_);
-  }
-  ~SignalsHeld() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-  SignalsHeld(const SignalsHeld&) = delete;
-  SignalsHeld& operator=(const SignalsHeld&) = delete;
-
- private:
-  sigset_t before_;
-};
-
 // Of no other process, nor of one in another container that has our number. Not longer for long names.
 std::string nameBeside(const std::filesystem::path& target) {
   uint64_t chance = 0;
@@ -73,7 +57,7 @@ std::string nameBeside(const std::filesystem::path& target) {
 
 int writeBeside(const std::filesystem::path& target, const struct stat* before, std::span<const std::byte> bytes) {
   const std::string aside = nameBeside(target);
-  const SignalsHeld held;
+  const SignalsHeld held;  // nothing is left beside
   int problem = writeInto(aside, O_EXCL, bytes, before);
   if (problem == 0 && ::rename(aside.c_str(), target.c_str()) != 0) problem = errno;
   if (problem != 0) ::unlink(aside.c_str());

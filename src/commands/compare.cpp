@@ -10,6 +10,7 @@
 #include <tuple>
 #include <vector>
 
+#include "base/interrupt.hpp"
 #include "base/log.hpp"
 #include "base/nearest.hpp"
 #include "base/origin_json.hpp"
@@ -246,6 +247,8 @@ int compareFolders(const CompareSettings& settings, const Task& task) {
   for (const Metric& metric : compare::metrics()) table.columns.emplace_back(metric.name);
   table.columns.insert(table.columns.end(), {"worst", "passed"});
   int status = exitGood;
+  size_t compared = 0;
+  LastWords lastWords("no pair was compared");
   for (const Pair& pair : *pairs) {
     const Result<Comparison> comparison = comparePair(pair, task, settings);
     if (!comparison) {
@@ -257,6 +260,7 @@ int compareFolders(const CompareSettings& settings, const Task& task) {
     const bool passed = passes(task, *comparison);
     row.emplace_back(comparison->worstShare), row.emplace_back(std::string(passed ? "yes" : "no"));
     if (!passed && status == exitGood) status = exitFailed;
+    lastWords.change(std::to_string(++compared) + " of " + std::to_string(pairs->size()) + " pairs compared");
   }
   const Result<std::string> text = tablesText(settings.json  ? TableFormat::json
                                               : settings.csv ? TableFormat::csv

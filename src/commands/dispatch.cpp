@@ -12,6 +12,7 @@
 #include <system_error>
 #include <vector>
 
+#include "base/interrupt.hpp"
 #include "base/log.hpp"
 #include "base/nearest.hpp"
 #include "base/origin.hpp"
@@ -161,6 +162,8 @@ int parseAndRun(std::span<const Command> table, int argc, char** argv) {
   if (chosen().app != &root) {
     if (auto checked = checkNothingBefore(root, *chosen().app); !checked) return badInput(checked.error());
   }
+  if (chosen().app == &root) return chosen().run();  // the window
+  const LastWords lastWords("facet " + chosen().app->get_name() + " was not finished");
   return chosen().run();
 }
 

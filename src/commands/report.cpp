@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/interrupt.hpp"
 #include "base/log.hpp"
 #include "base/nearest.hpp"
 #include "base/text.hpp"
@@ -42,17 +43,22 @@ Result<std::vector<const report::Topic*>> chosenTopics(const std::string& wanted
   return fail({}, inQuotes(wanted), "there is no such topic", suggestion(wanted, names));
 }
 
+std::vector<std::string_view> tablesOf(const std::vector<const report::Topic*>& topics) {
+  std::vector<std::string_view> names;
+  for (const report::Topic* topic : topics)
+    for (const std::string_view name : split(topic->tables, ' ')) names.push_back(name);
+  return names;
+}
+
 // Those of them that make the table; told before anything is measured.
 Result<std::vector<const report::Topic*>> topicsOfTable(std::vector<const report::Topic*> topics,
                                                         const std::string& table) {
   std::vector<const report::Topic*> makers;
-  std::vector<std::string_view> names;
-  for (const report::Topic* topic : topics) {
+  for (const report::Topic* topic : topics)
     if (report::makesTable(*topic, table)) makers.push_back(topic);
-    for (const std::string_view name : split(topic->tables, ' ')) names.push_back(name);
-  }
   if (table.empty()) return topics;
-  if (makers.empty()) return fail({}, "--table", "there is no table " + inQuotes(table), suggestion(table, names));
+  if (makers.empty())
+    return fail({}, "--table", "there is no table " + inQuotes(table), suggestion(table, tablesOf(topics)));
   return makers;
 }
 
@@ -95,6 +101,10 @@ void confineTo(const ReportArguments& arguments, bool folder) {
   confine(std::move(needed), true);
 }
 
+std::string measuredOf(size_t topics, size_t all) {
+  return std::to_string(topics) + " of " + std::to_string(all) + " topics measured, and no report is written";
+}
+
 int runReport(const ReportArguments& arguments) {
   const auto asked = chosenTopics(arguments.topic);
   if (!asked) return badInput(asked.error());
@@ -124,6 +134,13 @@ int runReport(const ReportArguments& arguments) {
     input.session = session.get();
   }
   if (!arguments.noSandbox) confineTo(arguments, !*format);
+  LastWords lastWords(measuredOf(0, topics->size()));
+  if (!*format) {
+    const std::vector<std::string_view> made =
+        arguments.table.empty() ? tablesOf(*topics) : std::vector<std::string_view>{arguments.table};
+    if (const Result<void> begun = beginReport(arguments.output, made); !begun) return badInput(begun.error());
+  }
+  input.measured = [&](size_t done, size_t all) { lastWords.change(measuredOf(done, all)); };
   Result<report::Report> made = report::reportOf(*topics, input);
   if (!made) return badInput(made.error());
   Result<std::vector<report::Table>> tables = chosenTables(std::move(made->tables), arguments.table);

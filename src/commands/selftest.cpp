@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "base/interrupt.hpp"
 #include "base/log.hpp"
 #include "base/origin_json.hpp"
 #include "commands/commands.hpp"
@@ -129,10 +130,13 @@ int runSelftest(const SelftestArguments& arguments) {
   const shading::ShaderReader reader = shading::shaderReader(arguments.shaderDir);
   std::vector<CheckResult> results;
   const std::vector<selftest::Check> checks = selftest::numericalChecks();
+  LastWords lastWords("no check was done");
   for (const selftest::Check& check : checks) {
     Result<CheckResult> result = selftest::runCheck(check, reader);
     if (!result) return badInput(result.error());
     results.push_back(std::move(*result));
+    lastWords.change(std::to_string(results.size()) + " of " + std::to_string(checks.size()) +
+                     " checks of functions done");
   }
   shading::ProgramStore programs(reader, {}, {});
   Result<std::vector<CheckResult>> corners = selftest::tableCorners(programs, reader);

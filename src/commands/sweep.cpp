@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/disk_cache.hpp"
+#include "base/interrupt.hpp"
 #include "base/log.hpp"
 #include "base/text.hpp"
 #include "commands/commands.hpp"
@@ -143,7 +144,14 @@ int runSweep(const SweepArguments& arguments) {
     return exitNoOpenGL;
   }
   if (!arguments.noSandbox) confineTo(*plan, arguments);
-  const report::SweepTools tools = sweepTools(**session, arguments.output);
+  LastWords lastWords("no row was measured");
+  constexpr std::string_view table[] = {"sweep"};
+  if (const Result<void> begun = beginReport(arguments.output, table); !begun) return badInput(begun.error());
+  report::SweepTools tools = sweepTools(**session, arguments.output);
+  tools.measured = [&](size_t rows, size_t all) {
+    lastWords.change(std::to_string(rows) + " of " + std::to_string(all) +
+                     " rows are measured and kept, and there is no report; the same command goes on from there");
+  };
   const auto measure = report::measureSweep(*plan, tools);
   if (!measure) return badInput(measure.error());
   Origin origin = gl::originOn((*session)->context());

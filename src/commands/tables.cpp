@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "base/interrupt.hpp"
 #include "base/log.hpp"
 #include "commands/commands.hpp"
 #include "commands/confine.hpp"
@@ -58,9 +59,13 @@ int runTables(const TablesArguments& arguments) {
   origin.environment = arguments.environment;
   Origin ofPictures = origin;
   ofPictures.date.clear();
-  for (const report::TableImage& image : *images)
+  LastWords lastWords("no table was written");
+  for (size_t i = 0; i < images->size(); ++i) {
+    const report::TableImage& image = (*images)[i];
     if (const Result<void> r = io::writeExr(folder / (image.name + ".exr"), image.image, ofPictures); !r)
       return badInput(r.error());
+    lastWords.change(std::to_string(i + 1) + " of " + std::to_string(images->size()) + " tables written");
+  }
   const Result<std::string> text = tablesText(*format, {report::tableImagesTable(*images)}, origin);
   if (!text) return badInput(text.error());
   std::cout << *text << std::flush;

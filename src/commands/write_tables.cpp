@@ -57,22 +57,32 @@ Result<std::string> tablesText(TableFormat format, const std::vector<report::Tab
 
 Result<void> writeText(const std::filesystem::path& path, std::string_view text) { return writeWholeFile(path, text); }
 
-Result<void> writeReport(const std::filesystem::path& folder, const report::Report& made, const Origin& origin) {
+Result<void> beginReport(const std::filesystem::path& folder, std::span<const std::string_view> tables) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) return fail(folder.string(), {}, "cannot be made: " + error.message(), "choose another folder");
+  std::vector<std::string> names = {"report.md", "report.json"};
+  for (const std::string_view table : tables) names.push_back(std::string(table) + ".csv");
+  for (const std::string& name : names) {
+    std::filesystem::remove(folder / name, error);
+    if (error)
+      return fail((folder / name).string(), {}, "cannot be removed: " + error.message(), "choose another folder");
+  }
+  return {};
+}
+
+Result<void> writeReport(const std::filesystem::path& folder, const report::Report& made, const Origin& origin) {
   std::string text;
   for (const report::NamedPlot& plot : made.plots) {
     const std::string& title = plot.plots.front().title;
     text += "### " + title + "\n\n![" + title + "](" + plot.name + ".svg)\n\n";
   }
-  if (Result<void> r = writeText(folder / "report.md", text + report::markdown(made.tables, origin)); !r) return r;
-  if (Result<void> r = writeText(folder / "report.json", report::json(made.tables, origin)); !r) return r;
   for (const report::Table& table : made.tables)
     if (Result<void> r = writeText(folder / (table.name + ".csv"), report::csv(table, origin)); !r) return r;
   for (const report::NamedPlot& plot : made.plots)
     if (Result<void> r = writeText(folder / (plot.name + ".svg"), report::svg(plot.plots, origin)); !r) return r;
-  return {};
+  if (Result<void> r = writeText(folder / "report.json", report::json(made.tables, origin)); !r) return r;
+  return writeText(folder / "report.md", text + report::markdown(made.tables, origin));
 }
 
 }  // namespace facet::commands

@@ -30,8 +30,11 @@ Result<std::vector<report::Table>> chosenTables(std::vector<report::Table> table
 // Errors: of several tables none can be CSV, which holds one.
 Result<std::string> tablesText(TableFormat format, const std::vector<report::Table>& tables, const Origin& origin);
 
-// Into a folder, which is made: report.md with the plots above the tables, report.json, a CSV for each table, an SVG
-// for each plot.
+// Makes the folder and takes the former report and those tables from it: what is ended leaves none that look like its
+// own.
+Result<void> beginReport(const std::filesystem::path& folder, std::span<const std::string_view> tables);
+// Into the folder: a CSV for each table, an SVG for each plot; at the end report.json and report.md, with the plots
+// above the tables.
 Result<void> writeReport(const std::filesystem::path& folder, const report::Report& made, const Origin& origin);
 
 // A whole file.

@@ -229,7 +229,8 @@ Result<Step> advance(Plan& plan, LoadedScene& scene, const PictureSettings& wish
   if (!*inputs) return Step{Progress::waiting, "read BRDF"};
   if (std::exchange(plan.measured, (*inputs)->list.measured) != (*inputs)->list.measured && plan.measured)
     return Step{Progress::working, "read BRDF"};
-  if ((shown && shown->scene == &scene && shown->inputs == **inputs) || plan.failed == **inputs) return Step{};
+  if (plan.failed != **inputs) plan.failed.reset();  // when it is wished for again there may be more memory
+  if ((shown && shown->scene == &scene && shown->inputs == **inputs) || plan.failed) return Step{};
   const bool sameList = plan.listed && plan.next.scene == &scene && plan.next.inputs.list == (*inputs)->list;
   if (!sameList) {
     plan.next = {};

@@ -156,7 +156,7 @@ struct Plan {
   Drawable next = {};                                  // in the making
   std::vector<TextureUse> uses = {};                   // of its list
   bool listed = false, tabled = false, uploaded = false;
-  // What was tried and failed, so that it is not tried again; whoever changes the supply or the shaders clears it.
+  // What was tried and failed: not again before another wish; whoever changes the supply or the shaders clears it.
   std::optional<PlanInputs> failed = {};
 };
 

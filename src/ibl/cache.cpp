@@ -192,11 +192,16 @@ PackedPiece packPiece(const Tables& tables, const Piece& piece, const std::strin
   return packed;
 }
 
-void loadTables(Tables& tables, const scene::Environment* environment, std::string& content, const Needs& needs,
-                const TableCache& cache, const Method& method) {
+Result<void> loadTables(Tables& tables, const scene::Environment* environment, std::string& content, const Needs& needs,
+                        const TableCache& cache, const Method& method) {
   tables.statistics.clear();
-  if (cache.disk.folder.empty()) return;
-  for (const Piece& piece : missingPieces(tables, needs)) {
+  if (cache.disk.folder.empty()) return {};
+  const std::vector<Piece> missing = missingPieces(tables, needs);
+  const auto layersBefore = tables.layersMade;
+  std::vector<gl::Texture Tables::*> absent;
+  for (const Piece& piece : missing)
+    if (!(tables.*piece.texture)) absent.push_back(piece.texture);
+  for (const Piece& piece : missing) {
     if (content.empty() && piece.ofEnvironment) content = contentKey(*environment);
     const auto start = Clock::now();
     const auto bytes = readCached(cache.disk, keyOf(piece, cache, content, method));
@@ -208,16 +213,20 @@ void loadTables(Tables& tables, const scene::Environment* environment, std::stri
     booked.back().bytes += bytes->size() - sizeof(StoredTexture);
     booked.back().milliseconds += spent.count();
   }
+  Result<void> whole = gl::checkDriver(tablesOfLight);
+  if (whole) return whole;
+  for (gl::Texture Tables::*texture : absent) tables.*texture = {};
+  tables.layersMade = layersBefore;
+  return whole;
 }
 
 Result<void> prepareTables(Tables& tables, const scene::Environment* environment, std::string& content,
                            const Needs& needs, shading::ProgramStore& programs, const TableCache& cache,
                            const Method& method, const PreparedEnvironment* prepared, const scene::FoundSun* found) {
-  loadTables(tables, environment, content, needs, cache, method);
+  if (Result<void> r = loadTables(tables, environment, content, needs, cache, method); !r) return r;
   const std::vector<TableStatistics> loaded = tables.statistics;
   const std::vector<Piece> missing = missingPieces(tables, needs);
   if (Result<void> r = computeTables(tables, environment, needs, programs, method, prepared, found); !r) return r;
-  if (Result<void> r = gl::checkDriver("tables of light"); !r) return r;  // none such is kept
   if (!cache.disk.folder.empty())
     for (const Piece& piece : missing) {
       const PackedPiece packed = packPiece(tables, piece, content, cache, method);

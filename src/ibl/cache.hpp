@@ -25,9 +25,9 @@ TableCache userTableCache(const std::string& driver);
 std::string contentKey(const scene::Environment& environment);
 
 // What of the needed tables is not there yet and the cache holds goes into the tables; tables.statistics names it.
-// content: the environment's, made here where it is empty.
-void loadTables(Tables& tables, const scene::Environment* environment, std::string& content, const Needs& needs,
-                const TableCache& cache, const Method& method = {});
+// content: the environment's, made here where it is empty. Errors: the driver's, which leave the tables as they were.
+Result<void> loadTables(Tables& tables, const scene::Environment* environment, std::string& content, const Needs& needs,
+                        const TableCache& cache, const Method& method = {});
 
 // What may be kept: a table, or a layer of LD.
 struct Piece {

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <utility>
 
+#include "gl/context.hpp"
 #include "gl/timer.hpp"
 #include "ibl/albedo.hpp"
 #include "ibl/lamps.hpp"
@@ -250,6 +251,7 @@ Result<void> computeTables(Tables& tables, const scene::Environment* environment
     entry.bytes = bytesOf(*work.made, *work.scratch, table);
     if (table == "environment cube") entry.milliseconds += planMs;  // its source was uploaded then
   }
+  if (Result<void> r = gl::checkDriver(tablesOfLight); !r) return r;
   finish(std::move(work), tables);
   return {};
 }

@@ -80,6 +80,8 @@ Precompute planTables(const Tables& tables, const scene::Environment* environmen
                       const scene::FoundSun* found = nullptr);
 // The blur that is needed is not that of the tables.
 bool missesBlur(const Tables& tables, const Needs& needs);
+// What an error of the driver's names (gl::checkDriver), which is to be asked for before steps are believed.
+inline constexpr const char* tablesOfLight = "tables of light";
 // One step. Errors: a shader does not compile.
 Result<void> runStep(Precompute& work);
 // Moves what was made to the tables. All steps are run.

@@ -19,6 +19,7 @@
 #include <thread>
 #include <utility>
 
+#include "base/interrupt.hpp"
 #include "base/whole_file.hpp"
 #include "io/exr_header.hpp"
 #include "io/exr_layers.hpp"
@@ -44,8 +45,9 @@ Result<void> checkVersion(Bytes bytes, const std::string& name) {
   return {};
 }
 
-// The library's pool; its own default is none.
+// The library's pool; its own default is none. It lives on, and takes no signal while another thread writes a file.
 int exrThreads() {
+  const SignalsHeld held;
   const int count = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   if (Imf::globalThreadCount() < count) Imf::setGlobalThreadCount(count);
   return count;

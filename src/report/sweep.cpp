@@ -171,6 +171,10 @@ Result<void> measureRow(const SweepPlan& plan, const SweepTools& tools, const Sw
   return {};
 }
 
+size_t rowsOf(const SweepPlan& plan) {
+  return plan.models.size() * plan.environments.size() * plan.sizes.size() * plan.methods.size() * plan.samples.size();
+}
+
 Result<void> measurePlace(const SweepPlan& plan, const SweepTools& tools, const SweepPlace& place,
                           std::vector<SweepRow>& rows) {
   std::optional<SweepReference> reference;  // only where a row is not there yet
@@ -193,6 +197,7 @@ Result<void> measurePlace(const SweepPlan& plan, const SweepTools& tools, const 
         if (Result<void> written = writeWholeFile(file, rowJson(row).dump(1) + "\n"); !written) return written;
       }
       rows.push_back(std::move(row));
+      tools.measured(rows.size(), rowsOf(plan));
     }
   return {};
 }

@@ -51,6 +51,7 @@ struct SweepTools {
   Origin origin = {};            // of references; without a date
   std::filesystem::path folder;  // exists; "references" and "rows" in it are made
   std::function<void(const std::string&)> progress = [](const std::string&) {};
+  std::function<void(size_t rows, size_t all)> measured = [](size_t, size_t) {};  // so many of them are kept
 };
 
 // In the plan's order. errors: of each place (a model under an environment in a size) that could not be measured whole,

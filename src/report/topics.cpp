@@ -79,6 +79,7 @@ bool makesTable(const Topic& topic, std::string_view table) {
 
 Result<Report> reportOf(std::span<const Topic* const> topics, const ReportInput& input) {
   Report report;
+  size_t measured = 0;
   for (const Topic* topic : topics) {
     ReportInput own = input;
     if (own.model.empty()) own.model = topic->usualModel;
@@ -86,6 +87,7 @@ Result<Report> reportOf(std::span<const Topic* const> topics, const ReportInput&
     if (!made) return made;
     for ([[maybe_unused]] const Table& table : made->tables) assert(makesTable(*topic, table.name));
     append(report, std::move(*made));
+    input.measured(++measured, topics.size());
   }
   return report;
 }

@@ -39,6 +39,7 @@ struct ReportInput {
   std::string shaderDir;                                                         // empty: the embedded shaders
   std::function<void(const std::string&)> progress = [](const std::string&) {};  // what is measured now
   std::function<void(const std::string&)> warn = [](const std::string&) {};      // perhaps the same several times
+  std::function<void(size_t topics, size_t all)> measured = [](size_t, size_t) {};
 };
 
 using ReportPart = Result<Report> (*)(const ReportInput& input);

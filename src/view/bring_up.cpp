@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/log.hpp"
+#include "gl/context.hpp"
 #include "scene/animation.hpp"
 #include "scene/edited.hpp"
 #include "view/describe.hpp"
@@ -291,6 +292,11 @@ bool bringUp(Viewport& viewport, ViewerState& state, Loader& loader) {
     const Result<frame::Step> step =
         frame::advance(viewport.plan, *scene, state.settings, shown, supply, viewport.programs, keepGoing);
     if (!step) return giveUp(viewport, state, step.error()), false;
+    const bool worked = step->progress == frame::Progress::working || step->progress == frame::Progress::done;
+    if (const Result<void> whole = worked ? gl::checkDriver("what is to be shown") : Result<void>(); !whole) {
+      viewport.plan.failed = viewport.plan.next.inputs;
+      return giveUp(viewport, state, whole.error()), false;
+    }
     if (step->progress == frame::Progress::done) break;
     viewport.comingUp = step->progress == frame::Progress::working;
     if (!viewport.comingUp || std::chrono::steady_clock::now() >= end) return false;

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "base/log.hpp"
+#include "gl/context.hpp"
 
 namespace facet::view {
 
@@ -76,7 +77,9 @@ Result<void> provideTables(EnvironmentSlot& slot, const ibl::Needs& needs, shadi
   logTables(tables);
   if (slot.preview && covers(slot.sharpening->needs, needs)) return {};
   if (slot.preview) cancelSharpening(slot);
-  ibl::loadTables(tables, slot.environment.get(), slot.content, needs, slot.cache, slot.method);
+  if (Result<void> r = ibl::loadTables(tables, slot.environment.get(), slot.content, needs, slot.cache, slot.method);
+      !r)
+    return r;
   logTables(tables);
   const std::vector<ibl::Piece> missing = ibl::missingPieces(tables, needs);
   const bool texels = needs.texels && !tables.texels;
@@ -85,7 +88,8 @@ Result<void> provideTables(EnvironmentSlot& slot, const ibl::Needs& needs, shadi
   const ibl::PreparedEnvironment* const prepared = slot.prepared.get();
   ibl::Precompute work = ibl::planTables(tables, slot.environment.get(), prepared, needs, programs, slot.method);
   slot.toStore.insert(slot.toStore.end(), missing.begin(), missing.end());
-  if (Result<void> r = runFor(work, immediateMs); !r) return r;
+  if (Result<void> r = runFor(work, immediateMs); !r) return slot.toStore.clear(), r;
+  if (Result<void> r = gl::checkDriver(ibl::tablesOfLight); !r) return slot.toStore.clear(), r;
   if (work.done()) return ibl::finish(std::move(work), tables), Result<void>();
   // Of the reduced map, the background among them.
   Sharpening sharpening{.work = std::move(work),
@@ -114,6 +118,7 @@ Result<bool> sharpen(EnvironmentSlot& slot) {
         std::max(s.timer.milliseconds(), s.issueMs) / static_cast<double>(std::max<uint64_t>(1, s.issuedFetches));
   }
   if (s.work.done()) {
+    if (Result<void> r = gl::checkDriver(ibl::tablesOfLight); !r) return tl::unexpected(r.error());
     ibl::finish(std::move(s.work), slot.tables);
     slot.sharpening.reset();
     slot.preview = false;

@@ -1,6 +1,6 @@
 #!/bin/bash
 # What a machine does to the viewer: a home that nothing can be written to, sleep, a monitor that is unplugged and
-# plugged in, a display that ends. drive_faults.sh FACET SHADERS
+# plugged in, a driver without memory, a display that ends. drive_faults.sh FACET SHADERS DROP GL_FAULTS
 . "$(dirname "$0")/window_driver.sh"
 start_server 1280x800
 model=$folder/turning.gltf
@@ -64,6 +64,66 @@ if command -v xrandr >/dev/null && output=$(xrandr 2>/dev/null | awk '/ connecte
   screenshot changed
 fi
 quit
+
+# The driver has no memory for a while: of what is to be shown there is a sentence, and what was shown stays.
+faults=$4
+if [ -f "$faults" ]; then
+  triangle() {  # RED GREEN BLUE
+    cat >new.gltf <<END
+{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0},"material":0}]}],"extensionsUsed":["KHR_materials_unlit"],
+"materials":[{"pbrMetallicRoughness":{"baseColorFactor":[$1,$2,$3,1]},"extensions":{"KHR_materials_unlit":{}},"doubleSided":true}],
+"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":3,"min":[0,0,0],"max":[1,1,0]}],
+"bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,
+"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]}
+END
+    mv new.gltf triangle.gltf
+  }
+  short_of() {  # KIND
+    LD_PRELOAD=$faults FACET_GL_FAULT="$1 1" FACET_GL_FAULT_WHILE=$PWD/short \
+      start triangle.gltf --size 480x360 --samples 1 --env none --visibility none
+    await "frame drawn: triangle.gltf, none$" 1
+    find_window
+    screenshot "$1_before"
+    touch short
+  }
+  sentence="error: OpenGL: the driver's memory does not suffice for "
+  triangle 1 0 0
+
+  short_of buffers
+  triangle 0 1 0
+  await "$sentence" 1
+  screenshot buffers_short
+  same buffers_before buffers_short
+  rm short
+  triangle 0 0 1
+  await "reloaded: triangle.gltf" 1
+  screenshot buffers_after
+  differ buffers_before buffers_after
+  quit_after_faults
+
+  short_of textures
+  choose sky "$sentence" 1
+  screenshot textures_short
+  same textures_before textures_short
+  rm short
+  choose sky "environment: builtin:sky" 1
+  screenshot textures_after
+  differ textures_before textures_after
+  quit_after_faults
+
+  # A larger window has no picture until there is memory again.
+  short_of targets
+  xdotool windowsize "$window" 600 500
+  await "$sentence" 1
+  rm short
+  frames=$(count "frame drawn")
+  xdotool windowsize "$window" 480 360
+  await "frame drawn" $((frames + 1))
+  screenshot targets_after
+  same targets_before targets_after
+  quit_after_faults
+fi
 
 # The display ends: so does the viewer, with a status and not by a signal.
 start builtin:spheres --size 480x360 --samples 1 --env none

@@ -93,6 +93,11 @@ choose() {  # TEXT PATTERN COUNT
   fail "no line '$2' after a search for '$1'"
 }
 
+# After errors of the driver's that were to be told.
+quit_after_faults() {
+  sed -i '/error: OpenGL: the driver/d' log
+  quit
+}
 ended() {
   for _ in $(seq 200); do kill -0 $viewer 2>/dev/null || break; sleep 0.05; done
   kill -0 $viewer 2>/dev/null && fail "$1 does not end the viewer"
