@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include "io/little_endian.hpp"
 
@@ -26,6 +27,33 @@ double bytesPerPixel(Bytes list) {
     at += 17;
   }
   return bytes;
+}
+
+// The library reads as much of these as the type has, whatever the header says, and goes on there.
+constexpr std::string_view ofOneByte[] = {"compression", "deepImageState", "envmap", "lineOrder"};
+constexpr std::pair<std::string_view, size_t> attributeSizes[] = {
+    {"float", 4},    {"int", 4},   {"double", 8},   {"rational", 8},
+    {"timecode", 8}, {"v2i", 8},   {"v2f", 8},      {"tiledesc", 9},
+    {"v3i", 12},     {"v3f", 12},  {"box2i", 16},   {"box2f", 16},
+    {"v2d", 16},     {"v3d", 24},  {"keycode", 28}, {"chromaticities", 32},
+    {"m33f", 36},    {"m44f", 64}, {"m33d", 72},    {"m44d", 128}};
+
+// Whether the library finds the next attribute where this one's size says.
+bool endsWhereItSays(std::string_view type, Bytes value) {
+  if (type == "preview")
+    return value.size() >= 8 && static_cast<double>(value.size()) ==
+                                    8 + 4.0 * double(littleEndian(value, 0)) * double(littleEndian(value, 4));
+  if (type == "chlist") {
+    size_t at = 0;
+    while (at < value.size() && value[at] != 0) {
+      while (at < value.size() && value[at] != 0) ++at;
+      at += 17;
+    }
+    return at + 1 == value.size();
+  }
+  if (std::ranges::find(ofOneByte, type) != std::end(ofOneByte)) return value.size() == 1;
+  const auto* known = std::ranges::find(attributeSizes, type, &std::pair<std::string_view, size_t>::first);
+  return known == std::end(attributeSizes) || known->second == value.size();
 }
 
 void readAttribute(ExrPart& part, std::string_view name, std::string_view type, Bytes value) {
@@ -125,8 +153,12 @@ Result<std::vector<ExrPart>> scanExrParts(Bytes bytes, bool severalParts, const 
       if (size > bytes.size() - value)  // the library would have the memory before it notices
         return fail(name, "byte " + std::to_string(typeEnd + 1),
                     "an attribute of " + std::to_string(size) + " bytes does not fit into the file", exrCopyAgain);
-      readAttribute(part, text.substr(at, nameEnd - at), text.substr(nameEnd + 1, typeEnd - nameEnd - 1),
-                    bytes.subspan(value, size));
+      const std::string_view type = text.substr(nameEnd + 1, typeEnd - nameEnd - 1);
+      if (!endsWhereItSays(type, bytes.subspan(value, size)))
+        return fail(name, "byte " + std::to_string(typeEnd + 1),
+                    "an attribute of type " + std::string(type) + " has " + std::to_string(size) + " bytes",
+                    exrCopyAgain);
+      readAttribute(part, text.substr(at, nameEnd - at), type, bytes.subspan(value, size));
       at = value + size;
     }
     ++at;

@@ -541,6 +541,20 @@ TEST_CASE("EXR files that are refused say why", "[io][radiance]") {
   CHECK(read(greedy) ==
         f + "byte " + std::to_string(size - greedy.begin()) +
             ": an attribute of 2130706436 bytes does not fit into the file; copy or download it again.");
+  // The library would read one byte of it and go on there, where no other size was checked.
+  const std::string compression = std::string("compression\0compression\0", 24);
+  Bytes longer = good;
+  const auto byte = std::search(longer.begin(), longer.end(), compression.begin(), compression.end());
+  REQUIRE(byte != longer.end());
+  const auto longSize = byte + std::ssize(compression);
+  *longSize = 9;
+  CHECK(read(longer) == f + "byte " + std::to_string(longSize - longer.begin()) +
+                            ": an attribute of type compression has 9 bytes; copy or download it again.");
+  Bytes channels = good;  // of one, and the others behind its end
+  const auto second = std::find(channels.begin() + 26, channels.end(), 'G');
+  REQUIRE(second != channels.end());
+  *second = 0;
+  CHECK(read(channels) == f + "byte 24: an attribute of type chlist has 55 bytes; copy or download it again.");
   Bytes deep = good;
   deep[5] |= 0x08;
   CHECK(read(deep) == f + "byte 4: deep images are not supported; convert it to a single-part scan-line image.");
