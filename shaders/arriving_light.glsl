@@ -1,6 +1,7 @@
 // What the lights of the scene send to a point.
 #include "layout.h"
 #include "lights.glsl"
+#include "light_profile.glsl" if LIGHT_PROFILES
 #ifdef HAS_ENVIRONMENT
 #include "frame.glsl"
 #include "pixel_points.glsl"
@@ -27,7 +28,7 @@ vec3 arrivingLight(LightUniforms light, vec3 position, vec3 otherwise, out vec3 
     vec3 toLight = light.position.xyz - position;
     float distance2 = dot(toLight, toLight);
     L = distance2 > 0.0 ? toLight * inversesqrt(distance2) : otherwise;
-    attenuation = distanceAttenuation(distance2, light.direction.w);
+    attenuation = distanceAttenuation(distance2, light.direction.w) * profileCandela(light, -L);
     if (light.position.w > 1.5) attenuation *= coneAttenuation(dot(light.direction.xyz, -L), light.cone.x, light.cone.y);
   }
   return light.color.rgb * attenuation;

@@ -1,12 +1,14 @@
 // Morph targets and skins of the vertex stage. The twin is src/scene/deformation.cpp.
 #include "layout.h"
+#include "tex_coords.glsl"
 
 #ifdef HAS_MORPH
 struct Offsets {
   vec3 position;
   vec3 normal;
-  vec3 tangent;
+  vec3 tangent, coatTangent, grainTangent;
   vec4 color;
+  vec2 texCoords[texCoordSetCount];
 };
 
 // Target after target, vertex after vertex: `stride` numbers each, positions first. A draw may read fewer attributes than
@@ -14,7 +16,8 @@ struct Offsets {
 layout(std430, binding = morphTargetBinding) readonly buffer MorphTargetBlock {
   uint morphVertexCount;
   uint morphStride;
-  uint morphNormalAt, morphTangentAt, morphColorAt;
+  uint morphNormalAt, morphTangentAt, morphCoatTangentAt, morphGrainTangentAt, morphColorAt;
+  uint morphTexCoordAt[texCoordSetCount];  // 0: nothing changes that set
   float morphDifferences[];
 };
 layout(std430, binding = morphWeightBinding) readonly buffer MorphWeightBlock { MorphWeight morphWeights[]; };
@@ -23,7 +26,10 @@ vec3 difference(uint at) { return vec3(morphDifferences[at], morphDifferences[at
 
 // glTF 2.0, 3.7.2.2: base + sum of weight * target.
 Offsets morphOffsets(Instance instance, uint vertex) {
-  Offsets sum = Offsets(vec3(0.0), vec3(0.0), vec3(0.0), vec4(0.0));
+  Offsets sum;
+  sum.position = sum.normal = sum.tangent = sum.coatTangent = sum.grainTangent = vec3(0.0);
+  sum.color = vec4(0.0);
+  for (int set = 0; set < texCoordSetCount; ++set) sum.texCoords[set] = vec2(0.0);
   for (uint i = 0u; i < instance.deformation.z; ++i) {
     MorphWeight target = morphWeights[instance.deformation.y + i];
     uint at = (target.target * morphVertexCount + vertex) * morphStride;
@@ -33,6 +39,20 @@ Offsets morphOffsets(Instance instance, uint vertex) {
 #endif
 #ifdef MORPH_TANGENTS
     sum.tangent += target.weight * difference(at + morphTangentAt);
+#ifdef HAS_COAT_TANGENT
+    sum.coatTangent += target.weight * difference(at + morphCoatTangentAt);
+#endif
+#ifdef HAS_GRAIN_TANGENT
+    sum.grainTangent += target.weight * difference(at + morphGrainTangentAt);
+#endif
+#endif
+#ifdef MORPH_TEXCOORDS
+#define ADD_OFFSET(n) \
+    if (morphTexCoordAt[n] != 0u) { \
+      uint texCoord = at + morphTexCoordAt[n]; \
+      sum.texCoords[n] += target.weight * vec2(morphDifferences[texCoord], morphDifferences[texCoord + 1u]); \
+    }
+    EACH_TEXCOORD(ADD_OFFSET)
 #endif
 #ifdef MORPH_COLORS
     uint color = at + morphColorAt;

@@ -11,6 +11,8 @@ LAYOUT_CONST tangentLocation = 2;
 LAYOUT_CONST colorLocation = 3;
 LAYOUT_CONST texCoordLocation = 4;  // of set 0; set n follows n places on
 LAYOUT_CONST texCoordSetCount = 8;
+LAYOUT_CONST coatTangentLocation = 12;   // where the coat's normal texture and anisotropy
+LAYOUT_CONST grainTangentLocation = 13;  // have texture coordinates of their own
 
 // Uniform buffers.
 LAYOUT_CONST frameBinding = 0;
@@ -31,6 +33,7 @@ LAYOUT_CONST morphWeightBinding = 8;   // of all instances
 LAYOUT_CONST pathGroupsBinding = 8;    // of passes that draw nothing
 LAYOUT_CONST rayHolesBinding = 10;     // likewise
 LAYOUT_CONST measuredBinding = 9;      // a measured BRDF; only where a draw reads it
+LAYOUT_CONST profileBinding = 11;      // of lights; only where one has a profile
 
 // Texture units. First the material's slots (texture_slots.inc). A driver may offer as few as 16 units to a stage: what
 // counts is how many a variant uses, not their numbers.
@@ -205,6 +208,8 @@ struct LightUniforms {
   vec4 color;      // rgb linear * intensity (candela or lux)
   vec4 cone;       // x scale, y offset of the spot's cosine ramp; sun: x angular radius, y least radius of a draw's share (its direction is the map's)
                    // z 1 + its first shadow map, negative: six of them, 0: none; w width of their texels [m], 1 m away unless light is parallel
+  vec4 profile;    // of a point: xyz unit, the side that its horizontal angles begin at, perpendicular to direction; w 1 + its first
+                   // number in the profiles, negative: of a mirrored node, 0: it has none
 };
 
 struct ShadowUniforms {
@@ -247,7 +252,7 @@ static_assert(sizeof(FrameUniforms) == 21 * 16);
 static_assert(sizeof(Instance) == 8 * 16);
 static_assert(sizeof(Joint) == 3 * 16);
 static_assert(sizeof(MorphWeight) == 8);
-static_assert(sizeof(LightUniforms) == 4 * 16);
+static_assert(sizeof(LightUniforms) == 5 * 16);
 static_assert(sizeof(ShadowUniforms) == mostShadowMaps * 4 * 16);
 static_assert(sizeof(MeasuredUniforms) == 2 * 16);
 static_assert(sizeof(FittedUniforms) == 3 * 16);

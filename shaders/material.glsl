@@ -39,13 +39,15 @@ vec3 safeNormalize(vec3 v, vec3 otherwise) {
 vec3 geometryNormal(Varyings v, vec3 V) { return safeNormalize(v.normal, V); }
 
 // MikkTSpace: the interpolated, not normalised, tangent frame decodes the texel.
-vec3 normalFromTexel(Varyings v, vec3 texel, float scale, vec3 V) {
+vec3 normalFromTexel(Varyings v, vec4 tangent, vec3 texel, float scale, vec3 V) {
   vec3 n = texel * 2.0 - 1.0;
   n.xy *= scale;
-  vec3 bitangent = v.tangent.w * cross(v.normal, v.tangent.xyz);
-  vec3 N = safeNormalize(n.x * v.tangent.xyz + n.y * bitangent + n.z * v.normal, geometryNormal(v, V));
+  vec3 bitangent = tangent.w * cross(v.normal, tangent.xyz);
+  vec3 N = safeNormalize(n.x * tangent.xyz + n.y * bitangent + n.z * v.normal, geometryNormal(v, V));
   return standingNormal(N, v, V);
 }
 
 // Shading normal.
-vec3 materialNormal(Varyings v, vec3 V) { return normalFromTexel(v, normalTexel(v).xyz, material.normalScale, V); }
+vec3 materialNormal(Varyings v, vec3 V) {
+  return normalFromTexel(v, v.tangent, normalTexel(v).xyz, material.normalScale, V);
+}

@@ -11,6 +11,12 @@ struct Varyings {
   vec3 position;
   vec3 normal;
   vec4 tangent;
+#ifdef HAS_COAT_TANGENT
+  vec4 coatTangent;
+#endif
+#ifdef HAS_GRAIN_TANGENT
+  vec4 grainTangent;
+#endif
   vec4 color;
   float scale;  // metres of the world per metre of the mesh
 #define MEMBER(n) vec2 texCoord##n;

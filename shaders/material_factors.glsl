@@ -9,8 +9,13 @@ vec3 materialSpecularColor(Varyings v) { return material.specularColorFactor * s
 vec3 materialGrainDirection(Varyings v) {
   vec2 direction = anisotropyTexel(v).rg * 2.0 - 1.0, turn = material.anisotropyDirection;
   vec2 along = vec2(direction.x * turn.x - direction.y * turn.y, direction.x * turn.y + direction.y * turn.x);
-  vec3 bitangent = v.tangent.w * cross(v.normal, v.tangent.xyz);
-  return along.x * v.tangent.xyz + along.y * bitangent;
+#ifdef HAS_GRAIN_TANGENT
+  vec4 tangent = v.grainTangent;
+#else
+  vec4 tangent = v.tangent;
+#endif
+  vec3 bitangent = tangent.w * cross(v.normal, tangent.xyz);
+  return along.x * tangent.xyz + along.y * bitangent;
 }
 float materialAnisotropy(Varyings v) { return clamp(material.anisotropyStrength * anisotropyTexel(v).b, 0.0, 1.0); }
 
@@ -33,7 +38,12 @@ float materialClearcoatRoughness(Varyings v) {
   return clamp(material.clearcoatRoughnessFactor * clearcoatRoughnessTexel(v).g, 0.0, 1.0);
 }
 vec3 materialClearcoatNormal(Varyings v, vec3 V) {
-  return normalFromTexel(v, clearcoatNormalTexel(v).xyz, material.clearcoatNormalScale, V);
+#ifdef HAS_COAT_TANGENT
+  vec4 tangent = v.coatTangent;
+#else
+  vec4 tangent = v.tangent;
+#endif
+  return normalFromTexel(v, tangent, clearcoatNormalTexel(v).xyz, material.clearcoatNormalScale, V);
 }
 
 // KHR_materials_diffuse_roughness.

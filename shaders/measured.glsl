@@ -1,21 +1,6 @@
 // Where two directions lie in the grids of measured BRDFs, as pure functions. Directions are unit, leave the surface and
 // are in tangent space: x along the tangent, z along the normal. The twin is src/optics/measured.cpp.
-#include "constants.glsl"
-
-// atan(y, x) by its series: off by 2e-7 of the angle, where drivers' own may be off by more than a cell's hundredth.
-float arcTangent(float y, float x) {
-  float a = abs(x), b = abs(y);
-  float low = min(a, b), high = max(a, b);
-  if (high == 0.0) return 0.0;
-  bool far = low > 0.41421356 * high;  // tan(pi / 8)
-  float t = far ? (low - high) / (low + high) : low / high;
-  float z = t * t, series = 0.0;
-  for (int k = 9; k >= 0; --k) series = 1.0 / float(2 * k + 1) - z * series;
-  float angle = t * series + (far ? 0.25 * PI : 0.0);
-  if (b > a) angle = 0.5 * PI - angle;
-  if (x < 0.0) angle = PI - angle;
-  return y < 0.0 ? -angle : angle;
-}
+#include "arc_tangent.glsl"
 
 // Rusinkiewicz 1998: theta_h, theta_d, phi_d in [0, 2 pi); from differences, so that none of them cancels.
 vec3 halfDifference(vec3 V, vec3 L) {

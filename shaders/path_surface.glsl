@@ -60,9 +60,23 @@ PathSurface pathSurface(PathState p) {
 #ifdef HAS_TANGENT
   at.v.tangent = vec4(unitOr(mat3(instance.worldFromLocal) * at.v.tangent.xyz, vec3(0.0)), at.v.tangent.w * handedness);
 #endif
+#ifdef HAS_COAT_TANGENT
+  at.v.coatTangent =
+      vec4(unitOr(mat3(instance.worldFromLocal) * at.v.coatTangent.xyz, vec3(0.0)), at.v.coatTangent.w * handedness);
+#endif
+#ifdef HAS_GRAIN_TANGENT
+  at.v.grainTangent =
+      vec4(unitOr(mat3(instance.worldFromLocal) * at.v.grainTangent.xyz, vec3(0.0)), at.v.grainTangent.w * handedness);
+#endif
   if (!at.front) {  // the back face has the reversed shading normal, bumps included
     at.v.normal = -at.v.normal;
     at.v.tangent = -at.v.tangent;
+#ifdef HAS_COAT_TANGENT
+    at.v.coatTangent = -at.v.coatTangent;
+#endif
+#ifdef HAS_GRAIN_TANGENT
+    at.v.grainTangent = -at.v.grainTangent;
+#endif
   }
   return at;
 }

@@ -17,7 +17,7 @@ struct Varyings {
   vec3 position;
   vec3 normal;
   vec3 facing;  // geometric normal towards the ray, where it is known
-  vec4 tangent;
+  vec4 tangent, coatTangent, grainTangent;
   vec4 color;
   float scale;
   vec2 texCoord[8];
@@ -44,6 +44,12 @@ Varyings varyingsAt(SceneHit hit) {
   v.position = sceneAttribute(p.position, 3u, corners, hit.weights, vec4(0.0)).xyz;
   v.normal = sceneAttribute(p.normal, 3u, corners, hit.weights, vec4(0.0)).xyz;
   v.tangent = sceneAttribute(p.tangent, 4u, corners, hit.weights, vec4(0.0));
+#ifdef HAS_COAT_TANGENT
+  v.coatTangent = sceneAttribute(p.coatTangent, 4u, corners, hit.weights, vec4(0.0));
+#endif
+#ifdef HAS_GRAIN_TANGENT
+  v.grainTangent = sceneAttribute(p.grainTangent, 4u, corners, hit.weights, vec4(0.0));
+#endif
   v.color = sceneAttribute(p.color, 4u, corners, hit.weights, vec4(1.0));
   v.scale = 1.0;
   v.facing = v.normal;

@@ -16,7 +16,7 @@ LAYOUT_UINT noAttribute = 0xffffffffu;
 // Where a primitive's data begin: attributes in floats, triangles in triangles.
 struct ScenePrimitive {
   uint firstTriangle;
-  uint position, normal, tangent, color;  // of vertex 0; noAttribute: it has none
+  uint position, normal, tangent, coatTangent, grainTangent, color;  // of vertex 0; noAttribute: it has none
   uint material;                          // index in the draw list's materials
   uint triangles, vertices;               // their numbers
   uint texCoord[8];                       // of TEXCOORD_0 to 7
@@ -24,6 +24,6 @@ struct ScenePrimitive {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(ScenePrimitive) == 17 * 4);
+static_assert(sizeof(ScenePrimitive) == 19 * 4);
 #endif
 LAYOUT_END

@@ -1,3 +1,7 @@
+#ifdef BLEND_LISTS
+#extension GL_ARB_post_depth_coverage : require
+layout(early_fragment_tests, post_depth_coverage) in;
+#endif
 #include "material.glsl"
 #if defined(MERL_BRDF) || defined(UTIA_BRDF)
 #include "lit_measured.glsl"
@@ -6,6 +10,10 @@
 #endif
 #include "constants.glsl"
 #include "light_parts.glsl" if LIGHT_PART
+#ifdef BLEND_LISTS
+#include "blend_lists.glsl"
+layout(location = blendOrderLocation) uniform uint blendOrder;
+#endif
 #ifdef FLAT_NORMALS
 #include "face_normal.glsl"
 #endif
@@ -16,6 +24,12 @@ layout(location = 1) in vec3 inNormal;
 #endif
 #ifdef HAS_TANGENT
 layout(location = 2) in vec4 inTangent;
+#endif
+#ifdef HAS_COAT_TANGENT
+layout(location = 15) in vec4 inCoatTangent;
+#endif
+#ifdef HAS_GRAIN_TANGENT
+layout(location = 14) in vec4 inGrainTangent;
 #endif
 #ifdef HAS_VERTEX_COLOR
 layout(location = 3) in vec4 inColor;
@@ -48,6 +62,12 @@ Varyings readVaryings() {
 #ifdef HAS_TANGENT
   v.tangent = inTangent;
 #endif
+#ifdef HAS_COAT_TANGENT
+  v.coatTangent = inCoatTangent;
+#endif
+#ifdef HAS_GRAIN_TANGENT
+  v.grainTangent = inGrainTangent;
+#endif
 #ifdef HAS_VERTEX_COLOR
   v.color = inColor;
 #endif
@@ -61,6 +81,12 @@ Varyings readVaryings() {
   if (!gl_FrontFacing) {  // glTF 2.0, 3.9.6: the back face has the reversed shading normal, bumps included
     v.normal = -v.normal;
     v.tangent = -v.tangent;  // with w, so that the bitangent turns round too
+#ifdef HAS_COAT_TANGENT
+    v.coatTangent = -v.coatTangent;
+#endif
+#ifdef HAS_GRAIN_TANGENT
+    v.grainTangent = -v.grainTangent;
+#endif
   }
 #endif
   return v;
@@ -103,5 +129,9 @@ void main() {
 #ifdef ALPHA_BLEND
   outColor += unblended(gl_FragCoord.xy, coverage);
 #endif
+#endif
+#ifdef BLEND_LISTS
+  keepBlended(blendHead(ivec2(gl_FragCoord.xy), int(frame.picture.x)), outColor, gl_FragCoord.z,
+              blendOrder + (uint(gl_PrimitiveID) & 0xfffffu), uint(gl_SampleMaskIn[0]));
 #endif
 }

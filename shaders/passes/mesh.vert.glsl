@@ -17,6 +17,14 @@ layout(location = 1) out vec3 outNormal;
 layout(location = tangentLocation) in vec4 inTangent;
 layout(location = 2) out vec4 outTangent;
 #endif
+#ifdef HAS_COAT_TANGENT
+layout(location = coatTangentLocation) in vec4 inCoatTangent;
+layout(location = 15) out vec4 outCoatTangent;
+#endif
+#ifdef HAS_GRAIN_TANGENT
+layout(location = grainTangentLocation) in vec4 inGrainTangent;
+layout(location = 14) out vec4 outGrainTangent;
+#endif
 #ifdef HAS_VERTEX_COLOR
 layout(location = colorLocation) in vec4 inColor;
 layout(location = 3) out vec4 outColor;
@@ -58,6 +66,12 @@ void main() {
 #ifdef HAS_TANGENT
   vec3 tangent = inTangent.xyz;
 #endif
+#ifdef HAS_COAT_TANGENT
+  vec3 coatTangent = inCoatTangent.xyz;
+#endif
+#ifdef HAS_GRAIN_TANGENT
+  vec3 grainTangent = inGrainTangent.xyz;
+#endif
 #ifdef HAS_MORPH
   Offsets offsets = morphOffsets(instance, uint(gl_VertexID));
   position += offsets.position;
@@ -65,7 +79,15 @@ void main() {
   normal += offsets.normal;
 #endif
 #ifdef MORPH_TANGENTS
+#ifdef HAS_TANGENT
   tangent += offsets.tangent;
+#endif
+#ifdef HAS_COAT_TANGENT
+  coatTangent += offsets.coatTangent;
+#endif
+#ifdef HAS_GRAIN_TANGENT
+  grainTangent += offsets.grainTangent;
+#endif
 #endif
 #endif
 #ifdef HAS_SKIN
@@ -85,6 +107,12 @@ void main() {
   // w of the first column is the sign of the determinant: a mirrored node turns the bitangent round.
   outTangent = vec4(direction(mat3(worldFromLocal) * tangent), inTangent.w * instance.normalFromLocal[0].w);
 #endif
+#ifdef HAS_COAT_TANGENT
+  outCoatTangent = vec4(direction(mat3(worldFromLocal) * coatTangent), inCoatTangent.w * instance.normalFromLocal[0].w);
+#endif
+#ifdef HAS_GRAIN_TANGENT
+  outGrainTangent = vec4(direction(mat3(worldFromLocal) * grainTangent), inGrainTangent.w * instance.normalFromLocal[0].w);
+#endif
 #ifdef HAS_VERTEX_COLOR
   outColor = inColor;
 #ifdef MORPH_COLORS
@@ -99,5 +127,9 @@ void main() {
 #endif
 #define HAND_OVER(n) outTexCoord##n = inTexCoord##n;
   EACH_TEXCOORD(HAND_OVER)
+#ifdef MORPH_TEXCOORDS
+#define MOVE(n) outTexCoord##n += offsets.texCoords[n];
+  EACH_TEXCOORD(MOVE)
+#endif
   gl_Position = frame.clipFromWorld * world;
 }

@@ -61,6 +61,18 @@ Json describeMorphTargets(const scene::Model& model) {
   return out;
 }
 
+Json describeProfiles(const scene::Model& model) {
+  constexpr const char* types[] = {"C", "A", "B"};
+  Json out = Json::array();
+  for (const optics::LightProfile& p : model.lightProfiles)
+    out.push_back({{"name", p.name},
+                   {"photometry", types[static_cast<size_t>(p.photometry)]},
+                   {"directions", p.candela.size()},
+                   {"lumens", optics::lumens(p)},
+                   {"mostCandela", p.mostCandela}});
+  return out;
+}
+
 Json describeInstancing(const scene::Model& model) {
   Json out = Json::array();
   for (size_t i = 0; i < model.nodes.size(); ++i)
@@ -158,6 +170,7 @@ void describeParts(const scene::Model& model, Json& out) {
   out["skins"] = describeSkins(model);
   out["morphTargets"] = describeMorphTargets(model);
   out["instancing"] = describeInstancing(model);
+  out["lightProfiles"] = describeProfiles(model);
   out["variants"] = model.variants;
   out["xmp"] = describeXmp(model.xmp);
 }
@@ -175,6 +188,11 @@ void printParts(const Json& described, std::ostream& out) {
   });
   printList(described["instancing"], "Instancing", out,
             [&](const Json& entry) { out << text(entry, "node") << ": " << entry["instances"] << " instances"; });
+  printList(described["lightProfiles"], "Light profiles", out, [&](const Json& entry) {
+    out << text(entry, "name") << ": photometry of type " << text(entry, "photometry") << ", " << entry["directions"]
+        << " directions, " << entry["lumens"].get<double>() << " lm, up to " << entry["mostCandela"].get<double>()
+        << " cd";
+  });
   printList(described["variants"], "Material variants", out,
             [&](const Json& entry) { out << entry.get<std::string>(); });
   printList(described["xmp"], "XMP metadata", out, [&](const Json& entry) {

@@ -6,6 +6,7 @@
 #include <map>
 #include <tuple>
 
+#include "frame/light_profiles.hpp"
 #include "frame/mask_levels.hpp"
 #include "frame/material_choice.hpp"
 #include "ibl/layers.hpp"
@@ -22,7 +23,7 @@ using scene::AlphaMode;
 
 layout::LightUniforms lightUniforms(const scene::Light& light, const scene::PlacedLight& placed,
                                     const glm::dvec3& origin) {
-  layout::LightUniforms out;
+  layout::LightUniforms out{};
   const float type = light.type == scene::LightType::directional ? 0.0f
                      : light.type == scene::LightType::point     ? 1.0f
                                                                  : 2.0f;
@@ -36,6 +37,16 @@ layout::LightUniforms lightUniforms(const scene::Light& light, const scene::Plac
   return out;
 }
 
+void addSceneLights(DrawList& list, const scene::Model& model, const scene::FlatScene& flat, const scene::Pose& pose) {
+  ProfileWriter profiles(list);
+  for (const scene::PlacedLight& placed : flat.lights) {
+    const scene::Light& light = pose.lights.of(model.lights, placed.light);
+    list.lights.push_back(lightUniforms(light, placed, list.origin));
+    list.profiles.push_back(light.profile < 0 ? nullptr : &model.lightProfiles[static_cast<size_t>(light.profile)]);
+    if (list.profiles.back()) profiles.give(list.lights.back(), *list.profiles.back(), placed);
+  }
+}
+
 // Four points on a ring above and before the scene, which together light its centre with about 3 lux each.
 void addDemoLights(DrawList& list) {
   const double radius = std::max(list.bounds.radius(), 1e-30);
@@ -43,7 +54,7 @@ void addDemoLights(DrawList& list) {
   for (int i = 0; i < 4; ++i) {
     const double angle = glm::radians(45.0 + 90.0 * i);
     const glm::dvec3 position = distance * glm::normalize(glm::dvec3(std::cos(angle), std::sin(angle), 1.2));
-    layout::LightUniforms light;
+    layout::LightUniforms light{};
     light.position = glm::vec4(glm::vec3(position), 1);
     light.direction = glm::vec4(0, 0, -1, 0);
     light.color = glm::vec4(glm::vec3(static_cast<float>(3 * distance * distance)), 0);
@@ -213,7 +224,7 @@ void addLobes(RoughnessRange& range, const scene::Material& material, const shad
 }  // namespace
 
 layout::LightUniforms sunUniforms(const scene::Sun& sun) {
-  layout::LightUniforms out;
+  layout::LightUniforms out{};
   out.position = glm::vec4(0, 0, 0, 3);
   out.direction = glm::vec4(glm::vec3(-sun.direction), 0);
   out.color = glm::vec4(glm::vec3(sun.irradiance), 0);
@@ -282,13 +293,12 @@ DrawList buildDrawList(const scene::Model& model, int scene, const DrawOptions& 
     list.cameras.push_back({placed, pose.cameras.of(model.cameras, placed.camera)});
   list.overflowed = flat.overflowed;
   addMaterials(list, model, options, pose);
-  if (options.sceneLights)
-    for (const scene::PlacedLight& light : flat.lights)
-      list.lights.push_back(lightUniforms(pose.lights.of(model.lights, light.light), light, list.origin));
+  if (options.sceneLights) addSceneLights(list, model, flat, pose);
   if (options.demoLights) addDemoLights(list);
   if (options.sun && options.features.environment) list.lights.push_back(sunUniforms(*options.sun));
   list.features = options.features;
   list.features.punctualLights = !list.lights.empty();
+  list.features.lightProfiles = !list.profileNumbers.empty();
   list.compared = options.compared;
   list.ground = options.ground && tracedSizes.holds(list.bounds) && !list.bounds.empty();
   const std::vector<int> firstJoints = addJoints(list, flat);
@@ -342,6 +352,7 @@ scene::Bounds boundsOf(const DrawList& list, const std::function<bool(int node)>
 void setFeatures(DrawList& list, shading::FrameFeatures features) {
   assert(features.channel == list.features.channel);
   features.punctualLights = list.features.punctualLights;
+  features.lightProfiles = list.features.lightProfiles;
   list.features = features;
   for (std::vector<Draw>* draws : {&list.opaque, &list.transmitting, &list.blended})
     for (Draw& draw : *draws) {

@@ -22,7 +22,7 @@ namespace facet::frame {
 enum class Tracing { none, screen, difference, paths };
 
 struct DrawOptions {
-  shading::FrameFeatures features = {};  // punctualLights is set by buildDrawList
+  shading::FrameFeatures features = {};  // punctualLights and lightProfiles are set by buildDrawList
   bool sceneLights = true;               // the file's lights
   bool demoLights = false;               // four point lights around the scene
   std::optional<scene::Sun> sun = {};    // the environment's, where its tables do without it
@@ -69,9 +69,11 @@ struct DrawList {
   std::vector<layout::Joint> joints;
   std::vector<layout::MorphWeight> morphWeights;  // those that are not 0
   std::vector<layout::LightUniforms> lights;
-  std::vector<Draw> opaque;        // opaque and mask, sorted by program and material
-  std::vector<Draw> transmitting;  // show what is behind them, of any alpha mode; sorted likewise
-  std::vector<Draw> blended;       // one instance each; sorted by distance when drawn
+  std::vector<float> profileNumbers;                  // of lights with profiles (frame/light_profiles.hpp)
+  std::vector<const optics::LightProfile*> profiles;  // of each of the first lights; null: it has none
+  std::vector<Draw> opaque;                           // opaque and mask, sorted by program and material
+  std::vector<Draw> transmitting;                     // show what is behind them, of any alpha mode; sorted likewise
+  std::vector<Draw> blended;                          // one instance each; sorted by distance when drawn
   shading::FrameFeatures features;
   bool compared = false, ground = false;  // DrawOptions'
   std::vector<FileCamera> cameras;

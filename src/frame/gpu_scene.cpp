@@ -99,25 +99,44 @@ gl::Buffer uploadInfluences(const Primitive& primitive) {
 
 // As shaders/deformation.glsl reads it; what a target leaves out is zero.
 gl::Buffer uploadMorphTargets(const Primitive& primitive, const shading::VariantKey& key) {
-  const bool normals = shading::usesFeature(key, shading::Feature::morphedNormals),
-             tangents = shading::usesFeature(key, shading::Feature::morphedTangents),
-             colors = shading::usesFeature(key, shading::Feature::morphedColors);
-  const auto vertices = static_cast<uint32_t>(primitive.positions.size());
-  const uint32_t normalAt = 3, tangentAt = normalAt + (normals ? 3 : 0), colorAt = tangentAt + (tangents ? 3 : 0);
-  const uint32_t stride = colorAt + (colors ? 4 : 0);
+  using shading::Feature;
+  const auto has = [&](Feature feature) { return shading::usesFeature(key, feature); };
+  const bool normals = has(Feature::morphedNormals), anyTangents = has(Feature::morphedTangents);
+  const bool tangents = anyTangents && has(Feature::tangents), coat = anyTangents && has(Feature::coatTangents),
+             grain = anyTangents && has(Feature::grainTangents), colors = has(Feature::morphedColors);
+  uint32_t stride = 3;
+  const auto placeOf = [&](bool there, uint32_t numbers) {
+    const uint32_t at = stride;
+    stride += there ? numbers : 0;
+    return at;
+  };
+  std::vector<uint32_t> head = {static_cast<uint32_t>(primitive.positions.size()), 0};
+  for (const bool there : {normals, tangents, coat, grain}) head.push_back(placeOf(there, 3));
+  head.push_back(placeOf(colors, 4));
+  std::vector<size_t> sets;
+  for (size_t set = 0; set < primitive.texCoords.size(); ++set) {
+    const auto changes = [&](const scene::MorphTarget& target) { return !target.texCoords[set].empty(); };
+    const bool there = has(Feature::morphedTexCoords) && has(shading::texCoordFeature(static_cast<int>(set))) &&
+                       std::ranges::any_of(primitive.targets, changes);
+    if (there) sets.push_back(set);
+    head.push_back(there ? placeOf(true, 2) : 0);
+  }
+  head[1] = stride;
   std::vector<float> numbers;
-  numbers.reserve(5 + primitive.targets.size() * vertices * stride);
-  for (const uint32_t word : {vertices, stride, normalAt, tangentAt, colorAt})
-    numbers.push_back(std::bit_cast<float>(word));
+  numbers.reserve(head.size() + primitive.targets.size() * primitive.positions.size() * stride);
+  for (const uint32_t word : head) numbers.push_back(std::bit_cast<float>(word));
   const auto add = [&](const auto& values, size_t vertex, int components) {
     for (int c = 0; c < components; ++c) numbers.push_back(values.empty() ? 0.0f : values[vertex][c]);
   };
   for (const scene::MorphTarget& target : primitive.targets)
-    for (size_t vertex = 0; vertex < vertices; ++vertex) {
+    for (size_t vertex = 0; vertex < primitive.positions.size(); ++vertex) {
       add(target.positions, vertex, 3);
       if (normals) add(target.normals, vertex, 3);
       if (tangents) add(target.tangents, vertex, 3);
+      if (coat) add(target.coatTangents, vertex, 3);
+      if (grain) add(target.grainTangents, vertex, 3);
       if (colors) add(target.colors, vertex, 4);
+      for (const size_t set : sets) add(target.texCoords[set], vertex, 2);
     }
   return gl::Buffer::of(numbers, "morph targets");
 }
@@ -132,6 +151,10 @@ GpuPrimitive beginPrimitive(const Primitive& primitive, const shading::VariantKe
     addAttribute(gpu, layout::normalLocation, 3, primitive.normals, "normals");
   if (shading::usesFeature(key, shading::Feature::tangents))
     addAttribute(gpu, layout::tangentLocation, 4, primitive.tangents, "tangents");
+  if (shading::usesFeature(key, shading::Feature::coatTangents))
+    addAttribute(gpu, layout::coatTangentLocation, 4, primitive.coatTangents, "tangents of the coat");
+  if (shading::usesFeature(key, shading::Feature::grainTangents))
+    addAttribute(gpu, layout::grainTangentLocation, 4, primitive.grainTangents, "tangents of the grain");
   for (int set = 0; set < scene::maxTexCoordSets; ++set)
     if (shading::usesFeature(key, shading::texCoordFeature(set)))
       addAttribute(gpu, static_cast<GLuint>(layout::texCoordLocation + set), 2,
@@ -381,6 +404,7 @@ bool uploadScene(GpuScene& gpu, const scene::Model& model, const DrawList& list,
   if (!list.joints.empty()) gpu.joints = gl::Buffer::of(list.joints, "joints");
   if (!list.morphWeights.empty()) gpu.morphWeights = gl::Buffer::of(list.morphWeights, "morph weights");
   gpu.lights = gl::Buffer::of(list.lights, "lights");
+  gpu.profiles = list.profileNumbers.empty() ? gl::Buffer() : gl::Buffer::of(list.profileNumbers, "light profiles");
   return true;
 }
 

@@ -76,7 +76,7 @@ struct GpuScene {
   std::map<TextureUse, gl::Texture> textures;
   std::vector<std::pair<scene::Sampler, gl::Sampler>> samplers;
   gl::Texture placeholder;
-  gl::Buffer materials, instances, lights, joints, morphWeights;
+  gl::Buffer materials, instances, lights, profiles, joints, morphWeights;
   size_t materialStride = 0;
   int imagesDecoded = 0;
   std::optional<PrimitiveUpload> primitiveUpload;  // the next one of primitives

@@ -11,6 +11,7 @@
 #include "frame/choose.hpp"
 #include "frame/settings.hpp"
 #include "frame/traced.hpp"
+#include "optics/light_profile.hpp"
 #include "scene/camera.hpp"
 #include "scene/nodes.hpp"
 #include "scene/pick.hpp"
@@ -276,10 +277,30 @@ void addCone(Pen& pen, const glm::dvec3& tip, const glm::dvec3& axis, double ang
   }
 }
 
+// Candela over the direction, in the planes through its aim that hold its +X and its +Y.
+void addProfile(Pen& pen, const glm::dvec3& tip, const layout::LightUniforms& light,
+                const optics::LightProfile& profile, double length) {
+  constexpr int steps = 180;
+  const glm::dvec3 aim(light.direction), x(light.profile);
+  const glm::dvec3 y = glm::cross(x, aim) * (light.profile.w < 0 ? -1.0 : 1.0);
+  const double scale = length / std::max(double{profile.mostCandela}, 1e-30);
+  for (const glm::dvec3& side : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0)}) {
+    glm::dvec3 before(0);
+    for (int i = 0; i <= steps; ++i) {
+      const double angle = 2 * pi * i / steps;
+      const glm::dvec3 d = std::sin(angle) * side - glm::dvec3(0, 0, std::cos(angle));
+      const glm::dvec3 at = tip + (d.x * x + d.y * y - d.z * aim) * (optics::candela(profile, d) * scale);
+      if (i > 0) pen.line(before, at);
+      before = at;
+    }
+  }
+}
+
 void addLights(Pen pen, const DrawList& list) {
   const double radius = sceneRadius(list);
   const glm::dvec3 center = sceneCenter(list);
-  for (const layout::LightUniforms& light : list.lights) {
+  for (size_t i = 0; i < list.lights.size(); ++i) {
+    const layout::LightUniforms& light = list.lights[i];
     const glm::dvec3 position = glm::dvec3(light.position) + list.origin, direction(light.direction);
     pen.color = lightColor(light.color), pen.width = 1.5f, pen.hidden = 0.35f;
     const double range = light.direction.w > 0 ? 1 / std::sqrt(double{light.direction.w}) : 0;
@@ -293,6 +314,10 @@ void addLights(Pen pen, const DrawList& list) {
       continue;
     }
     pen.dot(position, 9);
+    if (i < list.profiles.size() && list.profiles[i]) {
+      addProfile(pen, position, light, *list.profiles[i], 0.25 * radius);
+      continue;
+    }
     if (light.position.w < 1.5f) {
       pen.sphere(position, 0.04 * radius);
       if (range > 0) pen.color = faded(pen.color, 0.5f), pen.width = 1, pen.sphere(position, range);

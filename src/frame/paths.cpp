@@ -41,6 +41,7 @@ std::vector<Define> sceneDefines(const FrameInput& in, PathUse use) {
   std::vector<Define> defines = commonDefines(in, use);
   if (in.list.features.environment) defines.push_back({"HAS_ENVIRONMENT"});
   if (in.paths->list.lights > 0) defines.push_back({"HAS_PUNCTUAL_LIGHTS"});
+  if (in.list.features.lightProfiles) defines.push_back({"LIGHT_PROFILES"});
   if (looksAtGlow(in, use)) defines.push_back({"GLOWING"});
   if (!in.paths->list.scene.placements.empty()) defines.push_back({"RAY_PLACEMENTS"});
   if (in.paths->list.scene.holed) defines.push_back({"RAY_HOLES"});
@@ -262,6 +263,7 @@ void bindScene(const FrameInput& in, const PathWork& work) {
   if (in.tables.texels) in.tables.texels.bind(layout::environmentTexelsUnit);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::instanceBinding, scene.instances.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::lightBinding, in.gpu.lights.id());
+  if (in.gpu.profiles) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::profileBinding, in.gpu.profiles.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeInputBinding, work.states.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeOutputBinding, work.work.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::pathGroupsBinding, work.groups.id());

@@ -31,6 +31,8 @@ layout::ScenePrimitive appendPrimitive(const ScenePart& part, bool positions, st
   out.position = positions ? append(attributes, p.positions) : layout::noAttribute;
   out.normal = append(attributes, p.normals);
   out.tangent = append(attributes, p.tangents);
+  out.coatTangent = append(attributes, p.coatTangents);
+  out.grainTangent = append(attributes, p.grainTangents);
   out.color = append(attributes, p.colors);
   for (size_t set = 0; set < p.texCoords.size(); ++set) out.texCoord[set] = append(attributes, p.texCoords[set]);
   out.material = static_cast<uint32_t>(part.material);

@@ -1,6 +1,7 @@
 #include "frame/traced.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <span>
 #include <tuple>
@@ -43,15 +44,26 @@ glm::vec3 unitOr(const glm::vec3& v) {
 
 scene::Primitive placedShape(const DrawList& list, const Draw& draw, const layout::Instance& instance) {
   scene::Primitive out = *draw.primitive;
-  std::vector<glm::vec3> tangents;
-  for (const glm::vec4& t : out.tangents) tangents.emplace_back(t);
+  // The bases that textures lie in, with what targets change of them.
+  struct Basis {
+    std::vector<glm::vec4>& tangents;
+    std::vector<glm::vec3> scene::MorphTarget::*differences;
+    std::vector<glm::vec3> sums = {};
+  };
+  std::array<Basis, 3> bases{{{out.tangents, &scene::MorphTarget::tangents},
+                              {out.coatTangents, &scene::MorphTarget::coatTangents},
+                              {out.grainTangents, &scene::MorphTarget::grainTangents}}};
+  for (Basis& basis : bases)
+    for (const glm::vec4& t : basis.tangents) basis.sums.emplace_back(t);
   for (uint32_t i = 0; i < instance.deformation.z; ++i) {
     const layout::MorphWeight& weight = list.morphWeights[instance.deformation.y + i];
     if (weight.target >= out.targets.size()) continue;
     const scene::MorphTarget& target = out.targets[weight.target];
     addOffsets(out.positions, target.positions, weight.weight);
     addOffsets(out.normals, target.normals, weight.weight);
-    addOffsets(tangents, target.tangents, weight.weight);
+    for (Basis& basis : bases) addOffsets(basis.sums, target.*basis.differences, weight.weight);
+    for (size_t set = 0; set < out.texCoords.size(); ++set)
+      addOffsets(out.texCoords[set], target.texCoords[set], weight.weight);
     addOffsets(out.colors, target.colors, weight.weight);
   }
   for (glm::vec4& color : out.colors) color = glm::clamp(color, 0.0f, 1.0f);
@@ -66,7 +78,9 @@ scene::Primitive placedShape(const DrawList& list, const Draw& draw, const layou
     }
     out.positions[v] = glm::vec3(world * glm::vec4(out.positions[v], 1));
     if (!out.normals.empty()) out.normals[v] = unitOr(normals * out.normals[v]);
-    if (!out.tangents.empty()) out.tangents[v] = glm::vec4(unitOr(glm::mat3(world) * tangents[v]), out.tangents[v].w);
+    for (const Basis& basis : bases)
+      if (!basis.tangents.empty())
+        basis.tangents[v] = glm::vec4(unitOr(glm::mat3(world) * basis.sums[v]), basis.tangents[v].w);
   }
   out.targets.clear(), out.influences.clear();
   return out;
@@ -91,7 +105,8 @@ void appendTriangles(std::vector<rays::Triangle>& triangles, const scene::Primit
 // What drawing reads and shading does not.
 shading::VariantKey pathKey(shading::VariantKey key) {
   for (const Feature feature : {Feature::skin, Feature::morphTargets, Feature::morphedNormals, Feature::morphedTangents,
-                                Feature::morphedColors, Feature::alphaMask, Feature::alphaBlend, Feature::doubleSided})
+                                Feature::morphedTexCoords, Feature::morphedColors, Feature::alphaMask,
+                                Feature::alphaBlend, Feature::doubleSided})
     key.features &= ~shading::bitOf(feature);
   return key;
 }

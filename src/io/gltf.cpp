@@ -234,7 +234,7 @@ Result<LoadedModel> load(Document& doc, std::span<const uint8_t> bytes) {
   if (auto ok = checkBufferViews(doc); !ok) return tl::unexpected(ok.error());
   if (auto ok = checkAccessors(doc); !ok) return tl::unexpected(ok.error());
   for (const auto step : {readImages, readTextures, readMaterials, readVariants, readLights, readCameras, readSkins,
-                          readNodes, readMeshes, readAnimations, readXmp}) {
+                          readNodes, readProfiledLights, readMeshes, readAnimations, readXmp}) {
     if (auto ok = step(doc); !ok) return tl::unexpected(ok.error());
   }
   doc.model.name = fs::path(doc.name).filename().string();

@@ -32,10 +32,16 @@ Targets nodeTarget(Document& doc, AnimationTarget target, const std::string& pla
   return {target};
 }
 
-// A mesh's weights are those of all nodes that draw it and have none of their own.
-Targets meshWeights(const Document& doc, const MeshUsers& users, int mesh) {
+// A mesh's weights are those of all nodes that draw it and have none of their own. path: "weights" or "weights/2".
+Targets meshWeights(const Document& doc, const MeshUsers& users, int mesh, std::string_view path) {
   Targets targets;
   const size_t count = targetsOfMesh(doc, mesh);
+  if (path != "weights") {
+    for (const int node : users[static_cast<size_t>(mesh)])
+      if (const auto one = scene::propertyAt(doc.model, {scene::Owner::node, node, path}, count))
+        if (one->channel.element >= 0) targets.push_back({one->channel, 1, 1});
+    return targets;
+  }
   if (count == 0) return targets;
   for (const int node : users[static_cast<size_t>(mesh)]) {
     AnimationTarget target;
@@ -51,7 +57,7 @@ Targets meshWeights(const Document& doc, const MeshUsers& users, int mesh) {
 Targets pointerTargets(Document& doc, const MeshUsers& users, std::string_view pointer, const std::string& place) {
   const std::optional<scene::PropertyPlace> at = scene::placeOf(doc.model, pointer);
   if (!at) return {};
-  if (at->owner == scene::Owner::mesh) return at->path == "weights" ? meshWeights(doc, users, at->object) : Targets{};
+  if (at->owner == scene::Owner::mesh) return meshWeights(doc, users, at->object, at->path);
   const size_t targets =
       at->owner == scene::Owner::node ? targetsOfMesh(doc, doc.model.nodes[static_cast<size_t>(at->object)].mesh) : 0;
   const std::optional<scene::PropertyTarget> found = scene::propertyAt(doc.model, *at, targets);
@@ -96,7 +102,7 @@ Result<Targets> animationTargets(Document& doc, const Json& channel, const MeshU
   const auto index = readIndex(doc, *node, doc.model.nodes.size(), at + "/node", "node");
   if (!index) return tl::unexpected(index.error());
   const auto found = scene::propertyAt(doc.model, {scene::Owner::node, *index, path}, 0);
-  if (found && found->channel.property != AnimatedProperty::visible)
+  if (found && found->channel.property <= AnimatedProperty::weights)
     return nodeTarget(doc, {found->channel, found->components, found->components}, at);
   doc.warning(at + "/path", inQuotes(path) + " is no path of an animation: the channel is ignored");
   return Targets{};

@@ -93,12 +93,7 @@ Result<std::span<const uint8_t>> bufferBytes(Document& doc, const Json& buffer, 
     if (index == 0 && doc.hasBinary) return doc.binary;
     return doc.error(place, "has no uri", "embed the buffer or name its file");
   }
-  if (!isDataUri(*uri)) return fileBuffer(doc, *uri, place + "/uri");
-  auto bytes = decodeDataUri(*uri);
-  if (!bytes) return doc.error(place + "/uri", "the data: URI is malformed");
-  doc.bytesRead += bytes->size();
-  doc.embedded.push_back(std::move(*bytes));
-  return std::span<const uint8_t>(doc.embedded.back());
+  return bytesOfUri(doc, *uri, place + "/uri");
 }
 
 // A stand-in for what EXT or KHR_meshopt_compression hold compressed: marked as such, or, where the file requires the
@@ -201,6 +196,22 @@ void imageFromUri(Document& doc, const std::string& uri, const std::string& plac
 }
 
 }  // namespace
+
+Result<std::span<const uint8_t>> bytesOfUri(Document& doc, const std::string& uri, const std::string& place) {
+  if (!isDataUri(uri)) return fileBuffer(doc, uri, place);
+  auto bytes = decodeDataUri(uri);
+  if (!bytes) return doc.error(place, "the data: URI is malformed");
+  doc.bytesRead += bytes->size();
+  doc.embedded.push_back(std::move(*bytes));
+  return std::span<const uint8_t>(doc.embedded.back());
+}
+
+Json rootExtension(const Document& doc, const char* name) {
+  const JsonMember* member = doc.outline.find("extensions");
+  if (member == nullptr) return nullptr;
+  const Json all = Json::parse(doc.json.substr(member->begin, member->end - member->begin), nullptr, false);
+  return all.is_object() && all.contains(name) ? all[name] : Json(nullptr);
+}
 
 Result<void> readBuffers(Document& doc) {
   const auto buffers = section(doc, "buffers");

@@ -92,6 +92,8 @@ Result<void> readInstances(Document& doc, const tinygltf::Node& from, const std:
 // gltf_lights.cpp
 Result<void> readLights(Document& doc);
 Result<void> readCameras(Document& doc);
+// gltf_profiles.cpp: EXT_lights_ies; after readLights and readNodes
+Result<void> readProfiledLights(Document& doc);
 // gltf_textures.cpp
 Result<void> readTextures(Document& doc);  // and samplers
 // gltf_materials.cpp

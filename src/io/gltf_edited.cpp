@@ -6,6 +6,7 @@
 #include "base/text.hpp"
 #include "io/gltf_document.hpp"
 #include "io/image_formats.hpp"
+#include "io/json_section.hpp"
 #include "io/safe_files.hpp"
 #include "io/sources.hpp"
 #include "io/uri.hpp"
@@ -205,6 +206,28 @@ void embedImages(Ordered& gltf, const Document& doc, const scene::Model& model, 
   }
 }
 
+// Profiles of lights, likewise (EXT_lights_ies).
+void embedProfiles(Ordered& gltf, Document& doc, Bytes& binary, Notes& notes) {
+  const Pointer list("/extensions/EXT_lights_ies/lights");
+  if (!gltf.contains(list) || !gltf[list].is_array()) return;
+  for (size_t i = 0; i < gltf[list].size(); ++i) {
+    Ordered& light = gltf[list][i];
+    if (!light.is_object() || !light.contains("uri") || !light["uri"].is_string()) continue;
+    const std::string place = pointer("/extensions/EXT_lights_ies/lights", i);
+    const auto bytes = bytesOfUri(doc, light["uri"].get<std::string>(), place + "/uri");
+    if (!bytes) {
+      notes.push_back(
+          {Note::Severity::warning, place, "is not there to be taken along: the new file names it as the old one did"});
+      continue;
+    }
+    const size_t at = append(binary, *bytes);
+    gltf["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", at}, {"byteLength", bytes->size()}});
+    light.erase("uri");
+    light["mimeType"] = "application/x-ies-lm-63";
+    light["bufferView"] = gltf["bufferViews"].size() - 1;
+  }
+}
+
 Result<Bytes> write(Document& doc, const scene::Model& model, const Changes& changes, Notes& notes) {
   Ordered gltf = Ordered::parse(doc.json.begin(), doc.json.end(), nullptr, false);
   if (!gltf.is_object()) return doc.error("", "the JSON text is faulty");
@@ -217,6 +240,7 @@ Result<Bytes> write(Document& doc, const scene::Model& model, const Changes& cha
   if (changes.worldFromModel) addRoot(gltf, *changes.worldFromModel);
   Bytes binary = joinBuffers(gltf, doc);
   embedImages(gltf, doc, model, binary, notes);
+  embedProfiles(gltf, doc, binary, notes);
   if (binary.empty() && gltf["buffers"].size() == 1)
     gltf.erase("buffers");
   else

@@ -55,14 +55,9 @@ Result<void> readFaces(const Document& doc, const Json& json, ImageLight& light)
 }
 
 Json lightsOf(const Document& doc) {
-  const JsonMember* member = doc.outline.find("extensions");
-  if (member == nullptr) return Json::array();
-  Json lights = Json::parse(doc.json.substr(member->begin, member->end - member->begin), nullptr, false);
-  for (const char* key : {"EXT_lights_image_based", "lights"}) {
-    if (!lights.is_object() || !lights.contains(key)) return Json::array();
-    lights = Json(lights[key]);
-  }
-  return lights.is_array() ? lights : Json::array();
+  const Json extension = rootExtension(doc, "EXT_lights_image_based");
+  const bool has = extension.is_object() && extension.contains("lights") && extension["lights"].is_array();
+  return has ? extension["lights"] : Json::array();
 }
 
 Result<ImageLight> readImageLight(Document& doc, size_t wanted) {

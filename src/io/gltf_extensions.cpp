@@ -31,6 +31,7 @@ constexpr std::string_view supportedExtensions[] = {
     "KHR_accessor_float64",                 // accessors.cpp: read wherever floats are
     "MSFT_lod",                             // gltf_nodes.cpp
     "EXT_lights_image_based",               // gltf_nodes.cpp, gltf_environment.cpp
+    "EXT_lights_ies",                       // gltf_profiles.cpp
 };
 
 // What is lost without these are looks, sounds and motion: the rest can still be shown.

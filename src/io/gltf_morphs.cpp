@@ -9,17 +9,21 @@ namespace {
 
 // What a target can change.
 struct TargetRule {
-  const char* name;
+  std::string name;
   const char* what;
   int minComponents, maxComponents;
   size_t bytes;           // of a vertex
   bool alwaysNormalized;  // integers without "normalized" are a writer's slip
 };
-constexpr TargetRule positionRule = {"POSITION", "positions", 3, 3, 12, false};
-constexpr TargetRule normalRule = {"NORMAL", "normals", 3, 3, 12, true};
-constexpr TargetRule tangentRule = {"TANGENT", "tangents", 3, 3, 12, true};
-constexpr TargetRule colorRule = {"COLOR_0", "colours", 3, 4, 16, true};
+const TargetRule positionRule = {"POSITION", "positions", 3, 3, 12, false};
+const TargetRule normalRule = {"NORMAL", "normals", 3, 3, 12, true};
+const TargetRule tangentRule = {"TANGENT", "tangents", 3, 3, 12, true};
+const TargetRule colorRule = {"COLOR_0", "colours", 3, 4, 16, true};
 constexpr const TargetRule* targetRules[] = {&positionRule, &normalRule, &tangentRule, &colorRule};
+
+TargetRule texCoordRule(size_t set) {
+  return {"TEXCOORD_" + std::to_string(set), "texture coordinates", 2, 2, 8, false};
+}
 
 using Target = std::map<std::string, int>;
 
@@ -76,14 +80,14 @@ bool isThere(MorphReader& reader, const TargetRule& rule, bool there) {
   return false;
 }
 
-void noteTextureCoordinates(MorphReader& reader) {
-  size_t n = 0;
-  for (const Target& target : reader.from.targets) {
-    const auto found = target.lower_bound("TEXCOORD_");
-    n += found != target.end() && found->first.starts_with("TEXCOORD_") ? 1 : 0;
-  }
-  if (n > 0) {
-    reader.warning(reader.place + "/targets", std::to_string(n) + " change texture coordinates, which are left as are");
+// Of sets that nothing reads they are not looked at.
+void readTexCoordDifferences(MorphReader& reader, scene::Primitive& primitive) {
+  for (size_t set = 0; set < primitive.texCoords.size(); ++set) {
+    const TargetRule rule = texCoordRule(set);
+    if (!isThere(reader, rule, reader.from.attributes.contains(rule.name)) || primitive.texCoords[set].empty())
+      continue;
+    for (size_t i = 0; i < reader.from.targets.size(); ++i)
+      readDifferences(reader, i, rule, primitive.targets[i].texCoords[set]);
   }
 }
 
@@ -101,14 +105,19 @@ size_t targetCount(const tinygltf::Mesh& mesh) {
 }
 
 Result<void> checkTargets(const Document& doc, const tinygltf::Primitive& primitive, const std::string& place) {
+  const auto check = [&](size_t i, const TargetRule& rule) -> Result<void> {
+    const auto found = primitive.targets[i].find(rule.name);
+    if (found == primitive.targets[i].end()) return {};
+    const int n = vectorComponents(doc, found->second);
+    if (n >= rule.minComponents && n <= rule.maxComponents) return {};
+    return doc.error(pointer(place + "/targets", i) + "/" + rule.name,
+                     "is not a vector of " + std::to_string(rule.minComponents) + " components");
+  };
   for (size_t i = 0; i < primitive.targets.size(); ++i) {
-    for (const TargetRule* rule : targetRules) {
-      const auto found = primitive.targets[i].find(rule->name);
-      if (found == primitive.targets[i].end()) continue;
-      const int n = vectorComponents(doc, found->second);
-      if (n >= rule->minComponents && n <= rule->maxComponents) continue;
-      return doc.error(pointer(place + "/targets", i) + "/" + rule->name, "is not a vector of 3 components");
-    }
+    for (const TargetRule* rule : targetRules)
+      if (auto ok = check(i, *rule); !ok) return ok;
+    for (size_t set = 0; set < scene::maxTexCoordSets; ++set)
+      if (auto ok = check(i, texCoordRule(set)); !ok) return ok;
   }
   return {};
 }
@@ -119,6 +128,11 @@ uint64_t targetBytes(const Document& doc, const tinygltf::Primitive& primitive, 
   for (const TargetRule* rule : targetRules) {
     const auto names = [&](const Target& target) { return target.count(rule->name) > 0; };
     if (rule == &positionRule || std::ranges::any_of(primitive.targets, names)) perVertex += rule->bytes;
+  }
+  for (size_t set = 0; set < scene::maxTexCoordSets; ++set) {
+    const TargetRule rule = texCoordRule(set);
+    const auto names = [&](const Target& target) { return target.count(rule.name) > 0; };
+    if (std::ranges::any_of(primitive.targets, names)) perVertex += rule.bytes;
   }
   const uint64_t vertices = doc.gltf.accessors[static_cast<size_t>(primitive.attributes.at("POSITION"))].count;
   return count * (sizeof(scene::MorphTarget) + vertices * perVertex);
@@ -131,7 +145,6 @@ void readTargets(const Document& doc, const tinygltf::Primitive& from, size_t co
   const bool normals = isThere(reader, normalRule, !primitive.normals.empty());
   const bool tangents = isThere(reader, tangentRule, !primitive.tangents.empty());
   const bool colors = isThere(reader, colorRule, !primitive.colors.empty());
-  noteTextureCoordinates(reader);
   primitive.targets.resize(count);
   for (size_t i = 0; i < from.targets.size(); ++i) {
     scene::MorphTarget& target = primitive.targets[i];
@@ -141,6 +154,7 @@ void readTargets(const Document& doc, const tinygltf::Primitive& from, size_t co
     if (colors) readDifferences(reader, i, colorRule, target.colors);
     for (const glm::vec3& p : target.positions) target.bounds.add(glm::dvec3(p));
   }
+  readTexCoordDifferences(reader, primitive);
 }
 
 Result<std::vector<float>> readWeights(Document& doc, const std::vector<double>& values, size_t targets,

@@ -26,11 +26,15 @@ std::vector<fs::path> referencedFiles(const fs::path& gltf, const std::string& a
   }
   const auto outline = scanJson(text, Limits{}.jsonDepth);
   if (!outline) return files;
-  for (const char* section : {"buffers", "images"}) {
+  for (const char* section : {"buffers", "images", "extensions"}) {
     const JsonMember* member = outline->find(section);
     if (!member) continue;
-    const auto list = nlohmann::json::parse(text.begin() + static_cast<ptrdiff_t>(member->begin),
-                                            text.begin() + static_cast<ptrdiff_t>(member->end), nullptr, false);
+    auto list = nlohmann::json::parse(text.begin() + static_cast<ptrdiff_t>(member->begin),
+                                      text.begin() + static_cast<ptrdiff_t>(member->end), nullptr, false);
+    if (section == std::string_view("extensions")) {
+      const nlohmann::json::json_pointer profiles("/EXT_lights_ies/lights");
+      list = list.contains(profiles) ? nlohmann::json(list[profiles]) : nlohmann::json();
+    }
     for (const auto& entry : list) {
       const auto uri = entry.is_object() ? entry.find("uri") : entry.end();
       if (!entry.is_object() || uri == entry.end() || !uri->is_string()) continue;

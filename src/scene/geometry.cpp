@@ -1,7 +1,9 @@
 #include "scene/geometry.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -87,44 +89,54 @@ bool sameDirections(const TextureTransform& a, const TextureTransform& b) {
   return u.z == v.z && glm::dot(glm::dvec2(u), glm::dvec2(v)) >= (1 - 1e-9) * lengths;
 }
 
-// Those that differ, without those whose coordinates the primitive lacks.
-std::vector<TangentSpace> tangentSpaces(const Primitive& p, const std::vector<const Material*>& materials,
-                                        Warnings& warnings) {
-  std::vector<TangentSpace> spaces;
+bool same(const TangentSpace& a, const TangentSpace& b) {
+  return a.set == b.set && sameDirections(a.transform, b.transform);
+}
+
+// Of the normal texture, the coat's and the anisotropy's; none where no material has it or its coordinates are missing.
+using TangentSpaces = std::array<std::optional<TangentSpace>, 3>;
+static_assert(static_cast<int>(TangentsOf::grain) == 2);
+
+TangentSpaces tangentSpaces(const Primitive& p, const std::vector<const Material*>& materials, Warnings& warnings) {
+  TangentSpaces spaces;
   bool missing = false;
+  const auto add = [&](TangentsOf which, const TextureRef& ref, bool uses) {
+    if (!uses) return true;
+    const bool present =
+        ref.texCoord >= 0 && ref.texCoord < maxTexCoordSets && !p.texCoords[size_t(ref.texCoord)].empty();
+    std::optional<TangentSpace>& space = spaces[size_t(which)];
+    if (present && space && !same(*space, {ref.texCoord, ref.transform})) {
+      const std::string told =
+          "the variants' materials have such a texture in different coordinates: the tangents of all are those of "
+          "TEXCOORD_" +
+          std::to_string(space->set);
+      if (std::ranges::find(warnings, told) == warnings.end()) warnings.push_back(told);
+    }
+    if (present && !space) space = TangentSpace{ref.texCoord, ref.transform};
+    return present;
+  };
   for (const Material* m : materials) {
-    const auto add = [&](const TangentSpace& space) {
-      const bool present = space.set >= 0 && space.set < maxTexCoordSets && !p.texCoords[size_t(space.set)].empty();
-      const auto same = [&](const TangentSpace& other) {
-        return other.set == space.set && sameDirections(other.transform, space.transform);
-      };
-      if (present && std::ranges::none_of(spaces, same)) spaces.push_back(space);
-      return present;
-    };
-    const auto of = [](const TextureRef& ref) { return TangentSpace{ref.texCoord, ref.transform}; };
-    for (const TextureSlot slot : {TextureSlot::normal, TextureSlot::clearcoatNormal})
-      if (usesTexture(*m, slot)) add(of(textureRef(*m, slot)));
+    add(TangentsOf::surface, m->normal, usesTexture(*m, TextureSlot::normal));
+    add(TangentsOf::coat, m->clearcoatNormal, usesTexture(*m, TextureSlot::clearcoatNormal));
     const bool anisotropic = !m->unlit && !m->specularGlossiness && has(*m, Effect::anisotropy);
-    if (anisotropic && !add(m->anisotropy ? of(m->anisotropy) : TangentSpace())) missing = true;
+    if (!add(TangentsOf::grain, m->anisotropy ? m->anisotropy : TextureRef(), anisotropic)) missing = true;
   }
-  if (missing && spaces.empty())
+  const bool none = std::ranges::none_of(spaces, [](const auto& space) { return space.has_value(); });
+  if (missing && none)
     warnings.emplace_back("an anisotropic material needs tangents or texture coordinates; it is shown isotropic");
   return spaces;
 }
 
+// The first of the textures gets Primitive::tangents, and with it those whose directions are the same.
 void addTangents(Primitive& p, const std::vector<const Material*>& materials, Warnings& warnings) {
-  const std::vector<TangentSpace> spaces = tangentSpaces(p, materials, warnings);
-  if (spaces.empty()) return;
-  for (size_t i = 1; i < spaces.size(); ++i) {
-    if (spaces[i].set != spaces[0].set)
-      warnings.push_back("a normal or anisotropy texture uses TEXCOORD_" + std::to_string(spaces[i].set) +
-                         "; its tangents are those of TEXCOORD_" + std::to_string(spaces[0].set));
-    else
-      warnings.push_back(
-          "a normal or anisotropy texture is turned or mirrored by its KHR_texture_transform otherwise "
-          "than the first; its tangents are those of the first");
+  const TangentSpaces spaces = tangentSpaces(p, materials, warnings);
+  const TangentSpace* first = nullptr;
+  for (const TangentsOf which : {TangentsOf::surface, TangentsOf::coat, TangentsOf::grain}) {
+    const std::optional<TangentSpace>& space = spaces[size_t(which)];
+    if (!space || (first && same(*first, *space))) continue;
+    p = withTangents(std::move(p), space->set, space->transform, first ? which : TangentsOf::surface);
+    if (!first) first = &*space;
   }
-  p = withTangents(std::move(p), spaces[0].set, spaces[0].transform);
 }
 
 // What lines and points are not lit with for want of normals or tangents can't be missed (glTF 2.0, 3.7.2.1).
@@ -222,14 +234,15 @@ Primitive asList(Primitive p) {
 void gatherVertices(Primitive& p, const std::vector<uint32_t>& source) {
   gather(p.positions, source);
   gather(p.normals, source);
-  gather(p.tangents, source);
+  for (auto* tangents : {&p.tangents, &p.coatTangents, &p.grainTangents}) gather(*tangents, source);
   for (std::vector<glm::vec2>& set : p.texCoords) gather(set, source);
   gather(p.colors, source);
   gather(p.influences, source, size_t(p.influencesPerVertex));
   for (MorphTarget& target : p.targets) {
     gather(target.positions, source);
     gather(target.normals, source);
-    gather(target.tangents, source);
+    for (auto* tangents : {&target.tangents, &target.coatTangents, &target.grainTangents}) gather(*tangents, source);
+    for (std::vector<glm::vec2>& set : target.texCoords) gather(set, source);
     gather(target.colors, source);
   }
 }

@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "optics/light_profile.hpp"
+
 namespace facet::scene {
 
 // Axis-aligned box, metres. Empty while min > max.
@@ -183,6 +185,8 @@ inline constexpr int maxTexCoordSets = 8;
 // What a weight of 1 adds to a primitive's vertices. Each array is empty (adds nothing) or as long as the positions.
 struct MorphTarget {
   std::vector<glm::vec3> positions, normals, tangents;  // differences, finite
+  std::vector<glm::vec3> coatTangents, grainTangents;   // where the primitive has them
+  std::array<std::vector<glm::vec2>, maxTexCoordSets> texCoords;
   std::vector<glm::vec4> colors;
   Bounds bounds;  // of the position differences; empty where there are none
 };
@@ -199,6 +203,9 @@ struct Primitive {
   std::vector<glm::vec3> positions;  // metres, in the mesh's space, finite
   std::vector<glm::vec3> normals;    // unit
   std::vector<glm::vec4> tangents;   // xyz unit; bitangent = w cross(normal, tangent), w = +-1
+  // Where the coat's normal texture, and anisotropy, lie in other texture coordinates than the normal texture; empty:
+  // `tangents` are theirs, too.
+  std::vector<glm::vec4> coatTangents, grainTangents;
   std::array<std::vector<glm::vec2>, maxTexCoordSets> texCoords;
   std::vector<glm::vec4> colors;      // linear, multiplies the base colour
   std::vector<uint32_t> indices;      // empty: vertices in order; all < positions.size()
@@ -241,6 +248,7 @@ struct Light {
   float range = std::numeric_limits<float>::infinity();  // metres, > 0
   float innerConeAngle = 0;                              // radians, [0, outer)
   float outerConeAngle = 0.78539816f;                    // radians, (inner, pi/2]
+  int profile = -1;  // of a point: index in Model::lightProfiles, whose candela `intensity` multiplies (EXT_lights_ies)
 };
 
 struct Camera {
@@ -263,6 +271,7 @@ struct Node {
   glm::dquat rotation = glm::dquat(1, 0, 0, 0);  // w, x, y, z; unit
   glm::dvec3 scale = glm::dvec3(1);
   int mesh = -1, camera = -1, light = -1, skin = -1;
+  int profiledLight = -1;             // EXT_lights_ies: one more light, of this node alone
   std::vector<float> weights;         // of the mesh's morph targets; empty: the mesh's own
   bool visible = true;                // KHR_node_visibility: false hides the node and all below it
   std::vector<glm::dmat4> instances;  // EXT_mesh_gpu_instancing: node from instance; empty: the mesh is drawn once
@@ -349,7 +358,8 @@ struct Model {
   std::vector<Material> materials;
   std::vector<Texture> textures;
   std::vector<Image> images;
-  std::vector<Light> lights;
+  std::vector<Light> lights;  // the file's list, then those with profiles
+  std::vector<optics::LightProfile> lightProfiles;
   std::vector<Camera> cameras;
   std::vector<Skin> skins;
   std::vector<Animation> animations;

@@ -96,10 +96,16 @@ void addInstances(const Node& node, int n, const glm::dmat4& world, FlatScene& f
   for (const glm::dmat4& instance : node.instances) add(world * instance);
 }
 
-void addLight(const Node& node, int n, const glm::dmat4& world, FlatScene& flat) {
-  PlacedLight placed{n, node.light, glm::dvec3(world[3])};
-  const glm::dvec3 direction = safeNormalize(-glm::dvec3(world[2]));
+void addLight(int light, int n, const glm::dmat4& world, FlatScene& flat) {
+  PlacedLight placed{n, light, glm::dvec3(world[3])};
+  const glm::dvec3 direction = safeNormalize(-glm::dvec3(world[2])), x = safeNormalize(glm::dvec3(world[0]));
   if (direction != glm::dvec3(0)) placed.direction = direction;
+  // What a flat matrix leaves open is any direction.
+  glm::dvec3 side = x - placed.direction * glm::dot(placed.direction, x);
+  if (!(glm::length(side) > 1e-9))
+    side = glm::cross(placed.direction, std::abs(placed.direction.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0));
+  placed.side = glm::normalize(side);
+  placed.mirrored = isMirrored(world);
   flat.lights.push_back(placed);
 }
 
@@ -212,15 +218,17 @@ FlatScene flatten(const Model& model, int scene, const Pose& pose) {
                        !model.meshes[size_t(node.mesh)].primitives.empty();
     const bool bySkin = drawn && isIndex(node.skin, skins.size()) && skinned[size_t(node.mesh)];
     const bool shines = !hidden && isIndex(node.light, model.lights.size());
+    const bool profiled = !hidden && isIndex(node.profiledLight, model.lights.size());
     const bool looks = isIndex(node.camera, model.cameras.size());
     if (bySkin) addSkinned(node, n);
     if (drawn && !bySkin) addInstances(node, n, world, flat);
-    if (!shines && !looks) continue;
+    if (!shines && !profiled && !looks) continue;
     if (!isFinite(world)) {
       ++flat.overflowed;
       continue;
     }
-    if (shines) addLight(node, n, world, flat);
+    if (shines) addLight(node.light, n, world, flat);
+    if (profiled) addLight(node.profiledLight, n, world, flat);
     if (looks) flat.cameras.push_back({n, node.camera, world});
   }
   for (size_t s = 0; s < skins.size(); ++s) flat.joints[s] = std::move(skins[s].joints);

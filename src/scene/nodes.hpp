@@ -41,6 +41,8 @@ struct PlacedLight {
   int node = -1, light = -1;
   glm::dvec3 position = glm::dvec3(0);          // world, metres
   glm::dvec3 direction = glm::dvec3(0, 0, -1);  // world, unit; the way that it shines
+  glm::dvec3 side = glm::dvec3(1, 0, 0);        // world, unit; the node's +X, perpendicular to direction
+  bool mirrored = false;                        // its +Y is not cross(side, direction), but the opposite
 };
 
 struct PlacedCamera {

@@ -1,5 +1,6 @@
 #include "scene/properties.hpp"
 
+#include <algorithm>
 #include <span>
 #include <string>
 
@@ -38,6 +39,12 @@ constexpr Rule lightRules[] = {
     {"range", AnimatedProperty::lightRange, 1},
     {"spot/innerConeAngle", AnimatedProperty::lightInnerConeAngle, 1},
     {"spot/outerConeAngle", AnimatedProperty::lightOuterConeAngle, 1},
+};
+
+// Of a node's light with a profile.
+constexpr Rule profiledRules[] = {
+    {"extensions/EXT_lights_ies/multiplier", AnimatedProperty::lightIntensity, 1},
+    {"extensions/EXT_lights_ies/color", AnimatedProperty::lightColor, 3},
 };
 
 constexpr Rule perspectiveRules[] = {
@@ -119,7 +126,9 @@ std::optional<PropertyTarget> oneWeight(std::string_view path, int node, size_t 
 std::string_view listPath(Owner owner) { return lists[static_cast<size_t>(owner)]; }
 
 size_t objectCount(const Model& model, Owner owner) {
-  const size_t counts[] = {model.nodes.size(), model.meshes.size(), model.materials.size(), model.lights.size(),
+  const auto listed = [](const Light& light) { return light.profile < 0; };  // those with profiles are their nodes'
+  const auto lights = static_cast<size_t>(std::ranges::count_if(model.lights, listed));
+  const size_t counts[] = {model.nodes.size(), model.meshes.size(), model.materials.size(), lights,
                            model.cameras.size()};
   static_assert(std::size(counts) == ownerCount);
   return counts[static_cast<size_t>(owner)];
@@ -157,12 +166,17 @@ std::optional<PropertyPlace> placeOf(const Model& model, std::string_view pointe
 std::optional<PropertyTarget> propertyAt(const Model& model, const PropertyPlace& place, size_t targets) {
   if (place.owner == Owner::material) return findInMaterial(place.path, place.object);
   if (const auto found = findRule(rulesOf(model, place.owner, place.object), place.path, place.object)) return found;
+  const int profiled = place.owner == Owner::node ? model.nodes[static_cast<size_t>(place.object)].profiledLight : -1;
+  if (profiled >= 0)
+    if (const auto found = findRule(profiledRules, place.path, profiled)) return found;
   return place.owner == Owner::node ? oneWeight(place.path, place.object, targets) : std::nullopt;
 }
 
 std::vector<std::string> propertyPaths(const Model& model, Owner owner, int object) {
   std::vector<std::string> paths;
   for (const Rule& rule : rulesOf(model, owner, object)) paths.emplace_back(rule.path);
+  if (owner == Owner::node && model.nodes[static_cast<size_t>(object)].profiledLight >= 0)
+    for (const Rule& rule : profiledRules) paths.emplace_back(rule.path);
   if (owner == Owner::mesh) paths.emplace_back("weights");
   if (owner != Owner::material) return paths;
   for (const MaterialProperty& property : materialProperties()) paths.emplace_back(property.path);

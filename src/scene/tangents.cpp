@@ -216,6 +216,17 @@ std::vector<Tangent> tangentsOf(const Builder& b) {
   return tangents;
 }
 
+// The arrays that are being made.
+struct Arrays {
+  std::vector<glm::vec4> Primitive::*tangents;
+  std::vector<glm::vec3> MorphTarget::*differences;
+};
+Arrays arraysOf(TangentsOf which) {
+  if (which == TangentsOf::coat) return {&Primitive::coatTangents, &MorphTarget::coatTangents};
+  if (which == TangentsOf::grain) return {&Primitive::grainTangents, &MorphTarget::grainTangents};
+  return {&Primitive::tangents, &MorphTarget::tangents};
+}
+
 // One attribute as words of 32 bits.
 struct Column {
   const uint8_t* data;
@@ -236,13 +247,15 @@ std::vector<Column> columnsOf(const Primitive& p) {
   };
   add(p.positions);
   add(p.normals);
+  for (const auto* tangents : {&p.tangents, &p.coatTangents, &p.grainTangents}) add(*tangents);
   for (const std::vector<glm::vec2>& set : p.texCoords) add(set);
   add(p.colors);
   add(p.influences, size_t(p.influencesPerVertex));
   for (const MorphTarget& target : p.targets) {
     add(target.positions);
     add(target.normals);
-    add(target.tangents);
+    for (const auto* tangents : {&target.tangents, &target.coatTangents, &target.grainTangents}) add(*tangents);
+    for (const std::vector<glm::vec2>& set : target.texCoords) add(set);
     add(target.colors);
   }
   return columns;
@@ -299,10 +312,12 @@ Primitive posed(const Primitive& list, const MorphTarget& target) {
 
 // By corner: what a weight of 1 adds to the tangent. The derivative of the position by u is linear in the weights, so
 // tangents at rest and at the target count with the lengths that it has there: between them the sum keeps its direction
-// exactly where the target turns, stretches or shears a neighbourhood as a whole. Empty where nothing turns.
+// exactly where the target turns, stretches or shears a neighbourhood as a whole. Empty where nothing turns. uv: at the
+// target; where it moves, tangents are exact there and at rest, and between them nearly.
 std::vector<glm::vec3> tangentDifferences(const Primitive& list, const MorphTarget& target,
-                                          const std::vector<glm::vec2>& uv, const std::vector<Tangent>& atRest) {
-  if (target.positions.empty() && (target.normals.empty() || list.flatNormals)) return {};
+                                          const std::vector<glm::vec2>& uv, bool uvMoves,
+                                          const std::vector<Tangent>& atRest) {
+  if (target.positions.empty() && (target.normals.empty() || list.flatNormals) && !uvMoves) return {};
   const std::vector<Tangent> there = cornerTangents(posed(list, target), uv);
   std::vector<glm::vec3> differences(atRest.size());
   bool any = false;
@@ -317,10 +332,10 @@ std::vector<glm::vec3> tangentDifferences(const Primitive& list, const MorphTarg
 }
 
 // Corners that agree in everything become one vertex. differences: of each target, empty or by corner.
-void reindex(Primitive& p, const std::vector<Tangent>& tangents,
+void reindex(Primitive& p, const Arrays& arrays, const std::vector<Tangent>& tangents,
              const std::vector<std::vector<glm::vec3>>& differences) {
-  p.tangents = {};
-  for (MorphTarget& target : p.targets) target.tangents = {};
+  p.*arrays.tangents = {};
+  for (MorphTarget& target : p.targets) target.*arrays.differences = {};
   const auto sourceOf = [&](size_t corner) { return p.indices.empty() ? uint32_t(corner) : p.indices[corner]; };
   std::vector<uint32_t> first;
   {
@@ -357,10 +372,10 @@ void reindex(Primitive& p, const std::vector<Tangent>& tangents,
     corners.push_back(c);
   }
   gatherVertices(p, source);
-  for (const uint32_t c : corners) p.tangents.push_back(tangents[c].tangent);
+  for (const uint32_t c : corners) (p.*arrays.tangents).push_back(tangents[c].tangent);
   for (size_t t = 0; t < differences.size(); ++t)
     if (!differences[t].empty())
-      for (const uint32_t c : corners) p.targets[t].tangents.push_back(differences[t][c]);
+      for (const uint32_t c : corners) (p.targets[t].*arrays.differences).push_back(differences[t][c]);
   p.indices = std::move(indices);
 }
 
@@ -378,17 +393,24 @@ glm::dmat3x2 uvFromTexCoord(const TextureTransform& t) {
   return {{c * t.scale.x, -s * t.scale.x}, {s * t.scale.y, c * t.scale.y}, glm::dvec2(t.offset)};
 }
 
-Primitive withTangents(Primitive primitive, int texCoordSet, const TextureTransform& transform) {
+Primitive withTangents(Primitive primitive, int texCoordSet, const TextureTransform& transform, TangentsOf which) {
   if (!hasTriangles(primitive.topology) || primitive.normals.empty() || texCoordSet < 0 ||
       texCoordSet >= maxTexCoordSets || primitive.texCoords[size_t(texCoordSet)].empty())
     return primitive;
   Primitive list = asList(std::move(primitive));
   if (list.positions.empty()) return list;
-  const std::vector<glm::vec2> uv = transformed(list.texCoords[size_t(texCoordSet)], transform);
+  const auto set = size_t(texCoordSet);
+  const std::vector<glm::vec2> uv = transformed(list.texCoords[set], transform);
   const std::vector<Tangent> tangents = cornerTangents(list, uv);
   std::vector<std::vector<glm::vec3>> differences;
-  for (const MorphTarget& target : list.targets) differences.push_back(tangentDifferences(list, target, uv, tangents));
-  reindex(list, tangents, differences);
+  for (const MorphTarget& target : list.targets) {
+    std::vector<glm::vec2> moved = list.texCoords[set];
+    for (size_t v = 0; v < target.texCoords[set].size(); ++v) moved[v] += target.texCoords[set][v];
+    const bool moves = !target.texCoords[set].empty();
+    differences.push_back(
+        tangentDifferences(list, target, moves ? transformed(std::move(moved), transform) : uv, moves, tangents));
+  }
+  reindex(list, arraysOf(which), tangents, differences);
   return list;
 }
 

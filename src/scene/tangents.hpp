@@ -24,7 +24,11 @@ glm::dmat3x2 uvFromTexCoord(const TextureTransform& transform);
 // Morph targets get what they add to the tangents (and lose what they had): at a weight of 1 of a single target these
 // are the tangents of the morphed shape.
 //
+// which: the arrays that get them; those of the others stay, and go along.
+//
 // Unchanged (without tangents) if the primitive has no triangles, no normals or not that set of coordinates.
-Primitive withTangents(Primitive primitive, int texCoordSet, const TextureTransform& transform = {});
+enum class TangentsOf { surface, coat, grain };  // Primitive::tangents, coatTangents, grainTangents
+Primitive withTangents(Primitive primitive, int texCoordSet, const TextureTransform& transform = {},
+                       TangentsOf which = TangentsOf::surface);
 
 }  // namespace facet::scene

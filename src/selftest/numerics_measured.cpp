@@ -11,7 +11,7 @@ namespace {
 using optics::pi;
 
 Check checkArcTangent() {
-  Check check = relativeCheck("arcTangent", "measured.glsl", "out0.x = arcTangent(in0.x, in0.y);", {"y", "x"});
+  Check check = relativeCheck("arcTangent", "arc_tangent.glsl", "out0.x = arcTangent(in0.x, in0.y);", {"y", "x"});
   const Axis sides = {0, 1e-30, 1e-10, 1e-3, 0.2, 0.41421, 0.41422, 0.7, 1, 1.5, 1e3, 1e10, 1e30};
   for (const double y : sides)
     for (const double x : sides)

@@ -1,6 +1,7 @@
 #include "shading/features.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "scene/usage.hpp"
 #include "shading/model_features.hpp"
@@ -106,9 +107,17 @@ bool hasEffect(const FeatureInput& in) {
   return reached(in) || (effect == scene::Effect::clearcoat && glowsThroughCoat(in));
 }
 
+// Where those of the normal texture are not theirs.
+bool readsCoatTangent(const FeatureInput& in) {
+  return !in.primitive.coatTangents.empty() && samplesEffectSlot(in, TextureSlot::clearcoatNormal);
+}
+bool readsGrainTangent(const FeatureInput& in) {
+  return !in.primitive.grainTangents.empty() &&
+         (hasEffect<scene::Effect::anisotropy>(in) || isChannel(in.frame.channel, Channel::anisotropyDirection));
+}
 bool readsTangent(const FeatureInput& in) {
-  return normalTexture(in) || samplesEffectSlot(in, TextureSlot::clearcoatNormal) ||
-         hasEffect<scene::Effect::anisotropy>(in) ||
+  return normalTexture(in) || (samplesEffectSlot(in, TextureSlot::clearcoatNormal) && !readsCoatTangent(in)) ||
+         (hasEffect<scene::Effect::anisotropy>(in) && !readsGrainTangent(in)) ||
          ((viewReads(in, reads::tangents) || measuredUtia(in)) && !in.primitive.tangents.empty());
 }
 
@@ -182,7 +191,19 @@ bool morphsNormals(const FeatureInput& in) {
   return readsNormal(in) && !flatPerPixel(in) && targetsChange(in, &scene::MorphTarget::normals);
 }
 bool morphsTangents(const FeatureInput& in) {
-  return readsTangent(in) && targetsChange(in, &scene::MorphTarget::tangents);
+  return (readsTangent(in) && targetsChange(in, &scene::MorphTarget::tangents)) ||
+         (readsCoatTangent(in) && targetsChange(in, &scene::MorphTarget::coatTangents)) ||
+         (readsGrainTangent(in) && targetsChange(in, &scene::MorphTarget::grainTangents));
+}
+bool morphsTexCoords(const FeatureInput& in) {
+  const auto changes = [&](int set) {
+    const auto has = [&](const scene::MorphTarget& t) { return !t.texCoords[static_cast<size_t>(set)].empty(); };
+    return std::ranges::any_of(in.primitive.targets, has);
+  };
+  const auto reads = [&]<int... set>(std::integer_sequence<int, set...>) {
+    return ((texCoords<set>(in) && changes(set)) || ...);
+  };
+  return morphed(in) && reads(std::make_integer_sequence<int, scene::maxTexCoordSets>());
 }
 bool morphsColors(const FeatureInput& in) {
   return readsVertexColor(in) && targetsChange(in, &scene::MorphTarget::colors);
@@ -193,6 +214,7 @@ bool blendsAlpha(const FeatureInput& in) { return in.material.alphaMode == Alpha
 bool isDoubleSided(const FeatureInput& in) { return in.material.doubleSided && readsNormal(in); }
 bool showsNoLight(const FeatureInput& in) { return unlit(in) || !shades(in); }
 bool readsPunctualLights(const FeatureInput& in) { return in.frame.punctualLights && !showsNoLight(in); }
+bool readsLightProfiles(const FeatureInput& in) { return in.frame.lightProfiles && readsPunctualLights(in); }
 bool readsEnvironment(const FeatureInput& in) { return in.frame.environment && !showsNoLight(in); }
 bool readsShadows(const FeatureInput& in) { return in.frame.shadows && readsPunctualLights(in); }
 // What is seen through is not in the depth buffer that they are made of.
@@ -307,7 +329,7 @@ VariantKey depthKey(const VariantKey& key) {
   FeatureBits read = bitOf(Feature::skin) | bitOf(Feature::morphTargets);
   if (usesFeature(key, Feature::alphaMask)) {
     read |= bitOf(Feature::alphaMask) | bitOf(Feature::baseColorTexture) | bitOf(Feature::textureTransform) |
-            bitOf(Feature::vertexColors) | bitOf(Feature::morphedColors);
+            bitOf(Feature::vertexColors) | bitOf(Feature::morphedColors) | bitOf(Feature::morphedTexCoords);
     for (int set = 0; set < scene::maxTexCoordSets; ++set) read |= bitOf(texCoordFeature(set));
   }
   return {.features = key.features & read};

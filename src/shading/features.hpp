@@ -24,6 +24,7 @@ enum class Measured : uint8_t { none, merl, utia };
 // What the frame offers besides the primitive and its material.
 struct FrameFeatures {
   bool punctualLights = false;
+  bool lightProfiles = false;  // some of them shine by one
   bool environment = false;
   bool occlusion = true;  // false: occlusion textures are switched off
   int channel = 0;

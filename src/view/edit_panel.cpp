@@ -337,13 +337,25 @@ void editNode(ViewerState& state, int index) {
 void editLight(ViewerState& state, int index) {
   const scene::Light& light = state.shown.content->lights[static_cast<size_t>(index)];
   scene::Edits& edits = state.settings.placement.arrangement.edits;
-  const auto pointer = [&](const char* path) { return pointerTo(Owner::light, index, path); };
+  const auto& nodes = state.shown.content->nodes;
+  const bool profiled = light.profile >= 0;  // its numbers are its node's
+  const auto node = std::ranges::find(nodes, index, &scene::Node::profiledLight) - nodes.begin();
+  const auto pointer = [&](const std::string& path) {
+    return profiled ? pointerTo(Owner::node, static_cast<int>(node), ("extensions/EXT_lights_ies/" + path).c_str())
+                    : pointerTo(Owner::light, index, path.c_str());
+  };
   constexpr double unbounded = std::numeric_limits<double>::infinity(), toDegrees = 180 / glm::pi<double>();
   edit(edits,
        {pointer("color"), "light", {brief(light.color.r), brief(light.color.g), brief(light.color.b)}, Shape::color});
   const bool directional = light.type == scene::LightType::directional;
-  edit(edits,
-       {pointer("intensity"), directional ? "lux" : "candela", {brief(light.intensity)}, Shape::number, 0, unbounded});
+  edit(edits, {pointer(profiled ? "multiplier" : "intensity"),
+               directional ? "lux"
+               : profiled  ? "multiplier"
+                           : "candela",
+               {brief(light.intensity)},
+               Shape::number,
+               0,
+               unbounded});
   if (!directional && std::isfinite(light.range))
     edit(edits, {pointer("range"), "range", {brief(light.range)}, Shape::number, 1e-6, unbounded});
   if (light.type != scene::LightType::spot) return;

@@ -206,6 +206,12 @@ void nodeDetails(ViewerState& state, PanelResult& result) {
                         format(light.type == scene::LightType::directional ? ", %.4g lx" : ", %.4g cd",
                                static_cast<double>(light.intensity)));
   }
+  if (node.profiledLight >= 0) {
+    const scene::Light& light = model.lights[static_cast<size_t>(node.profiledLight)];
+    const optics::LightProfile& profile = model.lightProfiles[static_cast<size_t>(light.profile)];
+    detail("light profile", profile.name + format(", up to %.4g cd", static_cast<double>(profile.mostCandela)) +
+                                format(" x %.4g", static_cast<double>(light.intensity)));
+  }
   if (node.mesh >= 0) {
     const scene::Mesh& mesh = model.meshes[static_cast<size_t>(node.mesh)];
     detail("mesh", meshName(model, node.mesh) + "\n" + meshText(mesh));
@@ -311,8 +317,9 @@ void scenePanel(ViewerState& state, PanelResult& result) {
     if (node >= 0) nodeDetails(state, result);
     if (node >= 0 && section(state.layout, "Change###change node", false)) {
       editNode(state, node);
-      const int light = model.nodes[static_cast<size_t>(node)].light;
-      if (light >= 0) editLight(state, light);
+      const scene::Node& its = model.nodes[static_cast<size_t>(node)];
+      for (const int light : {its.light, its.profiledLight})
+        if (light >= 0) editLight(state, light);
     }
   }
   ImGui::EndChild();

@@ -48,7 +48,7 @@ std::string nodeKinds(const scene::Node& node) {
   add(!node.instances.empty(), std::to_string(node.instances.size()) + " instances");
   add(node.skin >= 0, "skin");
   add(node.camera >= 0, "camera");
-  add(node.light >= 0, "light");
+  add(node.light >= 0 || node.profiledLight >= 0, "light");
   add(!node.visible, "hidden");
   return kinds;
 }

@@ -15,6 +15,7 @@ std::vector<Bytes> texts(std::initializer_list<std::string_view> all);
 
 std::vector<Bytes> gltfSeeds();
 std::vector<Bytes> lightsSeeds();
+std::vector<Bytes> iesSeeds();
 std::vector<Bytes> glbSeeds();
 std::vector<Bytes> jsonSeeds();
 std::vector<Bytes> uriSeeds();

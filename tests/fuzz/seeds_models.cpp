@@ -214,6 +214,14 @@ std::vector<Bytes> gltfSeeds() {
   return out;
 }
 
+std::vector<Bytes> iesSeeds() {
+  return texts({"IESNA:LM-63-2002\nTILT=NONE\n1 1000 2 3 1 1 2 0 0 0\n1 1 10\n0 45 90\n0\n9 8 7\n",
+                "IESNA:LM-63-1995\n[TEST] x\nTILT=INCLUDE\n1 2 0 90 1 .5\n1 -1 1 3 3 1 1 0 0 0 1 1 10\n0 90 180\n"
+                "0 45 90\n1 2 3 1,4,5 1 6 7\n",
+                "IES:LM-63-2019\nTILT=NONE\n1 1 1 2 3 2 1 0 0 0 1 1 1 -90 90 -90 0 90 1 2 3 4 5 6",
+                "IESNA91\nTILT=a\n1 1 1 3 2 3 1 0 0 0 1 1 1 -90 0 90 0 90 1 2 3 4 5 6"});
+}
+
 std::vector<Bytes> lightsSeeds() {
   GltfBuilder b = test::triangle();
   Json level = Json::array();

@@ -15,6 +15,7 @@
 #include "io/gltf.hpp"
 #include "io/gltf_environment.hpp"
 #include "io/hdr.hpp"
+#include "io/ies.hpp"
 #include "io/image.hpp"
 #include "io/json_scan.hpp"
 #include "io/merl.hpp"
@@ -119,6 +120,20 @@ void runLights(Input bytes) {
          "an environment has its pixels");
   for (const glm::vec3& value : environment->radiance)
     demand(std::isfinite(value.x) && std::isfinite(value.y) && std::isfinite(value.z), "radiance is finite");
+}
+
+// Light profiles, and what shines by them.
+void runIes(Input bytes) {
+  Notes notes;
+  const Result<optics::LightProfile> profile = io::readIes(bytes, "m", "/p", notes);
+  if (!good(profile)) return;
+  demand(profile->candela.size() == profile->polar.size() * profile->azimuth.size(), "a number for each direction");
+  demand(std::isfinite(optics::lumens(*profile)), "its flux is finite");
+  for (const glm::dvec3& d : {glm::dvec3(0, 0, -1), glm::dvec3(0, 0, 1), glm::dvec3(1, 0, 0), glm::dvec3(0, -1, 0),
+                              glm::dvec3(-0.3, 0.2, -0.7), glm::dvec3(0.1, -0.9, 0.4), glm::dvec3(0)}) {
+    const double candela = optics::candela(*profile, d);
+    demand(candela >= 0 && candela <= 1.001 * double{profile->mostCandela}, "no more light than was measured");
+  }
 }
 
 void runGlb(Input bytes) {
@@ -325,6 +340,7 @@ constexpr Target table[] = {
     {"gltf", "a model, whole way from bytes to a posed scene with its images", runGltf, gltfSeeds, 65536, true},
     {"validate", "what facet inspect says of a model by the letter", runValidate, gltfSeeds, 65536, true},
     {"lights", "EXT_lights_image_based, and the files that a model names", runLights, lightsSeeds, 16384, true},
+    {"ies", "IES light profiles", runIes, iesSeeds, 4096, false},
     {"glb", "the binary container's framing", runGlb, glbSeeds, 4096, false},
     {"json", "the scan of JSON text before it is parsed", runJson, jsonSeeds, 4096, false},
     {"uri", "URIs, and which files they name", runUri, uriSeeds, 1024, false},

@@ -153,6 +153,15 @@ TEST_CASE("Pointers to weights", "[io][animations]") {
   CHECK(model.model.animations[0].channels[0].object == 0);
   CHECK(model.model.animations[0].channels[1].object == 2);
   CHECK(model.model.animations[0].channels[1].sampler == 0);
+  // One of them alone.
+  model = aimed("/meshes/0/weights/1", 1, 1);
+  CHECK(notes(model) == "");
+  REQUIRE(model.model.animations[0].channels.size() == 2);
+  for (const size_t i : {0u, 1u}) {
+    CHECK(model.model.animations[0].channels[i].object == static_cast<int>(2 * i));
+    CHECK(model.model.animations[0].channels[i].element == 1);
+  }
+  CHECK(model.model.animations[0].samplers[0].width == 1);
 }
 
 TEST_CASE("Pointers that name nothing known", "[io][animations]") {
@@ -169,6 +178,8 @@ TEST_CASE("Pointers that name nothing known", "[io][animations]") {
                               "/nodes/x/scale",
                               "/nodes/99999999999/scale",
                               "/meshes/0/primitives",
+                              "/meshes/0/weights/2",
+                              "/meshes/0/translation",
                               "/meshes/1/weights",
                               "/materials/0/normalTexture/offset",
                               "/materials/0/extensions/KHR_materials_ior/iors",

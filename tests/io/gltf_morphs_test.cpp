@@ -156,9 +156,35 @@ TEST_CASE("What a target changes must be there", "[io][morphs]") {
         "/meshes/0/primitives/0/targets: 1 change normals, but there are none: ignored\n"
         "/meshes/0/primitives/0/targets: 1 change tangents, but there are none: ignored\n"
         "/meshes/0/primitives/0/targets: 1 change colours, but there are none: ignored\n"
-        "! /meshes/0/primitives/0/targets: 1 change texture coordinates, which are left as are\n");
+        "/meshes/0/primitives/0/targets: 1 change texture coordinates, but there are none: ignored\n");
   CHECK(primitive(model).targets[1].normals.empty());
   CHECK(primitive(model).targets[1].colors.empty());
+}
+
+TEST_CASE("Targets change texture coordinates of the sets that are read", "[io][morphs]") {
+  GltfBuilder b = lifted();
+  const std::vector<float> uv = {0, 0, 1, 0, 0, 1}, moved = {0.5, 0, 0, 0.25, 0, 0};
+  auto& attributes = mesh(b)["primitives"][0]["attributes"];
+  for (const char* name : {"TEXCOORD_0", "TEXCOORD_1"}) {
+    attributes[name] = b.add(uv, floatType, "VEC2");
+    targets(b)[0][name] = b.add(moved, floatType, "VEC2");
+  }
+  // Bytes that are normalised.
+  const std::vector<int8_t> bytes = {127, -127, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+  targets(b).push_back({{"TEXCOORD_0", b.addAccessor({{"bufferView", b.addView(bytes, 4)},
+                                                      {"componentType", byteType},
+                                                      {"type", "VEC2"},
+                                                      {"count", 3},
+                                                      {"normalized", true}})}});
+  auto model = loaded(b);
+  CHECK(notes(model) == "");
+  CHECK(primitive(model).targets[0].texCoords[0] == std::vector<glm::vec2>{{0.5f, 0}, {0, 0.25f}, {0, 0}});
+  CHECK(primitive(model).targets[0].texCoords[1].empty());  // no texture reads it
+  CHECK(primitive(model).targets[1].texCoords[0][0] == glm::vec2(1, -1));
+
+  targets(b)[0]["TEXCOORD_1"] = 0;
+  CHECK(morphOutcome(b) ==
+        "m: /meshes/0/primitives/0/targets/0/TEXCOORD_1: is not a vector of 2 components; export the model again.");
 }
 
 TEST_CASE("Differences that are not finite", "[io][morphs]") {

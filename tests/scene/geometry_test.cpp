@@ -344,8 +344,8 @@ TEST_CASE("The materials of variants get what they need as well") {
     CHECK(glm::distance(glm::vec3(p.tangents[0]), -glm::vec3(turned)) < 1e-6f);
     REQUIRE(notes.size() == 1);
     CHECK(notes[0].text ==
-          "a normal or anisotropy texture is turned or mirrored by its KHR_texture_transform otherwise than the first; "
-          "its tangents are those of the first");
+          "the variants' materials have such a texture in different coordinates: the tangents of all are those of "
+          "TEXCOORD_0");
   }
   SECTION("other coordinates are noted, once each") {
     model.materials.push_back(mapped);
@@ -358,7 +358,38 @@ TEST_CASE("The materials of variants get what they need as well") {
     CHECK(p.tangents.size() == p.positions.size());
     REQUIRE(notes.size() == 2);
     CHECK(notes[0].text == "the normalTexture needs TEXCOORD_5, which is missing; the texture is not used");
-    CHECK(notes[1].text == "a normal or anisotropy texture uses TEXCOORD_1; its tangents are those of TEXCOORD_0");
+    CHECK(notes[1].text ==
+          "the variants' materials have such a texture in different coordinates: the tangents of all are those of "
+          "TEXCOORD_0");
+  }
+  SECTION("a coat's normal texture and a grain have tangents of their own where their coordinates are others") {
+    Material& all = model.materials[2];
+    all.clearcoatFactor = 1, all.clearcoatNormal.texture = 0, all.clearcoatNormal.texCoord = 1;
+    all.anisotropyStrength = 1, all.anisotropy.texture = 0, all.anisotropy.transform.rotation = -1.57079633f;
+    for (const glm::vec2& uv : p.texCoords[0]) p.texCoords[1].emplace_back(-uv.x, uv.y);
+    p.material = 2;
+    p.targets.resize(1);  // turned by a right angle about z: x to y
+    for (const glm::vec3& x : p.positions) p.targets[0].positions.push_back(glm::vec3(-x.y, x.x, x.z) - x);
+    completeGeometry(model, notes);
+    CHECK(notes.empty());
+    REQUIRE(p.tangents.size() == p.positions.size());
+    REQUIRE(p.coatTangents.size() == p.positions.size());
+    REQUIRE(p.grainTangents.size() == p.positions.size());
+    for (size_t v = 0; v < p.positions.size(); ++v) {
+      const glm::vec3 t(p.tangents[v]), bitangent = p.tangents[v].w * glm::cross(p.normals[v], t);
+      CHECK(glm::distance(glm::vec3(p.coatTangents[v]), -t) < 1e-6f);
+      CHECK(p.coatTangents[v].w == -p.tangents[v].w);
+      // uv' = R(-90 degrees) uv: u' grows along one of the bitangent's two ways, w stays.
+      CHECK(std::abs(glm::dot(glm::vec3(p.grainTangents[v]), bitangent)) == Approx(1));
+      CHECK(p.grainTangents[v].w == p.tangents[v].w);
+      for (const auto& [tangents, differences] :
+           {std::pair(&p.tangents, &p.targets[0].tangents), std::pair(&p.coatTangents, &p.targets[0].coatTangents),
+            std::pair(&p.grainTangents, &p.targets[0].grainTangents)}) {
+        REQUIRE(differences->size() == p.positions.size());
+        const glm::vec3 rest((*tangents)[v]);
+        CHECK(glm::distance(rest + (*differences)[v], glm::vec3(-rest.y, rest.x, rest.z)) < 1e-5f);
+      }
+    }
   }
 }
 

@@ -261,7 +261,8 @@ TEST_CASE("A target that collapses a shape, or brings it out of a point, gives f
     CHECK(glm::distance(glm::normalize(t), glm::vec3(out.tangents[v])) < 1e-5f);
   }
   p = texturedQuad();
-  p.targets = {MorphTarget{p.positions, {}, {}, {}, {}}};
+  p.targets.resize(1);
+  p.targets[0].positions = p.positions;
   p.positions.assign(4, glm::vec3(0));
   out = withTangents(p, 0);
   checkDefined(out);

@@ -165,6 +165,7 @@ TEST_CASE("Storage blocks lie in memory as C++ lays them out") {
       {"lights[0].direction", offsetof(LightUniforms, direction)},
       {"lights[0].color", offsetof(LightUniforms, color)},
       {"lights[0].cone", offsetof(LightUniforms, cone)},
+      {"lights[0].profile", offsetof(LightUniforms, profile)},
   };
   for (const Member& member : members) {
     INFO(member.name);

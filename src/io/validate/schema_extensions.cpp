@@ -53,6 +53,12 @@ const Type& imageLightType() {
   return type;
 }
 
+const Type& lightProfileType() {
+  static const Type type{"EXT_lights_ies.light",
+                         {text("uri"), text("mimeType"), index("bufferView", "bufferViews"), text("name")}};
+  return type;
+}
+
 // A row of the material's table, "extensions/KHR_materials_ior/ior".
 Field fieldOf(const scene::MaterialProperty& property, std::string name) {
   Field row = componentCount(property) > 1 ? numbers(std::move(name), static_cast<size_t>(componentCount(property)))
@@ -128,6 +134,10 @@ Types makeTypes() {
     add(name, "texture", {index("source", "images").required()});
   add("EXT_lights_image_based", "glTF", {objects("lights", imageLightType).required()});
   add("EXT_lights_image_based", "scene", {index("light", "extensions/EXT_lights_image_based/lights").required()});
+  add("EXT_lights_ies", "glTF", {objects("lights", lightProfileType).required()});
+  add("EXT_lights_ies", "node",
+      {index("light", "extensions/EXT_lights_ies/lights").required(), number("multiplier").atLeast(0),
+       numbers("color", 3).within(0, 1)});
   add("MSFT_lod", "node", {indices("ids", "nodes").required()});
   add("MSFT_lod", "material", {indices("ids", "materials").required()});
   add("KHR_gaussian_splatting", "mesh.primitive",

@@ -1,0 +1,3 @@
+#include "layout.h"
+
+float profileCandela(LightUniforms light, vec3 d) { return 1.0; }
