@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "constants.h"
+#include "frame/blend_lists.hpp"
 #include "frame/difference.hpp"
 #include "frame/gather.hpp"
 #include "frame/ground.hpp"
@@ -231,6 +232,7 @@ SlicedPicture beginSlices(const FrameInput& in, const gl::ContextInfo& context, 
   out.band = createTargets(in.settings, context, out.bandRows);
   prepareBehind(out.band, in.list);
   prepareComparison(out.band, in.list);
+  prepareBlendLists(out.band, in.list, in.settings);
   return out;
 }
 
@@ -337,6 +339,7 @@ Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& 
   if (request.display && request.deep) deep = deepTargets(settings.frame.width, rows);
   prepareBehind(targets, list);
   prepareComparison(targets, list);
+  prepareBlendLists(targets, list, settings);
   statistics.bands = (settings.frame.height + rows - 1) / rows;
   if (estimate)
     if (Result<void> r = prepareGatherPrograms(programs); !r) return tl::unexpected(r.error());

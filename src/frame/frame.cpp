@@ -8,6 +8,7 @@
 #include <span>
 
 #include "frame/behind.hpp"
+#include "frame/blend_lists.hpp"
 #include "frame/choose.hpp"
 #include "frame/difference.hpp"
 #include "frame/display_pass.hpp"
@@ -105,10 +106,18 @@ Result<void> drawSky(const FrameInput& in, ProgramStore& programs, FrameStatisti
   return {};
 }
 
-Result<void> drawBlended(const FrameInput& in, std::span<const Draw> draws, const char* pass, ProgramStore& programs,
-                         FrameStatistics& statistics) {
+Result<void> drawBlended(const FrameInput& in, std::span<const Draw> draws, const char* pass, const Targets& targets,
+                         ProgramStore& programs, FrameStatistics& statistics) {
   if (draws.empty()) return {};
-  beginPass(in, statistics, pass);
+  if (targets.lists) {
+    beginPass(in, statistics, pass + std::string(" by lists"));
+    const Result<bool> listed = drawListed(in, draws, targets, programs, statistics);
+    if (!listed) return tl::unexpected(listed.error());
+    if (*listed) return {};
+    beginPass(in, statistics, pass + std::string(" by object: lists are too long"));
+  } else {
+    beginPass(in, statistics, pass);
+  }
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_GEQUAL);
   glDepthMask(GL_FALSE);
@@ -125,7 +134,7 @@ Result<void> drawTransmitting(const FrameInput& in, const VisibleDraws& visible,
                               ProgramStore& programs, FrameStatistics& statistics) {
   if (visible.transmitting.empty()) return {};
   const std::span<const Draw> behind = std::span(visible.blended).first(visible.blendedBehind);
-  if (Result<void> drawn = drawBlended(in, behind, "blend behind", programs, statistics); !drawn) return drawn;
+  if (Result<void> drawn = drawBlended(in, behind, "blend behind", targets, programs, statistics); !drawn) return drawn;
   beginPass(in, statistics, "copy behind");
   if (Result<void> copied = copyBehind(targets, programs); !copied) return copied;
   beginPass(in, statistics, "transmit");
@@ -188,6 +197,7 @@ void bindMeasured(const FrameInput& in) {
 void bindScene(const FrameInput& in) {
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::instanceBinding, in.gpu.instances.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::lightBinding, in.gpu.lights.id());
+  if (in.gpu.profiles) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::profileBinding, in.gpu.profiles.id());
   if (in.gpu.joints) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::jointBinding, in.gpu.joints.id());
   if (in.gpu.morphWeights)
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::morphWeightBinding, in.gpu.morphWeights.id());
@@ -250,7 +260,7 @@ Result<FrameStatistics> drawScene(const FrameInput& in, const VisibleDraws& visi
   if (drawn) drawn = drawGround(in, programs, statistics);
   if (drawn) drawn = drawTransmitting(in, visible, targets, programs, statistics);
   const std::span<const Draw> before = std::span(visible.blended).subspan(visible.blendedBehind);
-  if (drawn) drawn = drawBlended(in, before, "blend", programs, statistics);
+  if (drawn) drawn = drawBlended(in, before, "blend", targets, programs, statistics);
   if (!drawn) return tl::unexpected(drawn.error());
   for (GLuint unit = 0; unit < layout::materialSlotCount; ++unit) glBindSampler(unit, 0);
   if (targets.samples > 1) {
@@ -284,6 +294,7 @@ std::vector<ProgramGetter> neededPrograms(const FrameInput& in, ProgramStore& pr
       const shading::VariantKey fitted = shading::fittedKey(key, in.list.features.models.diffuse);
       if (fitted != key) needed.push_back([&, fitted] { return meshProgram(fitted, programs); });
     }
+  std::ranges::copy(neededListPrograms(in, programs), std::back_inserter(needed));
   if (!in.list.transmitting.empty()) needed.push_back([&] { return behindProgram(programs); });
   if (skyVisible(in)) needed.push_back([&] { return skyProgram(in, programs); });
   needed.push_back([&] { return displayProgram(in, programs); });

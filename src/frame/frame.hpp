@@ -3,6 +3,7 @@
 // One frame: draw list + tables + view -> scene-linear picture -> display picture. A list of passes over plain structs.
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,12 @@ struct Behind {
   gl::Texture depth;  // R32F as in the depth buffer: its mean is the mean of 1 / distance (perspective)
 };
 
+// What covers each pixel of surfaces that are blended (shaders/blend_lists.glsl).
+struct BlendLists {
+  gl::Buffer heads, nodes;
+  uint32_t capacity = 0;  // nodes that there is room for
+};
+
 // Where a frame is drawn. Either one draw with several coverage samples a pixel, each pixel shaded once, or many draws
 // with one sample each, jittered within the pixel and gathered.
 struct Targets {
@@ -41,6 +48,7 @@ struct Targets {
   gl::Texture fitted;     // as sum, else as color, of the fitted model; only where it is compared
   gl::Texture display;    // RGBA8, sRGB-encoded, straight alpha
   Behind behind;          // only for scenes with transmitting surfaces
+  std::unique_ptr<BlendLists> lists;  // grow while they are filled; only where they are wanted
   gl::Framebuffer drawn, resolved, gathered, fittedGathered, shown;
   gl::VertexArray noAttributes;  // core profile draws nothing without a vertex array, full-screen passes too
 };

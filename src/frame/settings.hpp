@@ -87,6 +87,16 @@ inline constexpr Choice<Visibility> visibilities[] = {
      "the drawn picture, corrected by one path a sample where something blocks or returns light; smoothed"}};
 static_assert(inOrder(visibilities));
 
+// In which order drawn surfaces that are blended lie over one another.
+enum class Blending { sorted, lists };
+inline constexpr Choice<Blending> blendings[] = {
+    {Blending::sorted, "sorted", "by object",
+     "each object at once, the farthest first; within one its far sides first, then as its triangles come"},
+    {Blending::lists, "lists", "by pixel",
+     "what covers a pixel is kept and put in order there: right where objects, or the triangles of one, lie in or "
+     "around each other, for the memory and time of lists"}};
+static_assert(inOrder(blendings));
+
 // Of light that a surface sees by way of mirrors and glass, which single paths find: slow to converge.
 enum class Caustics { all, soft };
 inline constexpr Choice<Caustics> causticsChoices[] = {
@@ -205,7 +215,8 @@ struct Quality {
   int seed = 0;  // [0, largestSeed]
   Transport transport = Transport::direct;
   Visibility visibility = Visibility::automatic;
-  Caustics caustics = Caustics::all;  // of path-traced light
+  Blending blending = Blending::sorted;  // of drawn pictures; paths meet surfaces in their order
+  Caustics caustics = Caustics::all;     // of path-traced light
   int bounces = 16;  // likewise: surfaces that a path leaves at most, [0, 64]; 0: what shines by itself
 
   bool operator==(const Quality&) const = default;

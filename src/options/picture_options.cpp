@@ -518,6 +518,8 @@ constexpr PictureOption optionTable[] = {
     choiceOption<frame::transports, &S::quality, &frame::Quality::transport>("light", "how light gets to a surface"),
     choiceOption<frame::visibilities, &S::quality, &frame::Quality::visibility>(
         "visibility", "whether a drawn picture knows what stands in the light's way"),
+    choiceOption<frame::blendings, &S::quality, &frame::Quality::blending>(
+        "blending", "in which order blended surfaces of a drawn picture lie over one another"),
     choiceOption<frame::causticsChoices, &S::quality, &frame::Quality::caustics>(
         "caustics", "of path-traced light, by way of mirrors and glass"),
     {"bounces", "N", "surfaces that a traced path leaves at most (16)",

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "frame/blend_lists.hpp"
 #include "view/load_time.hpp"
 #include "view/viewport.hpp"
 
@@ -34,6 +35,7 @@ void prepareTargets(Viewport& viewport, const frame::PictureSettings& s, frame::
   }
   frame::prepareBehind(targets, viewport.shown.list);
   frame::prepareComparison(targets, viewport.shown.list);
+  frame::prepareBlendLists(targets, viewport.shown.list, s);
 }
 
 // What is asked for, not what is shown until that is there: drawn in the bands in which the command draws it.

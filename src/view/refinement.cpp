@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/log.hpp"
+#include "frame/blend_lists.hpp"
 #include "view/viewport.hpp"
 
 namespace facet::view {
@@ -79,6 +80,7 @@ Result<void> begin(Viewport& viewport, ViewerState& state, const scene::View& vi
   }
   frame::prepareBehind(r.targets, viewport.shown.list);
   frame::prepareComparison(r.targets, viewport.shown.list);
+  frame::prepareBlendLists(r.targets, viewport.shown.list, s);
   if (Result<void> looked = lookAround(viewport, frameInput(viewport, view)); !looked) return looked;
   r.gathering = frame::beginGathering(frameInput(viewport, view), r.targets);
   r.estimateAt = 1;

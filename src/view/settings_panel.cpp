@@ -244,6 +244,9 @@ void pictureSection(ViewerState& state) {
   if (settings.quality.transport == frame::Transport::direct)
     chooseEnum("visibility", settings.quality.visibility, frame::visibilities, usual.quality.visibility,
                "while the picture rests; rays are of pictures that the command line writes");
+  if (settings.quality.transport == frame::Transport::direct)
+    chooseEnum("blending", settings.quality.blending, frame::blendings, usual.quality.blending,
+               "in which order blended surfaces lie over one another");
   samplesChoice(settings);
   chooseEnum("texture filter", settings.quality.textureFilter, frame::textureFilters, usual.quality.textureFilter,
              "how slanted textures are read in pictures of at most 4 samples");

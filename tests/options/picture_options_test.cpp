@@ -93,6 +93,7 @@ PictureSettings unusual() {
   s.frame.backgroundColor = {0.3f, static_cast<float>(linearFromSrgb(7 / 255.0)), 1e-5f};
   s.look.lights = frame::Lights::demo, s.quality.transport = frame::Transport::paths;
   s.quality.visibility = frame::Visibility::rays;
+  s.quality.blending = frame::Blending::lists;
   s.quality.caustics = frame::Caustics::soft;
   s.frame.occlusion = 0;
   s.display.exposureStops = -2.5f;
@@ -205,6 +206,7 @@ TEST_CASE("each option sets its own field") {
   CHECK(set("lights", "none").look.lights == frame::Lights::none);
   CHECK(set("brdf-split", "0.25").comparison.brdfSplit == 0.25f);
   CHECK(set("brdf-difference-scale", "10").comparison.brdfDifferenceScale == 10);
+  CHECK(set("blending", "lists").quality.blending == frame::Blending::lists);
   CHECK(set("caustics", "soft").quality.caustics == frame::Caustics::soft);
   CHECK(set("visibility", "screen").quality.visibility == frame::Visibility::screen);
   CHECK(set("occlusion", "0.5").frame.occlusion == 0.5f);
