@@ -80,9 +80,9 @@ TEST_CASE("A profile that cannot be read costs its lights alone, told once", "[i
   const auto model = loaded(b);
   CHECK(
       notes(model) ==
-      "! /extensions/EXT_lights_ies/lights/0: /extensions/EXT_lights_ies/lights/0: has no line TILT=, so it is no IES "
-      "file (LM-63): the light is left out\n"
-      "! /extensions/EXT_lights_ies/lights/1/uri: there is no folder to find the file in: the light is left out\n"
+      "! /extensions/EXT_lights_ies/lights/0: has no line TILT=, so it is no IES file (LM-63): the light is left out\n"
+      "! /extensions/EXT_lights_ies/lights/1/uri: the URI \"missing.ies\" names a file, but the model is not in a "
+      "folder: the light is left out\n"
       "! /extensions/EXT_lights_ies/lights/2: has neither a uri nor a bufferView: the light is left out\n"
       "! /nodes/5/extensions/EXT_lights_ies/light: light profile 9 does not exist; there are 4: the light is left out\n"
       "! /nodes/6/extensions/EXT_lights_ies/multiplier: is out of range: 1 is used\n"
