@@ -40,8 +40,9 @@ Primitive withFlatNormals(Primitive primitive);
 // material is lit; tangents of triangles if a lit material uses a normal texture (usage.hpp) or anisotropy at any time.
 // "A material" is the primitive's own or that of a variant. Tangents follow the texture's coordinates as its
 // KHR_texture_transform has them (not animated); where the coat's normal texture, or anisotropy, lie in others than the
-// first texture of directions, they have tangents of their own. A texture that can be seen without its coordinates in the primitive is a warning. Unlit triangles get neither.
-// editable: materials will get other values (scene/edit.hpp); tangents that these ask for are made, too.
+// first texture of directions, they have tangents of their own. A texture that can be seen without its coordinates in
+// the primitive is a warning. Unlit triangles get neither. editable: materials will get other values (scene/edit.hpp);
+// tangents that these ask for are made, too.
 void completeGeometry(Model& model, Notes& notes, int scene = -1, bool editable = false);
 
 }  // namespace facet::scene
