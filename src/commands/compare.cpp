@@ -10,6 +10,7 @@
 #include <tuple>
 #include <vector>
 
+#include "base/file_ending.hpp"
 #include "base/interrupt.hpp"
 #include "base/log.hpp"
 #include "base/nearest.hpp"
@@ -202,8 +203,7 @@ Result<Comparison> comparePair(const Pair& pair, const Task& task, const Compare
 }
 
 bool isPicture(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string ending = fileEnding(file);
   constexpr std::string_view endings[] = {".png", ".exr", ".jpg", ".jpeg", ".hdr"};
   return std::ranges::find(endings, ending) != std::end(endings);
 }

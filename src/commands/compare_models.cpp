@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/file_ending.hpp"
 #include "base/log.hpp"
 #include "commands/confine.hpp"
 #include "frame/choose.hpp"
@@ -54,8 +55,7 @@ Result<io::Pixels> drawOne(const std::string& source, const frame::PictureSettin
 
 bool isModelSource(const std::string& source) {
   if (source.starts_with(io::builtinPrefix)) return true;
-  std::string ending = std::filesystem::path(source).extension().string();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string ending = fileEnding(std::filesystem::path(source));
   return ending == ".glb" || ending == ".gltf";
 }
 

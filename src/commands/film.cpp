@@ -1,11 +1,11 @@
 #include "commands/film.hpp"
 
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <optional>
 #include <string_view>
 
+#include "base/file_ending.hpp"
 #include "base/text.hpp"
 #include "base/whole_file.hpp"
 #include "commands/json_file.hpp"
@@ -31,8 +31,7 @@ constexpr std::array<FilmFormat, 4> filmFormats = {{{".webp", std::nullopt},
                                                     {".webm", io::FilmCodec::vp9}}};
 
 const FilmFormat* formatOf(const std::filesystem::path& output) {
-  std::string ending = output.extension().string();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string ending = fileEnding(output);
   for (const FilmFormat& format : filmFormats)
     if (format.ending == ending) return &format;
   return nullptr;

@@ -1,9 +1,9 @@
 #include "io/picture_file.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <new>
 
+#include "base/file_ending.hpp"
 #include "base/whole_file.hpp"
 #include "io/image_formats.hpp"
 
@@ -16,11 +16,6 @@ constexpr PictureFormatRow formatRows[] = {{PictureFormat::png, "PNG", ".png", "
                                            {PictureFormat::webp, "WebP", ".webp", "", 16383, true, false, true},
                                            {PictureFormat::avif, "AVIF", ".avif", "", 65536, true, false, true},
                                            {PictureFormat::exr, "OpenEXR", ".exr", "", 0, true, true, false}};
-
-std::string lowered(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
 
 Result<void> checkPixels(const PictureFormatRow& row, const Pixels& pixels, const std::string& name) {
   const std::string written = "cannot be written as " + std::string(row.name) + ": ";
@@ -54,7 +49,7 @@ std::span<const PictureFormatRow> pictureFormats() { return formatRows; }
 const PictureFormatRow& rowOf(PictureFormat format) { return formatRows[static_cast<size_t>(format)]; }
 
 std::optional<PictureFormat> pictureFormat(const std::filesystem::path& path) {
-  const std::string ending = lowered(path.extension().string());
+  const std::string ending = fileEnding(path);
   for (const PictureFormatRow& row : formatRows)
     if (!ending.empty() && (ending == row.ending || ending == row.otherEnding)) return row.format;
   return std::nullopt;

@@ -1,15 +1,15 @@
 #include "view/file_kind.hpp"
 
-#include <algorithm>
 #include <filesystem>
+
+#include "base/file_ending.hpp"
 
 namespace facet::view {
 
 Result<FileKind> fileKind(std::string_view path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) return FileKind::folder;
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::ranges::transform(extension, extension.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
+  const std::string extension = fileEnding(path);
   if (extension == ".gltf" || extension == ".glb") return FileKind::model;
   if (extension == ".hdr" || extension == ".exr") return FileKind::environment;
   if (extension == ".binary" || extension == ".bin") return FileKind::brdf;
