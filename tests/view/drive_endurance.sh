@@ -4,6 +4,7 @@
 # line a switch: number, kilobytes.
 . "$(dirname "$0")/window_driver.sh"
 drop=$3 switches=${4:-30} changes=${5:-20} table=${6:-/dev/null}
+[ "$switches" -ge 3 ] && [ "$changes" -ge 1 ] || fail "not counts: $switches switches, $changes changes"
 [ -x "$drop" ] || { echo "skipped: $drop is not built"; exit 77; }
 start_server 1280x800
 
