@@ -12,9 +12,11 @@ vec3 quantityColor(vec3 stored, float from, float to, bool logarithmic) {
 }
 
 // texel: associated alpha. parameters: x exposure factor; y tone mapper; z 1: encode sRGB, 0: values as they are, 2: a
-// quantity in false colours between x and y, 3: its binary logarithm; w factor on the texel. backdrop: linear colour
+// quantity in false colours between x and y, 3: its binary logarithm, -1: the texel is a display value already, which
+// is returned; w factor on the texel. backdrop: linear colour
 // behind the picture, shown as it is; w 0: none. Returns straight alpha.
 vec4 displayed(vec4 texel, vec4 parameters, vec4 backdrop) {
+  if (parameters.z < -0.5) return texel;
   texel *= parameters.w;
   // PNG holds straight alpha: what is shown is the surface's own value.
   float a = clamp(texel.a, 0.0, 1.0);

@@ -101,29 +101,57 @@ Result<void> showPicture(const FrameInput& in, const Targets& targets, float sca
   return {};
 }
 
-Result<ComparisonSums> sumComparison(const FrameInput& in, const Targets& targets, float scale,
-                                     ProgramStore& programs) {
-  assert(comparing(in) && targets.fitted);
+namespace {
+
+// Of rows from the bottom; display as showPicture has it.
+Result<ComparisonSums> sumDifferences(const ShownPair& pair, const DisplayParameters& display, int rows,
+                                      ProgramStore& programs) {
   const auto program = programs.compute("passes/picture_difference.comp.glsl");
   if (!program) return tl::unexpected(program.error());
-  const DisplayParameters display = displayParameters(in, scale);
   (*program)->set(layout::displayParametersLocation, display.parameters);
   (*program)->set(layout::displayBackdropLocation, display.backdrop);
-  const int rows = std::min(targets.height, in.settings.frame.height - in.firstRow);
   (*program)->set(layout::comparedRowsLocation, rows);
-  const int across = layout::groupsFor(targets.width, layout::sumTileSize),
-            up = layout::groupsFor(rows, layout::sumTileSize);
+  const int width = pair.first.description().width;
+  const int across = layout::groupsFor(width, layout::sumTileSize), up = layout::groupsFor(rows, layout::sumTileSize);
   ComparisonSums out;
   out.tiles = static_cast<size_t>(across) * static_cast<size_t>(up);
-  out.pixels = static_cast<size_t>(targets.width) * static_cast<size_t>(rows);
+  out.pixels = static_cast<size_t>(width) * static_cast<size_t>(rows);
   out.sums = gl::Buffer(out.tiles * sizeof(glm::vec4), "differences");
-  (targets.sum ? targets.sum : targets.color).bind(layout::sourceUnit);
-  targets.fitted.bind(layout::comparedUnit);
+  pair.first.bind(layout::sourceUnit);
+  pair.second.bind(layout::comparedUnit);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, layout::computeOutputBinding, out.sums.id());
   glUseProgram((*program)->id());
   glDispatchCompute(static_cast<GLuint>(across), static_cast<GLuint>(up), 1);
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   return out;
+}
+
+constexpr DisplayParameters alreadyShown = {{1, 0, -1, 1}, {0, 0, 0, 0}};
+
+}  // namespace
+
+Result<void> showPair(const ShownPair& pair, const PairView& how, const FullscreenTarget& target,
+                      ProgramStore& programs) {
+  const auto program = programs.render("passes/fullscreen.vert.glsl", "passes/compare.frag.glsl");
+  if (!program) return tl::unexpected(program.error());
+  (*program)->set(layout::displayParametersLocation, alreadyShown.parameters);
+  (*program)->set(layout::displayBackdropLocation, alreadyShown.backdrop);
+  (*program)->set(layout::comparisonLocation,
+                  glm::vec4(how.split * static_cast<float>(target.width), how.scale, how.difference ? 1.0f : 0.0f, 0));
+  pair.second.bind(layout::comparedUnit);
+  drawFullscreen(target, pair.first, **program);
+  return {};
+}
+
+Result<ComparisonSums> sumComparison(const FrameInput& in, const Targets& targets, float scale,
+                                     ProgramStore& programs) {
+  assert(comparing(in) && targets.fitted);
+  return sumDifferences({targets.sum ? targets.sum : targets.color, targets.fitted}, displayParameters(in, scale),
+                        std::min(targets.height, in.settings.frame.height - in.firstRow), programs);
+}
+
+Result<ComparisonSums> sumPair(const ShownPair& pair, ProgramStore& programs) {
+  return sumDifferences(pair, alreadyShown, pair.first.description().height, programs);
 }
 
 ComparisonFigures readComparison(const std::vector<ComparisonSums>& bands) {

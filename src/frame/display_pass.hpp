@@ -40,6 +40,20 @@ Result<const gl::Program*> displayProgram(const FrameInput& in, shading::Program
 Result<void> showPicture(const FrameInput& in, const Targets& targets, float scale, const Targets& shown,
                          shading::ProgramStore& programs);
 
+// Two pictures as they are shown (RGBA8, straight alpha, of one size).
+struct ShownPair {
+  const gl::Texture& first;
+  const gl::Texture& second;
+};
+// The first to the left of split (share of the width), the second to its right; or the absolute difference of their
+// values times the scale.
+struct PairView {
+  bool difference = false;
+  float split = 0.5f, scale = 1;
+};
+Result<void> showPair(const ShownPair& pair, const PairView& how, const FullscreenTarget& target,
+                      shading::ProgramStore& programs);
+
 // Of one band, to be read when the GPU has come so far.
 struct ComparisonSums {
   gl::Buffer sums;
@@ -49,6 +63,7 @@ struct ComparisonSums {
 // The targets' rows that belong to the picture; scale as showPicture has it. comparing(in).
 Result<ComparisonSums> sumComparison(const FrameInput& in, const Targets& targets, float scale,
                                      shading::ProgramStore& programs);
+Result<ComparisonSums> sumPair(const ShownPair& pair, shading::ProgramStore& programs);
 // Of all bands; waits for the GPU.
 ComparisonFigures readComparison(const std::vector<ComparisonSums>& bands);
 

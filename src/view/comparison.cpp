@@ -9,10 +9,14 @@ Result<void> compare(Viewport& viewport, const frame::FrameInput& in, const fram
                      bool last) {
   Comparison& comparison = viewport.comparison;
   const auto now = std::chrono::steady_clock::now();
-  if (!frame::comparing(in) || (!last && now - comparison.since < std::chrono::milliseconds(500))) return {};
+  const TruthView& truth = viewport.truthView;
+  if ((!frame::comparing(in) && !truth.shown) || (!last && now - comparison.since < std::chrono::milliseconds(500)))
+    return {};
   comparison.since = now;
   comparison.sums.clear();
-  Result<frame::ComparisonSums> sums = frame::sumComparison(in, targets, scale, viewport.programs);
+  Result<frame::ComparisonSums> sums = truth.shown
+                                           ? frame::sumPair({truth.fast, viewport.targets.display}, viewport.programs)
+                                           : frame::sumComparison(in, targets, scale, viewport.programs);
   if (!sums) return tl::unexpected(sums.error());
   comparison.sums.push_back(std::move(*sums));
   return {};
@@ -23,6 +27,7 @@ Result<void> showPicture(Viewport& viewport, const frame::FrameInput& in, const 
   viewport.comparison.shown = in.settings.comparison;
   if (Result<void> shown = frame::showPicture(in, targets, scale, viewport.targets, viewport.programs); !shown)
     return shown;
+  if (Result<void> shown = showAgainstTruth(viewport); !shown) return shown;
   return compare(viewport, in, targets, scale, last);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
-// A measured BRDF and the model fitted to it in one picture: how both are shown, and how they differ.
+// Two pictures in one, a measured BRDF and the model fitted to it or a fast picture and the traced one: how both are
+// shown, and how they differ.
 
 #include <chrono>
 #include <optional>

@@ -22,7 +22,7 @@ void label(ImDrawList& draw, float x, float y, const std::string& text, bool rig
   draw.AddText({left + pad.x, y + pad.y}, IM_COL32_WHITE, text.c_str());
 }
 
-void dragDivider(ViewerState& state, PanelResult& result, float x) {
+void dragDivider(float& split, PanelResult& result, float x) {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({x - grasp, 0});
   ImGui::SetNextWindowSize({2 * grasp, screen.y});
@@ -32,36 +32,58 @@ void dragDivider(ViewerState& state, PanelResult& result, float x) {
     ImGui::InvisibleButton("grip", {2 * grasp, screen.y});
     if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, 0))
-      state.settings.comparison.brdfSplit = std::clamp(ImGui::GetIO().MousePos.x / screen.x, 0.0f, 1.0f);
+      split = std::clamp(ImGui::GetIO().MousePos.x / screen.x, 0.0f, 1.0f);
     result.areas.push_back(windowArea());
   }
   ImGui::End();
   ImGui::PopStyleVar(2);
 }
 
+// What is compared, and how; nothing is where `how` is off.
+struct Compared {
+  AgainstTruth how = AgainstTruth::off;
+  float* split = nullptr;
+  float scale = 1;
+  std::string first, second;
+};
+
+Compared comparedNow(ViewerState& state) {
+  using enum AgainstTruth;
+  frame::BrdfComparison& comparison = state.settings.comparison;
+  if (state.shown.compared && state.shown.fit) {
+    const bool split = comparison.brdfCompare == frame::BrdfCompare::split;
+    const bool differs = comparison.brdfCompare == frame::BrdfCompare::difference;
+    return {split     ? AgainstTruth::split
+            : differs ? difference
+                      : off,
+            &comparison.brdfSplit, comparison.brdfDifferenceScale, "measured",
+            "fitted " + modelName(state.shown.fit->fit.model.diffuse)};
+  }
+  if (state.shown.fastMethod.empty() || state.refinement.shown == 0) return {};
+  return {state.truth.how, &state.truth.split, state.truth.scale, state.shown.fastMethod,
+          state.shown.truthMethod + ", " + std::to_string(state.refinement.shown) + " samples"};
+}
+
 }  // namespace
 
 void drawDivider(ViewerState& state, PanelResult& result) {
-  if (!state.shown.compared || !state.shown.fit) return;
-  const frame::PictureSettings& settings = state.settings;
+  const Compared compared = comparedNow(state);
   ImDrawList& draw = *ImGui::GetBackgroundDrawList();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   constexpr float top = 12, gap = 10;
-  const std::string fitted = "fitted " + modelName(state.shown.fit->fit.model.diffuse);
-  if (settings.comparison.brdfCompare == frame::BrdfCompare::split) {
-    const float x = settings.comparison.brdfSplit * screen.x;
+  char rms[32] = "";
+  if (state.shown.comparison) std::snprintf(rms, sizeof rms, "; RMS %.2f/255", state.shown.comparison->rms);
+  if (compared.how == AgainstTruth::split) {
+    const float x = *compared.split * screen.x;
     draw.AddLine({x, 0}, {x, screen.y}, shade, 3);
     draw.AddLine({x, 0}, {x, screen.y}, lineColor, 1);
-    label(draw, x - gap, top, "measured", true);
-    label(draw, x + gap, top, fitted, false);
-    dragDivider(state, result, x);
-  } else if (settings.comparison.brdfCompare == frame::BrdfCompare::difference) {
+    label(draw, x - gap, top, compared.first, true);
+    label(draw, x + gap, top, compared.second, false);
+    dragDivider(*compared.split, result, x);
+  } else if (compared.how == AgainstTruth::difference) {
     char factor[48];
-    std::snprintf(factor, sizeof factor, ", display values times %g",
-                  static_cast<double>(settings.comparison.brdfDifferenceScale));
-    char rms[32] = "";
-    if (state.shown.comparison) std::snprintf(rms, sizeof rms, "; RMS %.2f/255", state.shown.comparison->rms);
-    label(draw, result.left + gap, top, "|measured - " + fitted + "|" + factor + rms, false);
+    std::snprintf(factor, sizeof factor, ", display values times %g", static_cast<double>(compared.scale));
+    label(draw, result.left + gap, top, "|" + compared.first + " - " + compared.second + "|" + factor + rms, false);
   }
 }
 

@@ -39,7 +39,7 @@ void followErrorView(Viewport& viewport, const ViewerState& state) {
   view = {};
   view.wanted = state.errorsShown;
   viewport.refinement.targets.contrasts = {};
-  if (view.wanted && frame::converges(state.settings) && !viewport.shown.list.compared) viewport.drawn.reset();
+  if (view.wanted && frame::converges(gatheredSettings(state)) && !viewport.shown.list.compared) viewport.drawn.reset();
 }
 
 void beginErrorView(Viewport& viewport) {

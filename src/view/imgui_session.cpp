@@ -86,6 +86,9 @@ void beginFrame(ImGuiSession& imgui, const std::vector<HandEvent>& hands) {
   for (size_t i = 0; i < imgui.buttons.size(); ++i) io.MouseDown[i] = imgui.buttons[i];
   if (button) io.MousePos = {static_cast<float>(button->at.x), static_cast<float>(button->at.y)};
   ImGui::NewFrame();
+  // Below what panels draw behind themselves (a divider, a legend) there is room for pictures: present().
+  ImGui::GetBackgroundDrawList()->ChannelsSplit(2);
+  ImGui::GetBackgroundDrawList()->ChannelsSetCurrent(1);
 }
 
 bool followStyle(ImGuiSession& imgui, const Preferences& preferences) {

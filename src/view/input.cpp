@@ -92,6 +92,11 @@ void onScroll(GLFWwindow* window, double, double y) {
 void onKey(GLFWwindow* window, int key, int scancode, int action, int modifiers) {
   Input& input = inputOf(window);
   if (action == GLFW_REPEAT) return;  // what it types comes by itself
+  constexpr int chords = GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER;
+  if (action == GLFW_PRESS && (modifiers & chords) != 0)
+    input.chorded.insert(key);
+  else
+    input.chorded.erase(key);
   const char* label = glfwGetKeyName(key, scancode);
   input.hands.push_back({.kind = action == GLFW_PRESS ? HandEvent::Kind::press : HandEvent::Kind::release,
                          .key = key,

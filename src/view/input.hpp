@@ -3,6 +3,7 @@
 // What came from keyboard, mouse and window since the last look: GLFW's callbacks fill it, controls.hpp acts on it.
 
 #include <glm/glm.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,7 @@ struct Input {
   glm::dvec2 pressedAt = glm::dvec2(0);
   bool dragging = false;  // the pointer has left the place where the button was pressed
   glm::dvec2 clickedAt = glm::dvec2(0);
+  std::set<int> chorded;  // keys that went down while Control, Alt or Super was held, and are not up: they don't fly
   double clickedWhen = -1e9, longestTurn = 0;  // seconds; longestTurn: of the window's turns since then
 
   // Set by the window each frame: what belongs to the panel.

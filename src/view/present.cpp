@@ -52,11 +52,14 @@ void drawOverChecks(const frame::Targets& targets) {
 
 void present(GLFWwindow* window, const Viewport& viewport, const ViewerState& state) {
   const bool transparent = state.settings.frame.background == frame::Background::transparent;
+  ImGui::GetBackgroundDrawList()->ChannelsSetCurrent(0);
   const frame::Targets& shown = viewport.moving.showsSmall ? viewport.moving.small : viewport.targets;
   if (shown.shown && transparent) drawOverChecks(shown);
+  if (viewport.truthView.shown && viewport.refinement.shown) layOver(viewport.truthView.picture);
   if (viewport.errorView.shown && viewport.refinement.shown) layOver(viewport.errorView.picture);
   if (viewport.overlay.shown) layOverPremultiplied(viewport.overlay.targets.color);
   if (viewport.outline.shown) layOver(viewport.outline.line);
+  ImGui::GetBackgroundDrawList()->ChannelsMerge();
   ImGui::Render();
   int width = 0, height = 0;
   glfwGetFramebufferSize(window, &width, &height);

@@ -38,7 +38,8 @@ Result<bool> prepare(Viewport& viewport, const ViewerState& state, const scene::
   if (!r.movingFeatures) {
     r.movingFeatures = viewport.shown.list.features;
     shading::FrameFeatures resting = viewport.shown.list.features;
-    const frame::DrawOptions options = frame::drawOptions(frame::restingSettings(state.settings), resting.environment);
+    const frame::DrawOptions options =
+        frame::drawOptions(frame::restingSettings(gatheredSettings(state)), resting.environment);
     resting.imageLightSamples = options.features.imageLightSamples;
     resting.shadedOnce = options.features.shadedOnce;
     resting.occlusion = options.features.occlusion;
@@ -86,6 +87,7 @@ Result<void> begin(Viewport& viewport, ViewerState& state, const scene::View& vi
   r.estimateAt = 1;
   r.parts.clear();
   beginErrorView(viewport);
+  keepFastPicture(viewport, state);
   state.refinement.wanted = s.quality.samples;
   state.refinement.softened = viewport.shown.list.features.paths && s.quality.caustics == frame::Caustics::soft;
   // A guess from the cheap frame: a sampled draw takes about as long per coverage sample. The steps adapt.
@@ -135,7 +137,7 @@ bool takeErrors(Refinement& r, bool compared, ViewerState& state) {
 bool again(Refinement& r, const ViewerState& state) {
   if (!state.settings.quality.maxError || r.estimate.most < 0) return false;
   r.attempts.push_back({r.samples, r.estimate});
-  const int samples = frame::nextSamples(state.settings, r.attempts);
+  const int samples = frame::nextSamples(gatheredSettings(state), r.attempts);
   if (samples > 0) r.samples = r.settings.quality.samples = samples;
   return samples > 0;
 }
@@ -188,18 +190,20 @@ void stopRefinement(Viewport& viewport, ViewerState& state) {
   r.since = Clock::now();
   if (r.movingFeatures) frame::setFeatures(viewport.shown.list, *r.movingFeatures);
   r.movingFeatures.reset();
-  if (!frame::converges(state.settings)) r.targets = {};
-  r.samples = firstAttempt(state.settings);
+  leaveTruthView(viewport, state);
+  const frame::PictureSettings settings = gatheredSettings(state);
+  if (!frame::converges(settings)) r.targets = {};
+  r.samples = firstAttempt(settings);
   r.attempts.clear();
   r.estimate = {};
   state.refinement = {};
-  if (frame::converges(state.settings)) state.refinement.wanted = r.samples;
+  if (frame::converges(settings)) state.refinement.wanted = r.samples;
 }
 
 std::string samplesShown(const Viewport& viewport, const ViewerState& state) {
   const Refinement& r = viewport.refinement;
   const RefinementStatus& s = state.refinement;
-  if (!frame::converges(state.settings) || (r.ended && r.shown)) return {};
+  if (!frame::converges(gatheredSettings(state)) || (r.ended && r.shown)) return {};
   const int cheap = std::min(frame::convergedAbove, state.settings.quality.samples);
   return std::to_string(s.shown > 0 ? s.shown : cheap) + " of " + std::to_string(s.wanted) + " samples";
 }
@@ -212,7 +216,7 @@ double cheapError(double shown, const frame::ErrorEstimate& gathered) {
 bool refining(const Viewport& viewport, const ViewerState& state) {
   const bool preview = viewport.environments.shown && viewport.environments.shown->preview;
   return viewport.drawn && !viewport.moving.underWay && !viewport.next && !preview && !viewport.refinement.ended &&
-         frame::converges(state.settings) && !viewport.shadersBroken &&
+         frame::converges(gatheredSettings(state)) && !viewport.shadersBroken &&
          frame::groundComplete(viewport.shown.ground.get(), state.settings);
 }
 
@@ -230,7 +234,7 @@ bool refine(Viewport& viewport, ViewerState& state, const scene::View& view) {
   Refinement& r = viewport.refinement;
   if (!refining(viewport, state) || (r.pending && !r.timer.ready())) return false;
   // What only the display reads may have changed since the draws began.
-  r.settings = frame::withSamples(state.settings, r.samples);
+  r.settings = frame::withSamples(gatheredSettings(state), r.samples);
   if (!r.gathering) {
     if (Clock::now() - r.since < r.restDelay) return false;
     const Result<bool> ready = prepare(viewport, state, view);
@@ -250,7 +254,7 @@ bool refine(Viewport& viewport, ViewerState& state, const scene::View& view) {
     r.pending = false;
     adapt(r);
     const bool last = r.gathering->complete();
-    if (takeErrors(r, frame::comparing(in), state) || (last && !r.shown)) {
+    if (takeErrors(r, frame::comparing(in) || againstTruth(state), state) || (last && !r.shown)) {
       r.shown = drew = true;
       if (Result<void> shown = showPicture(viewport, in, r.targets, frame::meanScale(*r.gathering), last); !shown)
         return giveUp(r, state, shown.error()), true;

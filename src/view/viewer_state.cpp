@@ -13,6 +13,7 @@
 #include "scene/animation.hpp"
 #include "scene/builtin_environments.hpp"
 #include "scene/builtin_scenes.hpp"
+#include "view/truth_view.hpp"
 
 namespace facet::view {
 
@@ -119,7 +120,7 @@ std::string comparisonText(const frame::ComparisonFigures& figures) {
 const char* kindName(optics::MeasuredKind kind) { return kind == optics::MeasuredKind::merl ? "MERL" : "UTIA"; }
 
 frame::PictureSettings commandSettings(const ViewerState& state) {
-  frame::PictureSettings settings = frame::restingSettings(state.settings);
+  frame::PictureSettings settings = frame::restingSettings(gatheredSettings(state));
   settings.sources.environment = state.shown.environment;
   if (!state.overlaysInPictures) settings.overlays = {};
   if (shading::showsLight(std::max(0, shading::channelIndex(settings.look.channel)))) {

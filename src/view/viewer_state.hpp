@@ -103,6 +103,21 @@ struct LobeView {
   bool failed = false;                                // it could not be read
 };
 
+// The picture that is drawn while something moves, against what it converges to: path-traced light.
+enum class AgainstTruth { off, split, difference };
+inline constexpr Choice<AgainstTruth> againstTruthChoices[] = {
+    {AgainstTruth::off, "off", "off", "what is shown is the picture itself"},
+    {AgainstTruth::split, "split", "split", "the fast picture at the left of a divider, which can be dragged"},
+    {AgainstTruth::difference, "difference", "difference", "absolute, of what the screen shows of both"}};
+static_assert(inOrder(againstTruthChoices));
+struct TruthWish {
+  AgainstTruth how = AgainstTruth::off;
+  float split = 0.5f;  // of the window's width
+  float scale = 4;     // on the difference of display values
+
+  bool operator==(const TruthWish&) const = default;
+};
+
 struct Turntable {
   bool on = false;
   double degreesPerSecond = 24;  // about +Y through the target; negative: the other way
@@ -156,7 +171,8 @@ struct ShownScene {
   std::optional<frame::MeasuredFacts> measured;        // of the BRDF in the materials' place
   std::optional<frame::FittedBrdf> fit;                // where it is drawn
   bool compared = false;                               // both are drawn
-  std::optional<frame::ComparisonFigures> comparison;  // of them, of the picture on the screen
+  std::optional<frame::ComparisonFigures> comparison;  // of them or of fast and traced, of the picture on the screen
+  std::string fastMethod, truthMethod;                 // of two that are on the screen; empty: there are none
   std::vector<std::string> warnings, infos;
   std::vector<ShownTexture> textures;
   ViewerStatistics statistics;
@@ -205,7 +221,8 @@ struct ViewerState {
   bool overlaysInPictures = false;  // screenshots and copied commands have settings.overlays
   bool passesTimed = false;         // the panel shows what each pass takes
   bool errorsShown = false;         // each pixel's, in colours over the picture
-  bool panelVisible = true;         // the panels that are chosen to be shown; one key hides all
+  TruthWish truth;
+  bool panelVisible = true;  // the panels that are chosen to be shown; one key hides all
   bool browserVisible = true, settingsVisible = true, timelineVisible = true;
 };
 

@@ -115,6 +115,8 @@ bool drawViewport(Viewport& viewport, ViewerState& state) {
   if (!viewport.comparison.sums.empty()) {
     state.shown.comparison = frame::readComparison(viewport.comparison.sums);
     viewport.comparison.sums.clear();
+    if (viewport.truthView.shown)
+      log::debug("against truth: " + state.shown.fastMethod + ": " + comparisonText(*state.shown.comparison));
   }
   if (sharpenShown(viewport, state)) ++viewport.listNumber;
   if (const std::optional<double> gpuMs = viewport.clock.poll()) {
@@ -126,10 +128,12 @@ bool drawViewport(Viewport& viewport, ViewerState& state) {
   if (!view || viewport.shadersBroken) return false;
   const DrawnFrame wanted = wantedFrame(viewport, state);
   followErrorView(viewport, state);
+  const Result<bool> compared = followTruthView(viewport, state);
+  if (!compared) complain(state, compared.error());
   goOnWithGround(viewport, state, *view);
   const bool same = viewport.drawn == wanted;
   if (same && !viewport.moving.underWay) {
-    const bool refined = refine(viewport, state, *view);
+    const bool refined = refine(viewport, state, *view) || (compared && *compared);
     if (refined || !viewport.shown.list.compared || viewport.comparison.shown == state.settings.comparison)
       return refined;
     const Result<bool> shown = showAnew(viewport, state.settings, *view);

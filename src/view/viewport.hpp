@@ -21,6 +21,7 @@
 #include "view/overlay_view.hpp"
 #include "view/refinement.hpp"
 #include "view/trees.hpp"
+#include "view/truth_view.hpp"
 #include "view/viewer_state.hpp"
 
 namespace facet::view {
@@ -69,6 +70,7 @@ struct Viewport {
   Outline outline;
   OverlayView overlay;
   ErrorView errorView;
+  TruthView truthView;
   // Of what comes up, so much goes on the GPU in one turn: the window answers in between.
   std::chrono::milliseconds slice{20};
   bool comingUp = false;       // there is more of it

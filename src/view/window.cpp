@@ -112,19 +112,18 @@ void followDialog(Loop& loop, const Actions& actions, ViewerState& state) {
 
 bool isDown(GLFWwindow* window, int key) { return glfwGetKey(window, key) == GLFW_PRESS; }
 
-bool isHeld(GLFWwindow* window, const KeyMap& keys, Command command) {
+bool isHeld(const Loop& loop, const KeyMap& keys, Command command) {
   const auto chords = keys.find(command);
   if (chords == keys.end()) return false;
   return std::ranges::any_of(chords->second, [&](const Chord& chord) {
-    return std::ranges::any_of(keysCalled(chord.key), [&](int key) { return isDown(window, key); });
+    return std::ranges::any_of(keysCalled(chord.key),
+                               [&](int key) { return isDown(loop.window, key) && !loop.input.chorded.contains(key); });
   });
 }
 
 glm::dvec3 flightDirection(const Loop& loop, const KeyMap& keys) {
-  if (loop.input.keyboardTaken || isDown(loop.window, GLFW_KEY_LEFT_CONTROL)) return glm::dvec3(0);
-  const auto axis = [&](Command plus, Command minus) {
-    return isHeld(loop.window, keys, plus) - isHeld(loop.window, keys, minus);
-  };
+  if (loop.input.keyboardTaken) return glm::dvec3(0);
+  const auto axis = [&](Command plus, Command minus) { return isHeld(loop, keys, plus) - isHeld(loop, keys, minus); };
   return {axis(Command::flyRight, Command::flyLeft), axis(Command::flyUp, Command::flyDown),
           axis(Command::flyForward, Command::flyBack)};
 }

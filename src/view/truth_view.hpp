@@ -1,0 +1,39 @@
+#pragma once
+
+// How wrong the fast picture is: what is drawn while something moves, against the path-traced one that the window
+// converges to, beside it or as their difference. Over the picture; screenshots and what is rendered never have it.
+
+#include "base/error.hpp"
+#include "gl/texture.hpp"
+#include "view/viewer_state.hpp"
+
+namespace facet::view {
+
+struct Viewport;
+
+inline constexpr int fewestTruthSamples = 64;  // of the traced picture, whatever the settings ask for
+
+struct TruthView {
+  TruthWish wish;             // that it is drawn with
+  gl::Texture fast, picture;  // RGBA8, of the picture's size
+  gl::Framebuffer target;
+  bool kept = false;   // the fast picture is
+  bool shown = false;  // as soon as a traced one is
+};
+
+// What is gathered at rest: the state's settings; to be compared with, traced and of enough samples.
+frame::PictureSettings gatheredSettings(const ViewerState& state);
+// The fast picture is looked at beside the traced one.
+bool againstTruth(const ViewerState& state);
+
+// As the state wants it: where that begins or ends, the picture is drawn and gathered anew. True where another picture
+// is to be shown.
+Result<bool> followTruthView(Viewport& viewport, ViewerState& state);
+// The display picture is the fast one: remembered before the gathered one takes its place.
+void keepFastPicture(Viewport& viewport, ViewerState& state);
+// The display picture is the gathered one: both are shown.
+Result<void> showAgainstTruth(Viewport& viewport);
+// Not while the picture changes.
+void leaveTruthView(Viewport& viewport, ViewerState& state);
+
+}  // namespace facet::view
