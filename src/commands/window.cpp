@@ -29,9 +29,8 @@ struct WindowArguments {
 
 bool isSession(const std::string& source) { return std::filesystem::path(source).extension() == ".facet"; }
 
-// One model at most, any number of folders.
+// Two models at most, which are shown beside each other; any number of folders.
 Result<void> sortSources(const std::vector<std::string>& sources, view::WindowOptions& options) {
-  bool named = false;
   std::error_code ignored;
   for (const std::string& source : sources) {
     if (std::filesystem::is_directory(source, ignored)) {
@@ -40,11 +39,13 @@ Result<void> sortSources(const std::vector<std::string>& sources, view::WindowOp
       return fail(source, "", "is a session, which has its own model", "name nothing beside it");
     } else if (source == io::standardInput) {
       return fail("-", "", "is standard input, which a window could not read again", "name a file");
-    } else if (named) {
-      return fail(source, "", "is the second model", "name one model, and folders to browse");
+    } else if (!options.secondModel.empty()) {
+      return fail(source, "", "is the third model", "name one model or two, and folders to browse");
+    } else if (options.modelNamed) {
+      options.secondModel = source;
     } else {
       options.model = source;
-      named = options.modelNamed = true;
+      options.modelNamed = true;
     }
   }
   return {};
@@ -59,9 +60,13 @@ Result<void> applyLast(const std::string& file, view::WindowOptions& options) {
   if (!last.is_object() || !isText("folder") || !isText("model") || !last.contains("picture") ||
       !last["picture"].is_object())
     return fail(file, "", "is not what a window has written", "delete it");
-  const std::string folder = last["folder"], model = last["model"];
+  const std::string folder = last["folder"];
+  const auto there = [&](const std::string& model) {
+    return model.starts_with("builtin:") ? model : (std::filesystem::path(folder) / model).string();
+  };
   options.modelNamed = true;
-  options.model = model.starts_with("builtin:") ? model : (std::filesystem::path(folder) / model).string();
+  options.model = there(last["model"]);
+  if (isText("second")) options.secondModel = there(last["second"]);
   return applyObject(last["picture"], {}, folder, file, "/picture", options.settings);
 }
 
@@ -121,8 +126,10 @@ int runViewer(const WindowArguments& arguments) {
 
 std::function<int()> addWindow(CLI::App& app) {
   auto arguments = std::make_shared<WindowArguments>();
-  app.add_option("MODEL", arguments->sources,
-                 "a .gltf or .glb file, or builtin:NAME (builtin:poster); folders are browsed; or a session (.facet)")
+  app.add_option(
+         "MODEL", arguments->sources,
+         "a .gltf or .glb file, or builtin:NAME (builtin:poster), two of them beside each other; folders are browsed; "
+         "or a session (.facet)")
       ->type_name("MODEL|FOLDER");
   addConfig(app, arguments->config, " ($XDG_CONFIG_HOME/facet/config, where there is one)");
   app.add_flag("--last", arguments->last,

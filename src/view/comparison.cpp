@@ -5,18 +5,23 @@
 
 namespace facet::view {
 
+std::optional<frame::ShownPair> pairShown(const Viewport& viewport) {
+  const frame::Targets& targets = viewport.targets;
+  if (viewport.second.pair.shown) return frame::ShownPair{targets.display, viewport.second.targets.display};
+  if (viewport.truthView.pair.shown) return frame::ShownPair{viewport.truthView.fast, targets.display};
+  return std::nullopt;
+}
+
 Result<void> compare(Viewport& viewport, const frame::FrameInput& in, const frame::Targets& targets, float scale,
                      bool last) {
   Comparison& comparison = viewport.comparison;
   const auto now = std::chrono::steady_clock::now();
-  const TruthView& truth = viewport.truthView;
-  if ((!frame::comparing(in) && !truth.shown) || (!last && now - comparison.since < std::chrono::milliseconds(500)))
-    return {};
+  const std::optional<frame::ShownPair> pair = pairShown(viewport);
+  if ((!frame::comparing(in) && !pair) || (!last && now - comparison.since < std::chrono::milliseconds(500))) return {};
   comparison.since = now;
   comparison.sums.clear();
-  Result<frame::ComparisonSums> sums = truth.shown
-                                           ? frame::sumPair({truth.fast, viewport.targets.display}, viewport.programs)
-                                           : frame::sumComparison(in, targets, scale, viewport.programs);
+  Result<frame::ComparisonSums> sums =
+      pair ? frame::sumPair(*pair, viewport.programs) : frame::sumComparison(in, targets, scale, viewport.programs);
   if (!sums) return tl::unexpected(sums.error());
   comparison.sums.push_back(std::move(*sums));
   return {};

@@ -1,7 +1,7 @@
 #pragma once
 
-// Two pictures in one, a measured BRDF and the model fitted to it or a fast picture and the traced one: how both are
-// shown, and how they differ.
+// Two pictures in one, a measured BRDF and the model fitted to it a fast picture and the traced one, or two
+// models: how both are shown, and how they differ.
 
 #include <chrono>
 #include <optional>
@@ -20,6 +20,9 @@ struct Comparison {
   std::vector<frame::ComparisonSums> sums;        // of the picture on the screen, on their way
   std::chrono::steady_clock::time_point since{};  // when they were asked for
 };
+
+// The two that are shown beside each other, where there are two.
+std::optional<frame::ShownPair> pairShown(const Viewport& viewport);
 
 // The picture of the targets, times the scale, onto the screen; of two that are compared their figures, too, at most
 // twice a second unless it is the last one.

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 
 #include "view/panel_window.hpp"
+#include "view/second_model.hpp"
 
 namespace facet::view {
 
@@ -41,23 +43,30 @@ void dragDivider(float& split, PanelResult& result, float x) {
 
 // What is compared, and how; nothing is where `how` is off.
 struct Compared {
-  AgainstTruth how = AgainstTruth::off;
+  Beside how = Beside::off;
   float* split = nullptr;
   float scale = 1;
   std::string first, second;
 };
 
 Compared comparedNow(ViewerState& state) {
-  using enum AgainstTruth;
+  using enum Beside;
   frame::BrdfComparison& comparison = state.settings.comparison;
   if (state.shown.compared && state.shown.fit) {
     const bool split = comparison.brdfCompare == frame::BrdfCompare::split;
     const bool differs = comparison.brdfCompare == frame::BrdfCompare::difference;
-    return {split     ? AgainstTruth::split
+    return {split     ? Beside::split
             : differs ? difference
                       : off,
             &comparison.brdfSplit, comparison.brdfDifferenceScale, "measured",
             "fitted " + modelName(state.shown.fit->fit.model.diffuse)};
+  }
+  if (besideSecond(state)) {
+    if (state.shown.second.empty()) return {};
+    const std::filesystem::path first = state.shown.model, other = state.shown.second;
+    const bool alike = first.filename() == other.filename();
+    return {state.second.how, &state.second.split, state.second.scale,
+            alike ? first.string() : first.filename().string(), alike ? other.string() : other.filename().string()};
   }
   if (state.shown.fastMethod.empty() || state.refinement.shown == 0) return {};
   return {state.truth.how, &state.truth.split, state.truth.scale, state.shown.fastMethod,
@@ -71,16 +80,19 @@ void drawDivider(ViewerState& state, PanelResult& result) {
   ImDrawList& draw = *ImGui::GetBackgroundDrawList();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   constexpr float top = 12, gap = 10;
-  char rms[32] = "";
-  if (state.shown.comparison) std::snprintf(rms, sizeof rms, "; RMS %.2f/255", state.shown.comparison->rms);
-  if (compared.how == AgainstTruth::split) {
+  char rms[64] = "";
+  int used = 0;
+  if (state.shown.comparison) used = std::snprintf(rms, sizeof rms, "; RMS %.2f/255", state.shown.comparison->rms);
+  if (state.shown.flip)
+    std::snprintf(rms + used, sizeof rms - static_cast<size_t>(used), "; FLIP %.4f", *state.shown.flip);
+  if (compared.how == Beside::split) {
     const float x = *compared.split * screen.x;
     draw.AddLine({x, 0}, {x, screen.y}, shade, 3);
     draw.AddLine({x, 0}, {x, screen.y}, lineColor, 1);
     label(draw, x - gap, top, compared.first, true);
     label(draw, x + gap, top, compared.second, false);
     dragDivider(*compared.split, result, x);
-  } else if (compared.how == AgainstTruth::difference) {
+  } else if (compared.how == Beside::difference) {
     char factor[48];
     std::snprintf(factor, sizeof factor, ", display values times %g", static_cast<double>(compared.scale));
     label(draw, result.left + gap, top, "|" + compared.first + " - " + compared.second + "|" + factor + rms, false);

@@ -11,6 +11,7 @@
 #include "scene/nodes.hpp"
 #include "scene/properties.hpp"
 #include "scene/usage.hpp"
+#include "view/beside_panel.hpp"
 #include "view/scene_tree.hpp"
 #include "view/style.hpp"
 #include "view/widgets.hpp"
@@ -407,6 +408,7 @@ void modelSection(ViewerState& state) {
     arrangement.scale = std::clamp(brief(scale), 1e-9, 1e9);
   if (resetAsked()) arrangement.scale = 1;
   resettableHint("of the model");
+  secondModelChoice(state);
 }
 
 void materialLayers(frame::PictureSettings& settings) {

@@ -17,9 +17,11 @@ fs::path lastFile() {
   return recent.empty() ? recent : recent.parent_path() / "last.json";
 }
 
-Result<void> writeLast(const fs::path& file, const std::string& model, const frame::PictureSettings& settings) {
+Result<void> writeLast(const fs::path& file, const std::string& model, const std::string& second,
+                       const frame::PictureSettings& settings) {
   std::error_code ignored;
   nlohmann::ordered_json values = {{"folder", fs::current_path(ignored).string()}, {"model", model}};
+  if (!second.empty()) values["second"] = second;
   nlohmann::ordered_json& picture = values["picture"] = nlohmann::ordered_json::object();
   const std::vector<std::string> words = options::commandWords(settings, model);
   for (size_t i = 1; i < words.size(); ++i) {

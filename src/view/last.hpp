@@ -14,8 +14,8 @@ namespace facet::view {
 std::filesystem::path lastFile();
 
 // {"folder": where facet was started, "model": "...", "picture": {"orbit": "30,75,2", ...}}: what a job has, without
-// the size. Errors: cannot be written.
-Result<void> writeLast(const std::filesystem::path& file, const std::string& model,
+// the size; "second": "..." where there is a second model. Errors: cannot be written.
+Result<void> writeLast(const std::filesystem::path& file, const std::string& model, const std::string& second,
                        const frame::PictureSettings& settings);
 
 // "start with what was shown last" is chosen in the window.

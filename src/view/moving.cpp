@@ -39,7 +39,7 @@ void prepareTargets(Viewport& viewport, const frame::PictureSettings& s, frame::
 }
 
 // What is asked for, not what is shown until that is there: drawn in the bands in which the command draws it.
-bool isFinal(const ViewerState& state) { return !frame::converges(state.settings); }
+bool isFinal(const ViewerState& state) { return !frame::converges(gatheredSettings(state)); }
 
 // What the whole picture's end brings.
 Result<void> finish(Viewport& viewport, ViewerState& state, const frame::FrameInput& input,

@@ -55,7 +55,8 @@ void present(GLFWwindow* window, const Viewport& viewport, const ViewerState& st
   ImGui::GetBackgroundDrawList()->ChannelsSetCurrent(0);
   const frame::Targets& shown = viewport.moving.showsSmall ? viewport.moving.small : viewport.targets;
   if (shown.shown && transparent) drawOverChecks(shown);
-  if (viewport.truthView.shown && viewport.refinement.shown) layOver(viewport.truthView.picture);
+  if (viewport.truthView.pair.shown && viewport.refinement.shown) layOver(viewport.truthView.pair.picture);
+  if (viewport.second.pair.shown && !viewport.moving.showsSmall) layOver(viewport.second.pair.picture);
   if (viewport.errorView.shown && viewport.refinement.shown) layOver(viewport.errorView.picture);
   if (viewport.overlay.shown) layOverPremultiplied(viewport.overlay.targets.color);
   if (viewport.outline.shown) layOver(viewport.outline.line);

@@ -12,6 +12,7 @@
 #include "optics/presets.hpp"
 #include "scene/usage.hpp"
 #include "shading/features.hpp"
+#include "view/beside_panel.hpp"
 #include "view/camera_panel.hpp"
 #include "view/edit_panel.hpp"
 #include "view/error_view.hpp"
@@ -340,28 +341,6 @@ void errorChoice(ViewerState& state) {
     ImGui::TextUnformatted(text);
   }
   ImGui::TextDisabled("of 255");
-}
-
-// The fast picture against what it converges to, and how far it is from that.
-void truthChoice(ViewerState& state) {
-  chooseEnum("against truth", state.truth.how, againstTruthChoices, AgainstTruth::off,
-             "the picture that is drawn while something moves, beside the path-traced one: light that is blocked or "
-             "comes by way of other surfaces is the difference. Never in screenshots");
-  if (state.truth.how == AgainstTruth::off) return;
-  if (!state.settings.look.channel.empty()) return ImGui::TextDisabled("of light, not of a channel");
-  if (state.shown.compared) return ImGui::TextDisabled("not while two pictures are compared");
-  if (state.truth.how == AgainstTruth::split)
-    slider("divider##truth", state.truth.split, 0, 1, "%.3f", TruthWish{}.split,
-           "in widths of the picture; can be dragged there, too");
-  else
-    slider("factor##truth", state.truth.scale, 0, 100, "%.1f", TruthWish{}.scale, "on the difference of display values",
-           ImGuiSliderFlags_Logarithmic);
-  if (state.shown.fastMethod.empty() || !state.shown.comparison)
-    return ImGui::TextDisabled("waits for the picture to rest");
-  ImGui::TextWrapped("%s: %s", state.shown.fastMethod.c_str(), comparisonText(*state.shown.comparison).c_str());
-  hint(
-      "root mean square of the colours on the screen, fast against traced, over the pixels that differ at all; the "
-      "noise of the traced one is in it");
 }
 
 void accuracySection(ViewerState& state) {

@@ -4,8 +4,7 @@
 // converges to, beside it or as their difference. Over the picture; screenshots and what is rendered never have it.
 
 #include "base/error.hpp"
-#include "gl/texture.hpp"
-#include "view/viewer_state.hpp"
+#include "view/pair_picture.hpp"
 
 namespace facet::view {
 
@@ -14,14 +13,13 @@ struct Viewport;
 inline constexpr int fewestTruthSamples = 64;  // of the traced picture, whatever the settings ask for
 
 struct TruthView {
-  TruthWish wish;             // that it is drawn with
-  gl::Texture fast, picture;  // RGBA8, of the picture's size
-  gl::Framebuffer target;
-  bool kept = false;   // the fast picture is
-  bool shown = false;  // as soon as a traced one is
+  PairPicture pair;  // shown as soon as a traced picture is
+  gl::Texture fast;  // RGBA8, of the picture's size
+  bool kept = false;
 };
 
-// What is gathered at rest: the state's settings; to be compared with, traced and of enough samples.
+// What is gathered at rest: the state's settings; to be compared with, traced and of enough samples; beside a second
+// model, as while something moves.
 frame::PictureSettings gatheredSettings(const ViewerState& state);
 // The fast picture is looked at beside the traced one.
 bool againstTruth(const ViewerState& state);

@@ -103,19 +103,19 @@ struct LobeView {
   bool failed = false;                                // it could not be read
 };
 
-// The picture that is drawn while something moves, against what it converges to: path-traced light.
-enum class AgainstTruth { off, split, difference };
-inline constexpr Choice<AgainstTruth> againstTruthChoices[] = {
-    {AgainstTruth::off, "off", "off", "what is shown is the picture itself"},
-    {AgainstTruth::split, "split", "split", "the fast picture at the left of a divider, which can be dragged"},
-    {AgainstTruth::difference, "difference", "difference", "absolute, of what the screen shows of both"}};
-static_assert(inOrder(againstTruthChoices));
-struct TruthWish {
-  AgainstTruth how = AgainstTruth::off;
+// Two pictures at once, and how they are shown.
+enum class Beside { off, split, difference };
+inline constexpr Choice<Beside> besideChoices[] = {
+    {Beside::off, "off", "off", "the picture itself alone"},
+    {Beside::split, "split", "split", "both, with a divider between them that can be dragged"},
+    {Beside::difference, "difference", "difference", "absolute, of what the screen shows of both"}};
+static_assert(inOrder(besideChoices));
+struct BesideWish {
+  Beside how = Beside::off;
   float split = 0.5f;  // of the window's width
   float scale = 4;     // on the difference of display values
 
-  bool operator==(const TruthWish&) const = default;
+  bool operator==(const BesideWish&) const = default;
 };
 
 struct Turntable {
@@ -171,8 +171,10 @@ struct ShownScene {
   std::optional<frame::MeasuredFacts> measured;        // of the BRDF in the materials' place
   std::optional<frame::FittedBrdf> fit;                // where it is drawn
   bool compared = false;                               // both are drawn
-  std::optional<frame::ComparisonFigures> comparison;  // of them or of fast and traced, of the picture on the screen
+  std::optional<frame::ComparisonFigures> comparison;  // of them or of two that are shown
   std::string fastMethod, truthMethod;                 // of two that are on the screen; empty: there are none
+  std::string second;                                  // source of the model beside `model`, where it is drawn
+  std::optional<double> flip;                          // of the two, mean, where both rest
   std::vector<std::string> warnings, infos;
   std::vector<ShownTexture> textures;
   ViewerStatistics statistics;
@@ -221,7 +223,9 @@ struct ViewerState {
   bool overlaysInPictures = false;  // screenshots and copied commands have settings.overlays
   bool passesTimed = false;         // the panel shows what each pass takes
   bool errorsShown = false;         // each pixel's, in colours over the picture
-  TruthWish truth;
+  BesideWish truth;                 // the fast picture, and what it converges to
+  std::string secondModel;          // source of the one beside the shown one; empty: none
+  BesideWish second = {.how = Beside::split};
   bool panelVisible = true;  // the panels that are chosen to be shown; one key hides all
   bool browserVisible = true, settingsVisible = true, timelineVisible = true;
 };

@@ -115,8 +115,10 @@ bool drawViewport(Viewport& viewport, ViewerState& state) {
   if (!viewport.comparison.sums.empty()) {
     state.shown.comparison = frame::readComparison(viewport.comparison.sums);
     viewport.comparison.sums.clear();
-    if (viewport.truthView.shown)
+    if (viewport.truthView.pair.shown)
       log::debug("against truth: " + state.shown.fastMethod + ": " + comparisonText(*state.shown.comparison));
+    if (viewport.second.pair.shown)
+      log::debug("beside " + state.shown.second + ": " + comparisonText(*state.shown.comparison));
   }
   if (sharpenShown(viewport, state)) ++viewport.listNumber;
   if (const std::optional<double> gpuMs = viewport.clock.poll()) {
@@ -128,7 +130,8 @@ bool drawViewport(Viewport& viewport, ViewerState& state) {
   if (!view || viewport.shadersBroken) return false;
   const DrawnFrame wanted = wantedFrame(viewport, state);
   followErrorView(viewport, state);
-  const Result<bool> compared = followTruthView(viewport, state);
+  Result<bool> compared = followTruthView(viewport, state);
+  if (compared && !*compared) compared = followSecondView(viewport, state);
   if (!compared) complain(state, compared.error());
   goOnWithGround(viewport, state, *view);
   const bool same = viewport.drawn == wanted;
@@ -149,6 +152,8 @@ bool drawViewport(Viewport& viewport, ViewerState& state) {
   viewport.drawn = wanted;
   state.shown.range = frame::rangeShown(viewport.shown.list, *view, state.settings.display.range);
   if (!whole) return complain(state, whole.error()), true;
+  if (*whole)
+    if (Result<void> second = drawSecond(viewport, state); !second) complain(state, second.error());
   if (*whole) tellDrawn(viewport, state);
   return *whole || !same;
 }

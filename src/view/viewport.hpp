@@ -20,6 +20,7 @@
 #include "view/outline.hpp"
 #include "view/overlay_view.hpp"
 #include "view/refinement.hpp"
+#include "view/second_model.hpp"
 #include "view/trees.hpp"
 #include "view/truth_view.hpp"
 #include "view/viewer_state.hpp"
@@ -71,6 +72,7 @@ struct Viewport {
   OverlayView overlay;
   ErrorView errorView;
   TruthView truthView;
+  SecondModel second;
   // Of what comes up, so much goes on the GPU in one turn: the window answers in between.
   std::chrono::milliseconds slice{20};
   bool comingUp = false;       // there is more of it

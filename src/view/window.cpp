@@ -78,7 +78,7 @@ void keepLast(const ViewerState& state) {
   if (file.empty() || state.shown.model.empty()) return;
   frame::PictureSettings settings = commandSettings(state);
   settings.quality = state.settings.quality;
-  if (const Result<void> written = writeLast(file, state.shown.model, settings); !written)
+  if (const Result<void> written = writeLast(file, state.shown.model, state.secondModel, settings); !written)
     log::warning(describe(written.error()));
 }
 
@@ -88,7 +88,7 @@ void saveSession(ViewerState& state) {
   const std::filesystem::path file = newNameHere(".facet");
   frame::PictureSettings settings = commandSettings(state);
   settings.quality = state.settings.quality;
-  if (const Result<void> written = writeLast(file, state.shown.model, settings); !written)
+  if (const Result<void> written = writeLast(file, state.shown.model, state.secondModel, settings); !written)
     return complain(state, written.error());
   say(state, "session written: " + file.string());
 }
@@ -137,7 +137,8 @@ double waitForEvents(Loop& loop, const Loader& loader, const Viewport& viewport,
     glfwPollEvents();
   else
     glfwWaitEventsTimeout(atWork(viewport, state) || viewport.comingUp || loader.measured.running() ? stepWait
-                          : loop.dialog || loader.running() || loader.fileCheck.running() || loader.exported.running()
+                          : loop.dialog || loader.running() || viewport.second.working() ||
+                                  loader.fileCheck.running() || loader.exported.running()
                               ? busyWait
                           : viewport.clock.waiting() ? timerWait
                                                      : idle);
@@ -173,6 +174,7 @@ void applyPanel(const PanelResult& panel, Viewport& viewport, ViewerState& state
   if (panel.resetCamera) state.settings.viewpoint.camera.clear(), state.camera = state.startCamera;
   actions.screenshot |= panel.screenshot;
   if (!panel.model.empty()) actions.model = panel.model;
+  if (!panel.secondModel.empty()) state.secondModel = panel.secondModel;
   input.panels = panel.areas;
   const ImGuiIO& io = ImGui::GetIO();
   const double scale = state.settings.frame.width / std::max(1.0, static_cast<double>(io.DisplaySize.x));
@@ -197,6 +199,8 @@ void nameWhatLoads(const Loader& loader, const Viewport& viewport, const std::st
   state.loading.clear();
   if (loader.model.running())
     state.loading = model;
+  else if (viewport.second.loader.running())
+    state.loading = viewport.second.asked;
   else if (loader.images.running())
     state.loading = "images of " + (viewport.next ? viewport.next : viewport.scene)->loaded->model.name;
   else if (loader.environment.running())
@@ -292,8 +296,8 @@ bool turn(Loop& loop, ImGuiSession& imgui, Viewport& viewport, ViewerState& stat
   glfwGetWindowSize(loop.window, &width, &height);
   const Flight flight{flightDirection(loop, state.keys) * seconds, isDown(loop.window, GLFW_KEY_LEFT_SHIFT)};
   Actions actions = control(input, flight, currentView(viewport, state), height, state);
-  const bool wasLoading = loader.running() || loader.fileCheck.running() || loader.exported.running() ||
-                          viewport.comingUp || viewport.clock.waiting();
+  const bool wasLoading = loader.running() || viewport.second.working() || loader.fileCheck.running() ||
+                          loader.exported.running() || viewport.comingUp || viewport.clock.waiting();
   takeLoaded(viewport, state, loader);
   followDialog(loop, actions, state);
   if (actions.saveSession) saveSession(state);
@@ -342,6 +346,8 @@ bool turn(Loop& loop, ImGuiSession& imgui, Viewport& viewport, ViewerState& stat
   if (actions.cancel) cancelLoading(viewport, state, loader);
   for (const std::string& folder : actions.folders) dropFolder(loop.browser, folder);
   if (bringUp(viewport, state, loader)) loop.framesToDraw = settlingFrames + 1;
+  followSecond(viewport, state, loader);
+  followFlip(viewport, state);
   nameWhatLoads(loader, viewport, loop.model, state);
   followSelection(loop, input, actions, viewport, state);
   if (!viewport.comparison.sums.empty()) loop.framesToDraw = std::max(loop.framesToDraw, 2);  // its figures come now
@@ -410,6 +416,8 @@ Result<void> checkStart(const WindowOptions& options) {
   const frame::PictureSettings& settings = options.settings;
   if (Result<void> r = io::checkModelSource(options.model, {}, {settings.sources.bump, settings.sources.bumpScale}); !r)
     return r;
+  if (!options.secondModel.empty())
+    if (Result<void> r = io::checkModelSource(options.secondModel, {}, {}); !r) return r;
   const std::string& environment = settings.sources.environment;
   if (!environment.empty() && environment != "none")
     if (Result<void> r = io::checkEnvironmentSource(environment); !r) return r;
@@ -443,6 +451,7 @@ Result<bool> runWindow(const WindowOptions& options) {
   ImGuiSession imgui(loop.window, state);
   listenToHands(loop.window);
   state.settings = options.settings;
+  state.secondModel = options.secondModel;
   state.overlaysInPictures = options.settings.overlays.shown != 0;
   state.playback.playing = !state.settings.placement.animation.empty();
   state.environments = builtinEnvironmentSources();

@@ -14,6 +14,7 @@ namespace facet::view {
 
 struct WindowOptions {
   std::string model = "builtin:poster";  // a path or "builtin:NAME"
+  std::string secondModel = {};          // beside it; empty: none
   frame::PictureSettings settings;       // the size is the window's
   bool modelNamed = false;               // else the only model of the only folder takes its place
   std::vector<std::string> folders;      // to be browsed

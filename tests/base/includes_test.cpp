@@ -33,8 +33,8 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"report", {"base", "optics", "scene", "io", "gl", "shading", "ibl", "frame", "compare", "selftest"}},
     {"options", {"base", "optics", "io", "shading", "frame"}},  // the words that set what a picture reads
     {"library", {"base", "gl", "frame", "options"}},            // what other programs call
-    // The window knows no command, comparison or report.
-    {"view", {"base", "optics", "scene", "io", "gl", "shading", "ibl", "frame", "options"}},
+    // The window knows no command and no report.
+    {"view", {"base", "optics", "scene", "io", "gl", "shading", "ibl", "frame", "compare", "options"}},
     {"commands",
      {"base", "optics", "scene", "io", "gl", "shading", "ibl", "frame", "compare", "selftest", "report", "options",
       "view"}},

@@ -70,6 +70,8 @@ cat >wide.gltf <<'END'
 "bufferViews":[{"buffer":0,"byteLength":36}],
 "buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]}
 END
+cp wide.gltf first.gltf
+sed 's/"scale":\[8,1,1\]/"scale":[4,1,1]/' wide.gltf >second.gltf
 start wide.gltf --env none --size 1280x800 --samples 1
 await "frame drawn: wide.gltf, none" 1
 find_window
@@ -182,6 +184,26 @@ for y in $(seq 500 12 760); do # the last line of the section, whatever the font
 done
 await "passes timed: .*opaque [0-9.]* ms.*, display [0-9.]* ms" 1
 quit
+
+# Two models beside each other: where nothing of one is there, what differs is the other.
+start first.gltf second.gltf --env none --size 1280x800 --samples 1 --background 1,0,0
+await "frame drawn: first.gltf, none" 1
+await "beside second.gltf: RMS [0-9.]*/255 where they differ ([0-9]* % of the picture), " 1
+await "beside second.gltf: FLIP 0[.][0-9]*" 1
+find_window
+sleep 0.5
+shown=$(count "beside second.gltf: RMS ")
+xdotool mousemove --window "$window" 500 300 mousedown 1 mousemove_relative 60 20 mouseup 1
+await "beside second.gltf: RMS " $((shown + 1))
+quit
+start --last --size 1280x800 # both come back
+await "beside .*/second.gltf: RMS " 1
+quit
+start first.gltf second.gltf third.gltf --size 320x240
+wait $viewer
+[ $? = 2 ] || fail "three models are taken"
+viewer=
+grep -q "third.gltf: is the third model" log || fail "nothing is told of the third model"
 
 # The fast picture beside the traced one: the list below each pixel's error, its second entry.
 sed -i 's/^section=1 Statistics$/section=0 Statistics/; s/^section=0 Accuracy$/section=1 Accuracy/' "$layout"

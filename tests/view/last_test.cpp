@@ -18,10 +18,11 @@ TEST_CASE("What was shown last is kept as a job's options, flags among them", "[
   settings.quality.samples = 64;
   settings.placement.arrangement.edits = {{"/materials/0/alphaCutoff", {0.25}}, {"/nodes/1/scale", {1, 2, 3}}};
   const std::filesystem::path file = folder.path() / "last.json";
-  REQUIRE(view::writeLast(file, "a.glb", settings));
+  REQUIRE(view::writeLast(file, "a.glb", "b.glb", settings));
   std::ifstream in(file);
   const auto kept = nlohmann::json::parse(in);
   CHECK(kept["model"] == "a.glb");
+  CHECK(kept["second"] == "b.glb");
   const nlohmann::json wanted = {{"ground", true},
                                  {"exposure", "-1.5"},
                                  {"samples", "64"},

@@ -6,7 +6,7 @@
 
 using namespace facet;
 using test::Viewer;
-using view::AgainstTruth;
+using view::Beside;
 
 namespace {
 
@@ -41,14 +41,14 @@ TEST_CASE("against truth: the fast picture beside the traced one, and what they 
   const io::Pixels traced = viewer.display();
   CHECK_FALSE(viewer.viewport.truthView.fast);  // nothing of it is there
 
-  viewer.state.truth = {AgainstTruth::split, 0.25f, 4};
+  viewer.state.truth = {Beside::split, 0.25f, 4};
   viewer.converge();
   const view::TruthView& truth = viewer.viewport.truthView;
-  REQUIRE(truth.shown);
+  REQUIRE(truth.pair.shown);
   CHECK(viewer.state.shown.fastMethod == "drawn, screen space");
   CHECK(viewer.state.shown.truthMethod == "path traced");
   CHECK((viewer.display().data == traced.data));  // the picture stays as it is
-  const std::vector<glm::dvec3> split = truthPixels(truth.picture);
+  const std::vector<glm::dvec3> split = truthPixels(truth.pair.picture);
   double wrong = 0, squares = 0, differing = 0, largest = 0;
   for (size_t i = 0; i < split.size(); ++i) {
     const bool left = i % static_cast<size_t>(fast.width) < static_cast<size_t>(fast.width) / 4;
@@ -67,10 +67,10 @@ TEST_CASE("against truth: the fast picture beside the traced one, and what they 
   CHECK(figures.largest == Approx(largest).margin(0.01));
 
   // How it is looked at asks for no new picture.
-  viewer.state.truth = {AgainstTruth::difference, 0.5f, 3};
+  viewer.state.truth = {Beside::difference, 0.5f, 3};
   CHECK(view::drawViewport(viewer.viewport, viewer.state));
   CHECK_FALSE(view::atWork(viewer.viewport, viewer.state));
-  const std::vector<glm::dvec3> difference = truthPixels(truth.picture);
+  const std::vector<glm::dvec3> difference = truthPixels(truth.pair.picture);
   wrong = 0;
   for (size_t i = 0; i < difference.size(); ++i) {
     const glm::dvec3 apart = glm::min(3.0 * glm::abs(pixelOf(fast, i) - pixelOf(traced, i)), 255.0);
@@ -81,15 +81,15 @@ TEST_CASE("against truth: the fast picture beside the traced one, and what they 
   // What changes takes it away until it rests again.
   viewer.state.camera.theta += 0.3;
   view::drawViewport(viewer.viewport, viewer.state);
-  CHECK_FALSE(truth.shown);
+  CHECK_FALSE(truth.pair.shown);
   CHECK(viewer.state.shown.fastMethod.empty());
   CHECK_FALSE(viewer.state.shown.comparison);
   viewer.converge();
-  CHECK(truth.shown);
+  CHECK(truth.pair.shown);
 
-  viewer.state.truth.how = AgainstTruth::off;
+  viewer.state.truth.how = Beside::off;
   viewer.converge();
-  CHECK_FALSE(truth.shown);
+  CHECK_FALSE(truth.pair.shown);
   CHECK_FALSE(truth.fast);
   CHECK_FALSE(viewer.state.shown.comparison);
 }
@@ -105,15 +105,15 @@ TEST_CASE("against truth: whatever the settings ask for, the other picture is tr
   const io::Pixels alone = viewer.display();
   CHECK_FALSE(viewer.viewport.shown.paths);
 
-  viewer.state.truth.how = AgainstTruth::split;
+  viewer.state.truth.how = Beside::split;
   viewer.state.truth.split = 1;
   viewer.converge();
-  REQUIRE(viewer.viewport.truthView.shown);
+  REQUIRE(viewer.viewport.truthView.pair.shown);
   CHECK(viewer.state.shown.fastMethod == "drawn, nothing in the way");
   CHECK(viewer.state.refinement.shown == view::fewestTruthSamples);
   const double blocked = viewer.state.shown.comparison.value().rms;
   CHECK(blocked > 3);
-  const std::vector<glm::dvec3> fast = truthPixels(viewer.viewport.truthView.picture);
+  const std::vector<glm::dvec3> fast = truthPixels(viewer.viewport.truthView.pair.picture);
   double wrong = 0;
   for (size_t i = 0; i < fast.size(); ++i) wrong = std::max(wrong, glm::distance(fast[i], pixelOf(alone, i)));
   CHECK(wrong < 1e-3);
@@ -125,16 +125,16 @@ TEST_CASE("against truth: whatever the settings ask for, the other picture is tr
   settings.quality.visibility = frame::Visibility::screen;
   viewer.settle();
   viewer.converge();
-  REQUIRE(viewer.viewport.truthView.shown);
+  REQUIRE(viewer.viewport.truthView.pair.shown);
   CHECK(viewer.state.shown.comparison.value().rms < blocked);
 
   // Of a channel there is nothing to be compared with.
   settings.look.channel = "normal";
   viewer.settle();
   viewer.converge();
-  CHECK_FALSE(viewer.viewport.truthView.shown);
+  CHECK_FALSE(viewer.viewport.truthView.pair.shown);
   settings.look.channel.clear();
-  viewer.state.truth.how = AgainstTruth::off;
+  viewer.state.truth.how = Beside::off;
   settings.quality.visibility = frame::Visibility::none;
   viewer.settle();
   viewer.converge();

@@ -34,10 +34,11 @@ struct Viewer {
       if (auto images = loader.images.take()) view::takeImages(viewport, state, std::move(*images));
       if (auto table = loader.table.take()) view::takeTable(state, std::move(*table));
       view::bringUp(viewport, state, loader);
+      view::followSecond(viewport, state, loader);
       view::followLobe(state, loader);
       view::followFileCheck(state, loader);
       if (auto checked = loader.fileCheck.take(state.fileCheck.wanted)) view::takeFileCheck(state, std::move(*checked));
-      if (!loader.running() && !viewport.comingUp) break;
+      if (!loader.running() && !viewport.second.loader.running() && !viewport.comingUp) break;
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
     REQUIRE_FALSE(loader.running());
