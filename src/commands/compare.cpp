@@ -25,6 +25,7 @@
 #include "compare/legend.hpp"
 #include "compare/metrics.hpp"
 #include "compare/side_by_side.hpp"
+#include "io/picture_file.hpp"
 
 namespace facet::commands {
 
@@ -203,9 +204,7 @@ Result<Comparison> comparePair(const Pair& pair, const Task& task, const Compare
 }
 
 bool isPicture(const std::filesystem::path& file) {
-  const std::string ending = fileEnding(file);
-  constexpr std::string_view endings[] = {".png", ".exr", ".jpg", ".jpeg", ".hdr"};
-  return std::ranges::find(endings, ending) != std::end(endings);
+  return io::pictureFormat(file).has_value() || fileEnding(file) == ".hdr";
 }
 
 // Pictures of the first folder with those of the same name below the second.

@@ -55,9 +55,9 @@ OverlayTargets createOverlayTargets(int width, int height) {
   return targets;
 }
 
-Result<OverlayLines> overlayLines(const Drawable& drawable, const PictureSettings& settings) {
+Result<OverlayLines> overlayLines(const Drawable& drawable, const PictureSettings& settings, int joint) {
   return overlayLines({drawable.scene->model(), drawable.list, drawable.inputs.list.scene, drawable.environment->sun,
-                       settings.frame.environmentRotationDeg, aspectOf(settings.frame)},
+                       settings.frame.environmentRotationDeg, aspectOf(settings.frame), joint},
                       settings.placement, settings.overlays);
 }
 

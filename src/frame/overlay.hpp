@@ -18,8 +18,8 @@ struct OverlayTargets {
 };
 OverlayTargets createOverlayTargets(int width, int height);
 
-// What the settings want of what is drawn.
-Result<OverlayLines> overlayLines(const Drawable& drawable, const PictureSettings& settings);
+// What the settings want of what is drawn. joint: node, of a skeleton's, whose influence is shown with it; -1: none.
+Result<OverlayLines> overlayLines(const Drawable& drawable, const PictureSettings& settings, int joint = -1);
 
 // The rows from in.firstRow on. in: of the drawable. Surfaces that one sees through hide nothing. What hides lines goes
 // on the GPU where the picture itself is traced.

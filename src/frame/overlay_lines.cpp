@@ -11,6 +11,7 @@
 #include "frame/choose.hpp"
 #include "frame/settings.hpp"
 #include "frame/traced.hpp"
+#include "optics/color.hpp"
 #include "optics/light_profile.hpp"
 #include "scene/camera.hpp"
 #include "scene/nodes.hpp"
@@ -190,6 +191,17 @@ void addBounds(Pen pen, const DrawList& list) {
   if (!list.bounds.empty()) pen.box(list.bounds);
 }
 
+// Upright, half as high as `size` on both sides of its middle; it faces who looks from +X, +Y and +Z.
+void addLetter(Pen& pen, char letter, const glm::dvec3& middle, double size) {
+  const glm::dvec3 front = glm::normalize(glm::dvec3(1)), right = glm::normalize(glm::cross({0, 1, 0}, front));
+  const glm::dvec3 up = glm::cross(front, right);
+  const auto at = [&](double x, double y) { return middle + size * (0.7 * x * right + y * up); };
+  const auto stroke = [&](double x0, double y0, double x1, double y1) { pen.line(at(x0, y0), at(x1, y1)); };
+  if (letter == 'X') stroke(-1, -1, 1, 1), stroke(-1, 1, 1, -1);
+  if (letter == 'Y') stroke(-1, 1, 0, 0), stroke(1, 1, 0, 0), stroke(0, 0, 0, -1);
+  if (letter == 'Z') stroke(-1, 1, 1, 1), stroke(1, 1, -1, -1), stroke(-1, -1, 1, -1);
+}
+
 // The world's, at its origin; at the scene's centre where that is far away.
 void addAxes(Pen pen, const DrawList& list) {
   const double radius = sceneRadius(list);
@@ -197,9 +209,14 @@ void addAxes(Pen pen, const DrawList& list) {
   const glm::dvec3 at = glm::length(center) <= 4 * radius ? glm::dvec3(0) : center;
   pen.width = 2.5f, pen.hidden = 0.35f;
   const double length = 1.2 * radius;
-  pen.color = red, pen.arrow(at, at + glm::dvec3(length, 0, 0));
-  pen.color = green, pen.arrow(at, at + glm::dvec3(0, length, 0));
-  pen.color = blue, pen.arrow(at, at + glm::dvec3(0, 0, length));
+  const std::array<glm::vec4, 3> colors = {red, green, blue};
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::dvec3 tip(0);
+    tip[axis] = length;
+    pen.color = colors[static_cast<size_t>(axis)];
+    pen.arrow(at, at + tip);
+    addLetter(pen, "XYZ"[axis], at + 1.1 * tip, 0.05 * radius);
+  }
 }
 
 // Below the scene, at whole multiples of its spacing; every tenth line is stronger, the world's axes have their
@@ -258,6 +275,37 @@ void addSkeletons(Pen pen, const OverlayScene& of, const scene::FlatScene& flat)
     pen.color = jointColor;
     for (const glm::dvec3& position : at) pen.dot(position, 6);
   }
+}
+
+// The edges that the joint moves, in false colours: its share of each, mean of both ends. False: there are too many.
+bool addInfluence(const OverlayScene& of, std::vector<OverlayLine>& out) {
+  if (of.joint < 0) return true;
+  const EdgesOf edges = edgesOf(of.list);
+  if (!room(out, of.list, [&](const scene::Primitive& p) { return p.influences.empty() ? 0 : edges.at(&p).size(); }))
+    return false;
+  for (const std::vector<Draw>* draws : of.list.classes())
+    for (const Draw& draw : *draws)
+      for (uint32_t i = draw.firstInstance; i < draw.firstInstance + draw.instanceCount; ++i) {
+        const scene::Primitive& p = *draw.primitive;
+        const int skin = of.model.nodes[static_cast<size_t>(of.list.instanceNodes[i])].skin;
+        if (skin < 0 || p.influences.empty()) continue;
+        const std::vector<int>& joints = of.model.skins[static_cast<size_t>(skin)].joints;
+        const auto joint = static_cast<size_t>(std::ranges::find(joints, of.joint) - joints.begin());
+        if (joint == joints.size()) continue;
+        const scene::Primitive shape = placedShape(of.list, draw, of.list.instances[i]);
+        const auto share = [&](uint32_t vertex) {
+          const auto count = static_cast<size_t>(p.influencesPerVertex);
+          double sum = 0;
+          for (const scene::Influence& influence : std::span(p.influences).subspan(vertex * count, count))
+            if (influence.joint == joint) sum += double{influence.weight};
+          return sum;
+        };
+        for (const auto& [a, b] : edges.at(&p))
+          if (const double mean = 0.5 * (share(a) + share(b)); mean > 0)
+            out.push_back({shape.positions[a], 2, shape.positions[b], 0,
+                           glm::vec4(glm::vec3(optics::falseColor(std::min(mean, 1.0))), 1)});
+      }
+  return true;
 }
 
 glm::vec4 lightColor(const glm::vec4& color) {
@@ -409,7 +457,11 @@ Result<OverlayLines> overlayLines(const OverlayScene& of, const Placement& place
   draw(wireframe, [&] { return addWireframe(of.list, out.lines); });
   draw(normals, [&] { return addNormals(of.list, out.lines); });
   draw(bounds, [&] { return addBounds(pen, of.list), true; });
-  draw(skeleton, [&] { return addSkeletons(pen, of, scene::flatten(of.model, of.scene, *pose)), true; });
+  draw(skeleton, [&] {
+    const bool room = addInfluence(of, out.lines);
+    addSkeletons(pen, of, scene::flatten(of.model, of.scene, *pose));
+    return room;
+  });
   draw(lights, [&] { return addLights(pen, of.list), true; });
   draw(cameras, [&] { return addCameras(pen, of), true; });
   draw(sun, [&] { return addSun(pen, of), true; });

@@ -38,6 +38,7 @@ struct OverlayScene {
   std::optional<scene::Sun> sun;  // of the environment, where it is a light of its own
   double environmentRotationDeg = 0;
   double aspect = 1;  // of the picture, for cameras without one
+  int joint = -1;     // node: of a skeleton's, whose influence is shown; -1: of none
 };
 
 // Errors: the placement names no animation of the model.

@@ -18,6 +18,7 @@
 #include "view/file_check.hpp"
 #include "view/file_watch.hpp"
 #include "view/latest.hpp"
+#include "view/metadata_panel.hpp"
 
 namespace facet::view {
 
@@ -90,6 +91,7 @@ struct Loader {
   Latest<TableRead> table;
   Latest<ImagesDecoded> images;
   Latest<FileChecked> fileCheck;
+  Latest<MetadataRead> metadata;
   Latest<ModelExported> exported;
   ImagesAsked imagesAsked;   // the newest request for them
   std::string allowOutside;  // of models (frame::Sources)

@@ -16,18 +16,20 @@ bool updateOverlay(Viewport& viewport, ViewerState& state) {
   const std::optional<scene::View> view = currentView(viewport, state);
   const int width = viewport.targets.width, height = viewport.targets.height;
   if (!view || width < 1 || width != settings.frame.width || height != settings.frame.height) return false;
+  const int joint = settings.overlays.has(frame::Overlay::skeleton) ? state.selection.node : -1;
   const bool sameLines = overlay.overlays == settings.overlays && overlay.listNumber == viewport.listNumber &&
                          overlay.environmentRotationDeg == settings.frame.environmentRotationDeg &&
-                         overlay.width == width && overlay.height == height;
+                         overlay.width == width && overlay.height == height && overlay.joint == joint;
   if (sameLines && overlay.clipFromWorld == view->clipFromWorld) return false;
   if (!sameLines) {
-    Result<frame::OverlayLines> lines = frame::overlayLines(viewport.shown, settings);
+    Result<frame::OverlayLines> lines = frame::overlayLines(viewport.shown, settings, joint);
     if (!lines) return complain(state, lines.error()), false;
     overlay.lines = std::move(*lines);
     state.shown.gridSpacing = overlay.lines.gridSpacing, state.shown.overlayRemark = overlay.lines.remark;
   }
   if (overlay.width != width || overlay.height != height) overlay.targets = frame::createOverlayTargets(width, height);
   overlay.overlays = settings.overlays, overlay.listNumber = viewport.listNumber;
+  overlay.joint = joint;
   overlay.environmentRotationDeg = settings.frame.environmentRotationDeg;
   overlay.width = width, overlay.height = height, overlay.clipFromWorld = view->clipFromWorld;
   const Result<void> drawn = frame::drawOverlay(frame::frameInput(viewport.shown, *view, settings), viewport.shown,

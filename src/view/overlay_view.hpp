@@ -18,7 +18,7 @@ struct OverlayView {
   bool shown = false;
   // What it was drawn for.
   frame::Overlays overlays;
-  int listNumber = 0, width = 0, height = 0;
+  int listNumber = 0, width = 0, height = 0, joint = -1;
   float environmentRotationDeg = 0;
   glm::dmat4 clipFromWorld = glm::dmat4(0);
 };

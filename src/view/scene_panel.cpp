@@ -299,8 +299,12 @@ void scenePanel(ViewerState& state, PanelResult& result) {
   treeSearch(state.tree);
   const bool chosen = state.selection.node >= 0 || state.selection.material >= 0;
   const float all = ImGui::GetContentRegionAvail().y;
-  treeList(state, result, chosen ? 0.36f * all : std::max(all, 1.0f));
-  if (!chosen) return;
+  const float below = (state.metadata.wanted ? 12.0f : 1.0f) * ImGui::GetFrameHeightWithSpacing();
+  treeList(state, result, chosen ? 0.36f * all : std::max(all - below, 1.0f));
+  if (!chosen) {
+    if (ImGui::BeginChild("file")) metadataSection(state);
+    return ImGui::EndChild();
+  }
   if (ImGui::BeginChild("chosen")) {
     if (state.inspection.on) pointValues(state.layout, state.inspection, state.measuredFrom, model);
     const int material = state.selection.material;
@@ -321,6 +325,7 @@ void scenePanel(ViewerState& state, PanelResult& result) {
       for (const int light : {its.light, its.profiledLight})
         if (light >= 0) editLight(state, light);
     }
+    metadataSection(state);
   }
   ImGui::EndChild();
 }

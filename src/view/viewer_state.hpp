@@ -24,6 +24,7 @@
 #include "view/history.hpp"
 #include "view/keys.hpp"
 #include "view/listing.hpp"
+#include "view/metadata_panel.hpp"
 #include "view/panel_layout.hpp"
 #include "view/preferences.hpp"
 #include "view/scene_tree.hpp"
@@ -191,6 +192,7 @@ struct ViewerState {
   Selection selection;
   SceneTree tree;
   FileCheck fileCheck;
+  ShownMetadata metadata;
   Preferences preferences;
   Bookmarks bookmarks;
   std::string bookmarkName;  // as it is being typed

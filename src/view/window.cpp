@@ -138,7 +138,7 @@ double waitForEvents(Loop& loop, const Loader& loader, const Viewport& viewport,
   else
     glfwWaitEventsTimeout(atWork(viewport, state) || viewport.comingUp || loader.measured.running() ? stepWait
                           : loop.dialog || loader.running() || viewport.second.working() ||
-                                  loader.fileCheck.running() || loader.exported.running()
+                                  loader.fileCheck.running() || loader.metadata.running() || loader.exported.running()
                               ? busyWait
                           : viewport.clock.waiting() ? timerWait
                                                      : idle);
@@ -192,6 +192,7 @@ void takeLoaded(Viewport& viewport, ViewerState& state, Loader& loader) {
   if (auto images = loader.images.take()) takeImages(viewport, state, std::move(*images));
   if (auto exported = loader.exported.take()) takeExport(state, std::move(*exported));
   if (auto checked = loader.fileCheck.take()) takeFileCheck(state, std::move(*checked));
+  if (auto read = loader.metadata.take()) takeMetadata(state, std::move(*read));
 }
 
 void nameWhatLoads(const Loader& loader, const Viewport& viewport, const std::string& model, ViewerState& state) {
@@ -297,7 +298,8 @@ bool turn(Loop& loop, ImGuiSession& imgui, Viewport& viewport, ViewerState& stat
   const Flight flight{flightDirection(loop, state.keys) * seconds, isDown(loop.window, GLFW_KEY_LEFT_SHIFT)};
   Actions actions = control(input, flight, currentView(viewport, state), height, state);
   const bool wasLoading = loader.running() || viewport.second.working() || loader.fileCheck.running() ||
-                          loader.exported.running() || viewport.comingUp || viewport.clock.waiting();
+                          loader.metadata.running() || loader.exported.running() || viewport.comingUp ||
+                          viewport.clock.waiting();
   takeLoaded(viewport, state, loader);
   followDialog(loop, actions, state);
   if (actions.saveSession) saveSession(state);
@@ -305,6 +307,7 @@ bool turn(Loop& loop, ImGuiSession& imgui, Viewport& viewport, ViewerState& stat
   if (reloaded) reloadShaders(viewport, state);
   followFiles(loop, viewport, loader);
   followFileCheck(state, loader);
+  followMetadata(state, loader);
   followLobe(state, loader);
   tellBrowser(loop, state);
   const bool collected = collect(loop.browser);
@@ -322,7 +325,9 @@ bool turn(Loop& loop, ImGuiSession& imgui, Viewport& viewport, ViewerState& stat
   if (wasLoading || moves) loop.framesToDraw = std::max(loop.framesToDraw, 1);
 
   if (followStyle(imgui, state.preferences)) loop.framesToDraw = settlingFrames;
-  if (loop.framesToDraw > 0) {
+  const bool begun =
+      loop.framesToDraw > 0;  // else what comes up is shown in the next turn: panels are drawn once a frame
+  if (begun) {
     beginFrame(imgui, delivery.toPanels);
     state.shown.view = currentView(viewport, state);
     PanelResult panel;
@@ -363,7 +368,7 @@ bool turn(Loop& loop, ImGuiSession& imgui, Viewport& viewport, ViewerState& stat
     takeScreenshot(viewport, state);
   }
   followScreenshot(viewport, state);
-  if (loop.framesToDraw > 0) {
+  if (begun) {
     present(loop.window, viewport, state);
     if (const Result<void> driver = gl::checkDriver("the window's picture");
         !driver && state.status.text != describe(driver.error()))

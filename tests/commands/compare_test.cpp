@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -6,6 +8,7 @@
 #include "base/srgb.hpp"
 #include "compare/flip.hpp"
 #include "io/image.hpp"
+#include "io/picture_file.hpp"
 #include "io/radiance.hpp"
 #include "support/command.hpp"
 #include "support/gltf_builder.hpp"
@@ -169,6 +172,28 @@ TEST_CASE("compare: figures of path-traced references agree with those of an ind
   CHECK(json["bias"][2].get<double>() == Approx(-0.0131402710).epsilon(1e-4));
   CHECK(json["ssim"].get<double>() == Approx(0.9175742721).epsilon(1e-5));
   CHECK(json["displayRmse"].get<double>() == Approx(7.9610494352).epsilon(1e-4));
+}
+
+TEST_CASE("compare: whatever facet writes is a picture of a folder, and nothing else") {
+  test::TemporaryFolder folder;
+  io::Pixels grey;
+  grey.width = grey.height = 8, grey.channels = 3;
+  grey.data.assign(192, 100);
+  for (const char* name : {"ref", "img"}) {
+    std::filesystem::create_directories(folder.path() / name);
+    for (const auto& [ending, format] : {std::pair(".webp", io::PictureFormat::webp),
+                                         {".JPG", io::PictureFormat::jpeg},
+                                         {".png", io::PictureFormat::png}}) {
+      const auto bytes = io::encodePicture(format, grey, 100, "grey");
+      REQUIRE(bytes);
+      std::ofstream(folder.path() / name / ("a" + std::string(ending)), std::ios::binary)
+          .write(reinterpret_cast<const char*>(bytes->data()), static_cast<std::streamsize>(bytes->size()));
+    }
+    std::ofstream(folder.path() / name / "notes.txt") << "no picture";
+  }
+  const Outcome outcome = runFacet({"compare", folder.file("ref"), folder.file("img"), "--csv"});
+  CHECK(outcome.status == 0);
+  CHECK(std::ranges::count(outcome.text, '\n') == 4);
 }
 
 TEST_CASE("compare: folders are compared picture by picture, maps hold signed differences") {

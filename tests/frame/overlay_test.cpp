@@ -1,9 +1,12 @@
 #include <catch2/catch.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <map>
+#include <set>
 
 #include "frame/choose.hpp"
 #include "frame/overlay_lines.hpp"
 #include "frame/settings.hpp"
+#include "optics/color.hpp"
 #include "scene/deformation.hpp"
 #include "support/gltf_load.hpp"
 #include "support/picture.hpp"
@@ -134,6 +137,18 @@ TEST_CASE("Overlays: a skeleton is where the animation puts its joints, a light 
     const frame::DrawList list = frame::buildDrawList(model.model, 0, {}, *frame::choosePose(placement, model.model));
     const frame::OverlayLines skeleton = linesOf(model.model, list, Overlay::skeleton, placement);
     REQUIRE(skeleton.lines.size() == 3);  // a bone and two joints
+    // What each joint moves: the edges of its vertices by its share, before the skeleton; the mesh's node moves none.
+    for (const auto& [joint, shares] :
+         std::map<int, std::vector<double>>{{1, {0.5, 1, 0.5}}, {2, {0.5, 0.5}}, {0, {}}}) {
+      const frame::OverlayLines moved =
+          *frame::overlayLines({model.model, list, 0, {}, 0, 1, joint}, placement, only(Overlay::skeleton));
+      REQUIRE(moved.lines.size() == 3 + shares.size());
+      std::vector<double> found;
+      for (size_t i = 0; i < shares.size(); ++i)
+        for (const double share : {0.5, 1.0})
+          if (glm::distance(glm::dvec3(moved.lines[i].color), optics::falseColor(share)) < 1e-6) found.push_back(share);
+      CHECK(std::multiset<double>(found.begin(), found.end()) == std::multiset<double>(shares.begin(), shares.end()));
+    }
     const glm::dvec3 from = glm::dvec3(skeleton.lines[0].from) + list.origin,
                      to = glm::dvec3(skeleton.lines[0].to) + list.origin;
     CHECK(from.x == Approx(1 + 3 * time));

@@ -185,6 +185,12 @@ done
 await "passes timed: .*opaque [0-9.]* ms.*, display [0-9.]* ms" 1
 quit
 
+# Lines over a picture that goes on converging without anybody's doing.
+start builtin:spheres --overlay axes,skeleton --size 640x480 --samples 16 --visibility none
+await "picture converged: 16 samples" 1
+find_window
+quit
+
 # Two models beside each other: where nothing of one is there, what differs is the other.
 start first.gltf second.gltf --env none --size 1280x800 --samples 1 --background 1,0,0
 await "frame drawn: first.gltf, none" 1
