@@ -173,6 +173,13 @@ Result<void> checkExrPart(const ExrPart& part, uint64_t fileBytes, const std::st
   const double most = static_cast<double>(fileBytes) * largestRatio(part.compression);
   if (pixels * part.bytesPerPixel > most || chunks(part) > fileBytes / 16)
     return fail(name, "", "the file is too short for " + sizeText(*part.data) + " pixels", exrCopyAgain);
+  // The library has the memory for a whole tile, however little of it there is.
+  constexpr double usualTile = 1 << 20;
+  if (double(part.tileWidth) * double(part.tileHeight) > std::max(usualTile, 4 * pixels))
+    return fail(name, "",
+                "its tiles have " + std::to_string(part.tileWidth) + " x " + std::to_string(part.tileHeight) +
+                    " pixels, far more than the picture",
+                exrCopyAgain);
   return {};
 }
 

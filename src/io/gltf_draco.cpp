@@ -191,6 +191,8 @@ Result<std::vector<uint8_t>> readAttribute(const Document& doc, const draco::Mes
                          " components, but the accessor has " + std::to_string(components),
                      dracoRemedy);
   }
+  if (attribute->data_type() == draco::DT_BOOL)  // whose bytes may hold anything
+    return doc.error(place, "its data are truth values, which glTF has none of", dracoRemedy);
   if (!valuesExist(*attribute, mesh.num_points())) return doc.error(place, "its data is damaged", dracoRemedy);
   std::vector<uint8_t> bytes(mesh.num_points() * elementSize(a.componentType, a.type));
   if (!copyValues(*attribute, mesh.num_points(), a.componentType, bytes.data())) {

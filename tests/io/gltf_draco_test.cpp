@@ -301,6 +301,18 @@ TEST_CASE("Draco: what is broken is refused", "[io][draco]") {
   CHECK(refused(good, [](GltfBuilder& b) { b.json["accessors"][1]["componentType"] = 5120; }) == "loaded");
 }
 
+TEST_CASE("Draco: truth values are refused, whatever their bytes hold", "[io][draco]") {
+  const Dome d = dome();
+  draco::Mesh mesh;
+  mesh.set_num_points(25);
+  addTo(mesh, Type::POSITION, draco::DT_FLOAT32, 3, positionId, d.positions);
+  addTo(mesh, Type::GENERIC, draco::DT_BOOL, 3, normalId, std::vector<std::array<uint8_t, 3>>(25, {0, 1, 144}));
+  addTo(mesh, Type::COLOR, draco::DT_UINT8, 4, colourId, d.colours);
+  GltfBuilder b = file(encode(mesh, d, draco::MESH_SEQUENTIAL_ENCODING, 0, 0));
+  CHECK(outcome(b.text()).find("/attributes/NORMAL: its data are truth values, which glTF has none of") !=
+        std::string::npos);
+}
+
 TEST_CASE("Draco: a header that claims very much is refused before memory is taken", "[io][draco]") {
   // "DRACO", 2.2, mesh, sequential, no flags, 300 000 000 triangles and 25 points as varints
   const Bytes bytes = {'D', 'R', 'A', 'C', 'O', 2, 2, 1, 0, 0, 0, 0x80, 0xc6, 0x86, 0x8f, 0x01, 25};

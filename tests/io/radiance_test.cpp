@@ -517,6 +517,15 @@ TEST_CASE("A tiled EXR is read", "[io][radiance]") {
   const auto image = io::readRadiance(files.path);
   REQUIRE(outcome(image) == "read");
   CHECK(image->pixels[5] == glm::vec4(6, 6, 6, 1));
+  // Tiles of two million rows, for which the library would have the memory.
+  Bytes bytes = bytesOf(files.path);
+  const std::string name("tiles\0tiledesc\0\x09\0\0\0", 19);
+  const auto found = std::search(bytes.begin(), bytes.end(), name.begin(), name.end());
+  REQUIRE(found != bytes.end());
+  const uint32_t rows = 2'000'000;
+  std::memcpy(&bytes[static_cast<size_t>(found - bytes.begin()) + name.size() + 4], &rows, sizeof rows);
+  CHECK(describe(io::decodeExr(bytes, "tall.exr", {}).error()) ==
+        "tall.exr: its tiles have 2 x 2000000 pixels, far more than the picture; copy or download it again.");
 }
 
 TEST_CASE("EXR files that are refused say why", "[io][radiance]") {
