@@ -268,10 +268,36 @@ void takeImages(Viewport& viewport, ViewerState& state, ImagesDecoded decoded) {
     viewport.plan.failed = viewport.plan.next.inputs;
     return giveUp(viewport, state, decoded.pixels.error());
   }
-  scene->notes.insert(scene->notes.end(), decoded.notes.begin(), decoded.notes.end());
-  scene->pixels.resize(decoded.pixels->size());
+  keepImages(*scene, std::move(decoded));
+}
+
+void keepImages(frame::LoadedScene& scene, ImagesDecoded decoded) {
+  scene.notes.insert(scene.notes.end(), decoded.notes.begin(), decoded.notes.end());
+  scene.pixels.resize(decoded.pixels->size());
   for (size_t i = 0; i < decoded.pixels->size(); ++i)
-    if ((*decoded.pixels)[i].width > 0) scene->pixels[i] = std::move((*decoded.pixels)[i]);
+    if ((*decoded.pixels)[i].width > 0) scene.pixels[i] = std::move((*decoded.pixels)[i]);
+}
+
+Result<bool> advanceSlice(Viewport& viewport, frame::Plan& plan, frame::LoadedScene& scene,
+                          const frame::PictureSettings& wish, const frame::Drawable* shown,
+                          const frame::Supply& supply) {
+  const auto end = std::chrono::steady_clock::now() + viewport.slice;
+  const frame::KeepGoing keepGoing = [&, first = true]() mutable {
+    glFinish();  // else what was asked for is done in the window's time
+    return std::exchange(first, false) || std::chrono::steady_clock::now() < end;
+  };
+  for (;;) {
+    const Result<frame::Step> step = frame::advance(plan, scene, wish, shown, supply, viewport.programs, keepGoing);
+    if (!step) return tl::unexpected(step.error());
+    const bool worked = step->progress == frame::Progress::working || step->progress == frame::Progress::done;
+    if (const Result<void> whole = worked ? gl::checkDriver("what is to be shown") : Result<void>(); !whole) {
+      plan.failed = plan.next.inputs;
+      return tl::unexpected(whole.error());
+    }
+    if (step->progress == frame::Progress::done) return true;
+    if (step->progress != frame::Progress::working) return false;
+    if (std::chrono::steady_clock::now() >= end) return viewport.comingUp = true, false;
+  }
 }
 
 bool bringUp(Viewport& viewport, ViewerState& state, Loader& loader) {
@@ -281,27 +307,11 @@ bool bringUp(Viewport& viewport, ViewerState& state, Loader& loader) {
   std::string& animation = state.settings.placement.animation;
   if (const auto known = scene::chooseAnimations(scene->model(), animation); !known)
     complain(state, known.error()), animation.clear();
-  const frame::Supply supply = supplyBeside(viewport, loader);
-  const auto end = std::chrono::steady_clock::now() + viewport.slice;
-  const frame::KeepGoing keepGoing = [&, first = true]() mutable {
-    glFinish();  // else what was asked for is done in the window's time
-    return std::exchange(first, false) || std::chrono::steady_clock::now() < end;
-  };
   const frame::Drawable* shown = viewport.scene ? &viewport.shown : nullptr;
-  for (;;) {
-    const Result<frame::Step> step =
-        frame::advance(viewport.plan, *scene, state.settings, shown, supply, viewport.programs, keepGoing);
-    if (!step) return giveUp(viewport, state, step.error()), false;
-    const bool worked = step->progress == frame::Progress::working || step->progress == frame::Progress::done;
-    if (const Result<void> whole = worked ? gl::checkDriver("what is to be shown") : Result<void>(); !whole) {
-      viewport.plan.failed = viewport.plan.next.inputs;
-      return giveUp(viewport, state, whole.error()), false;
-    }
-    if (step->progress == frame::Progress::done) break;
-    viewport.comingUp = step->progress == frame::Progress::working;
-    if (!viewport.comingUp || std::chrono::steady_clock::now() >= end) return false;
-  }
-  viewport.comingUp = false;
+  const Result<bool> complete =
+      advanceSlice(viewport, viewport.plan, *scene, state.settings, shown, supplyBeside(viewport, loader));
+  if (!complete) return giveUp(viewport, state, complete.error()), false;
+  if (!*complete) return false;
   frame::Drawable next = std::move(viewport.plan.next);
   viewport.plan.listed = false;
   const bool moved = shown && shown->scene == scene && frame::differInTimeOnly(next.inputs, shown->inputs);

@@ -14,6 +14,13 @@ void takeEnvironment(Viewport& viewport, ViewerState& state, EnvironmentLoaded l
 void takeMeasured(Viewport& viewport, ViewerState& state, MeasuredLoaded loaded);
 void takeFit(Viewport& viewport, ViewerState& state, FitMade made);
 void takeImages(Viewport& viewport, ViewerState& state, ImagesDecoded decoded);
+// Into what waits for them.
+void keepImages(frame::LoadedScene& scene, ImagesDecoded decoded);
+
+// The plan's next steps, as many as a turn has time for. True: it is complete; Viewport::comingUp: there is more to do.
+Result<bool> advanceSlice(Viewport& viewport, frame::Plan& plan, frame::LoadedScene& scene,
+                          const frame::PictureSettings& wish, const frame::Drawable* shown,
+                          const frame::Supply& supply);
 // Asks the loader for what the state wants and is not there yet, and shows it as soon as everything is there. True
 // where the draw list is new.
 bool bringUp(Viewport& viewport, ViewerState& state, Loader& loader);

@@ -7,6 +7,7 @@
 #include "compare/compare.hpp"
 #include "frame/blend_lists.hpp"
 #include "scene/animation.hpp"
+#include "view/bring_up.hpp"
 #include "view/viewport.hpp"
 
 namespace facet::view {
@@ -80,30 +81,6 @@ void takeSecond(SecondModel& second, ModelLoaded loaded) {
   second.scene->notes = second.scene->loaded->notes;
 }
 
-// True where there is a new list of it.
-Result<bool> advanceSecond(Viewport& viewport, const ViewerState& state) {
-  SecondModel& second = viewport.second;
-  const frame::PictureSettings settings = secondSettings(state, second.scene->model());
-  const frame::Supply supply = supplyOf(viewport);
-  const auto end = std::chrono::steady_clock::now() + viewport.slice;
-  const frame::KeepGoing keepGoing = [&, first = true]() mutable {
-    glFinish();
-    return std::exchange(first, false) || std::chrono::steady_clock::now() < end;
-  };
-  for (;;) {
-    const Result<frame::Step> step =
-        frame::advance(second.plan, *second.scene, settings, second.shown.scene ? &second.shown : nullptr, supply,
-                       viewport.programs, keepGoing);
-    if (!step) return tl::unexpected(step.error());
-    const bool worked = step->progress == frame::Progress::working || step->progress == frame::Progress::done;
-    if (worked)
-      if (const Result<void> whole = gl::checkDriver("the second model"); !whole) return tl::unexpected(whole.error());
-    if (step->progress == frame::Progress::done) return true;
-    if (step->progress != frame::Progress::working) return false;
-    if (std::chrono::steady_clock::now() >= end) return viewport.comingUp = true, false;
-  }
-}
-
 void prepareSecondTargets(Viewport& viewport) {
   SecondModel& second = viewport.second;
   const frame::PictureSettings& s = viewport.moving.settings;
@@ -133,13 +110,12 @@ void followSecond(Viewport& viewport, ViewerState& state, const Loader& loader) 
   }
   if (std::optional<ImagesDecoded> images = second.loader.images.take(); images && second.scene) {
     if (!images->pixels) return giveUpSecond(viewport, state, images->pixels.error());
-    second.scene->notes.insert(second.scene->notes.end(), images->notes.begin(), images->notes.end());
-    second.scene->pixels.resize(images->pixels->size());
-    for (size_t i = 0; i < images->pixels->size(); ++i)
-      if ((*images->pixels)[i].width > 0) second.scene->pixels[i] = std::move((*images->pixels)[i]);
+    keepImages(*second.scene, std::move(*images));
   }
   if (!second.scene || !viewport.scene || viewport.next || !viewport.environments.shown) return;
-  const Result<bool> advanced = advanceSecond(viewport, state);
+  const Result<bool> advanced =
+      advanceSlice(viewport, second.plan, *second.scene, secondSettings(state, second.scene->model()),
+                   second.shown.scene ? &second.shown : nullptr, supplyOf(viewport));
   if (!advanced) return giveUpSecond(viewport, state, advanced.error());
   if (!*advanced) return;
   second.shown = std::move(second.plan.next);

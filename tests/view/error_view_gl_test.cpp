@@ -26,14 +26,9 @@ double errorOf(const glm::dvec3& color) {
 }
 
 std::vector<double> errorsShown(const Viewer& viewer) {
-  const gl::Texture& picture = viewer.viewport.errorView.picture;
-  const int width = picture.description().width, height = picture.description().height;
-  std::vector<glm::vec4> texels(static_cast<size_t>(width) * static_cast<size_t>(height));
-  glGetTextureImage(picture.id(), 0, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(texels.size() * sizeof(glm::vec4)),
-                    texels.data());
   std::vector<double> errors;
-  for (int y = height - 1; y >= 0; --y)  // from the top, as pictures are
-    for (int x = 0; x < width; ++x) errors.push_back(errorOf(glm::dvec3(texels[static_cast<size_t>(y * width + x)])));
+  for (const glm::dvec4& texel : test::texelsOf(viewer.viewport.errorView.picture))
+    errors.push_back(errorOf(glm::dvec3(texel)));
   return errors;
 }
 

@@ -12,15 +12,10 @@ namespace {
 io::Pixels secondDisplay(const Viewer& viewer) { return frame::readDisplay(viewer.viewport.second.targets, false); }
 
 io::Pixels bothDisplay(const Viewer& viewer) {
-  const gl::Texture& picture = viewer.viewport.second.pair.picture;
   io::Pixels out = viewer.display();
-  std::vector<uint8_t> texels(static_cast<size_t>(out.width) * static_cast<size_t>(out.height) * 4);
-  glGetTextureImage(picture.id(), 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(texels.size()), texels.data());
-  for (int y = 0; y < out.height; ++y)
-    for (int x = 0; x < out.width; ++x)
-      for (int c = 0; c < 3; ++c)
-        out.data[static_cast<size_t>((y * out.width + x) * 3 + c)] =
-            texels[static_cast<size_t>(((out.height - 1 - y) * out.width + x) * 4 + c)];
+  const std::vector<glm::dvec4> texels = test::texelsOf(viewer.viewport.second.pair.picture);
+  for (size_t i = 0; i < out.data.size(); ++i)
+    out.data[i] = static_cast<uint8_t>(std::lround(255 * texels[i / 3][static_cast<int>(i % 3)]));
   return out;
 }
 

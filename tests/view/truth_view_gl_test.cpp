@@ -11,15 +11,8 @@ using view::Beside;
 namespace {
 
 std::vector<glm::dvec3> truthPixels(const gl::Texture& picture) {
-  const int width = picture.description().width, height = picture.description().height;
-  std::vector<glm::vec4> texels(static_cast<size_t>(width) * static_cast<size_t>(height));
-  glGetTextureImage(picture.id(), 0, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(texels.size() * sizeof(glm::vec4)),
-                    texels.data());
   std::vector<glm::dvec3> pixels;
-  for (int y = height - 1; y >= 0; --y)  // from the top, as pictures are
-    for (int x = 0; x < width; ++x)
-      pixels.push_back(
-          255.0 * glm::dvec3(texels[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)]));
+  for (const glm::dvec4& texel : test::texelsOf(picture)) pixels.push_back(255.0 * glm::dvec3(texel));
   return pixels;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// The window's loop without a window.
+// The window's loop without a window, and what it has drawn.
 
 #include <catch2/catch.hpp>
 #include <thread>
@@ -9,6 +9,19 @@
 #include "view/bring_up.hpp"
 
 namespace facet::test {
+
+// [0, 1], row by row from the top, as pictures are.
+inline std::vector<glm::dvec4> texelsOf(const gl::Texture& picture) {
+  const auto width = static_cast<size_t>(picture.description().width),
+             height = static_cast<size_t>(picture.description().height);
+  std::vector<glm::vec4> texels(width * height);
+  glGetTextureImage(picture.id(), 0, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(texels.size() * sizeof(glm::vec4)),
+                    texels.data());
+  std::vector<glm::dvec4> rows;
+  for (size_t y = height; y-- > 0;)
+    for (size_t x = 0; x < width; ++x) rows.emplace_back(texels[y * width + x]);
+  return rows;
+}
 
 struct Viewer {
   view::Loader loader;
