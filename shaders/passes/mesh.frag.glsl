@@ -125,7 +125,9 @@ void main() {
   outColor = vec4(min(emittedPart(baseColor.rgb) * frame.stored.x, frame.stored.z) * coverage, coverage);
 #else
   vec4 lit = litRadiance(v, towardsViewer(v.position), baseColor.rgb);
-  outColor = vec4(clamp(lit.rgb * frame.stored.x, 0.0, frame.stored.z), lit.a) * coverage;
+  // What is no number stays none, to be counted and seen: clamp may give anything of it.
+  if (!any(isnan(lit.rgb))) lit.rgb = clamp(lit.rgb * frame.stored.x, 0.0, frame.stored.z);
+  outColor = lit * coverage;
 #ifdef ALPHA_BLEND
   outColor += unblended(gl_FragCoord.xy, coverage);
 #endif

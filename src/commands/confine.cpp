@@ -38,6 +38,8 @@ constexpr const char* driverCaches[] = {"MESA_SHADER_CACHE_DIR", "__GL_SHADER_DI
 void needPicture(Needed& needed, const std::string& model, const frame::PictureSettings& settings) {
   const frame::Sources& sources = settings.sources;
   if (isFile(model)) needModel(needed, model);
+  for (const std::string& other : sources.with)
+    if (isFile(other)) needModel(needed, other);
   for (const std::string& folder : {sources.allowOutside, sources.shaderDir})
     if (!folder.empty()) needed.read.emplace_back(folder);
   if (isFile(sources.environment)) {

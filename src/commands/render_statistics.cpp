@@ -93,7 +93,7 @@ nlohmann::ordered_json statisticsJson(const Job& job, const frame::Session& sess
   }
   if (s.gridSpacing) out["overlay"] = {{"gridSpacing", *s.gridSpacing}};
   if (s.range)
-    out["range"] = {{"channel", job.settings.look.channel},
+    out["range"] = {{"channel", job.settings.look.channel.empty() ? "radiance" : job.settings.look.channel},
                     {"from", s.range->range.from},
                     {"to", s.range->range.to},
                     {"unit", s.range->unit},

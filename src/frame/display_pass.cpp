@@ -37,23 +37,27 @@ float quantityFactor(const FrameInput& in) {
 namespace {
 
 DisplayParameters quantityParameters(const FrameInput& in, float scale) {
-  const ValueRange range = rangeShown(in.list, in.view, in.settings.display.range)->range;
-  const auto factor = static_cast<double>(quantityFactor(in));
+  const ValueRange range = rangeShown(in.list, in.view, in.settings.display)->range;
+  const int channel = in.list.features.channel;
+  const bool light = shading::showsLight(channel);
+  const double factor = light ? 1 / static_cast<double>(radianceUnit(in.settings.display, channel))
+                              : static_cast<double>(quantityFactor(in));
   const auto end = [&](double value) {
     return static_cast<float>(range.logarithmic ? std::log2(value * factor) : value * factor);
   };
   const bool covered = in.settings.frame.background != Background::transparent;
   const glm::vec3 behind =
       in.settings.frame.background == Background::color ? in.settings.frame.backgroundColor : glm::vec3(0);
-  return {{end(range.from), end(range.to), range.logarithmic ? 3.0f : 2.0f, scale}, {behind, covered ? 1.0f : 0.0f}};
+  const float kind = light ? 4 : range.logarithmic ? 3 : 2;
+  return {{end(range.from), end(range.to), kind, scale}, {behind, covered ? 1.0f : 0.0f}};
 }
 
 }  // namespace
 
 DisplayParameters displayParameters(const FrameInput& in, float scale) {
-  if (showsQuantity(in)) return quantityParameters(in, scale);
   const PictureSettings& s = in.settings;
   const int channel = in.list.features.channel;
+  if (showsQuantity(in) || showsLightInFalseColors(s.display, channel)) return quantityParameters(in, scale);
   const bool shaded = shading::showsLight(channel);
   const float exposure = std::exp2(s.display.exposureStops) * radianceUnit(s.display, channel);
   return {{shaded ? exposure : 1.0f, shaded ? static_cast<float>(s.display.toneMapper) : 0.0f,

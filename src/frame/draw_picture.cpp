@@ -391,7 +391,7 @@ Result<Picture> drawPicture(const PictureSettings& asked, const PictureRequest& 
     stages.mark("overlay");
   }
   statistics.passTimes = clock.take();
-  statistics.range = rangeShown(list, *view, settings.display.range);
+  statistics.range = rangeShown(list, *view, settings.display);
   statistics.visibility = chosenVisibility(asked, list);
   if (drawable.paths)
     statistics.traced = {drawable.paths->triangleCount, drawable.paths->bytes(), drawable.paths->buildMs};

@@ -108,6 +108,7 @@ static_assert(inOrder(causticsChoices));
 
 // What is read from outside, besides the model.
 struct Sources {
+  std::vector<std::string> with;  // further models in the same scene (scene::addModel)
   std::string bump;              // grey height map for the materials of a built-in scene; empty: none
   double bumpScale = 0.02;       // height of white above black, in widths of the map
   std::string environment;       // "builtin:NAME", a path (io::withLayer), "none"; empty: a built-in one is chosen
@@ -186,8 +187,9 @@ struct Display {
   float exposureStops = 0;  // factor 2^stops before tone mapping, [-32, 32]
   ToneMapper toneMapper = ToneMapper::pbrNeutral;
   // What the ends of false colours stand for, x < y; not given: frame/value_range.hpp. Of a channel that shows
-  // quantities.
+  // quantities, or of light where falseColors.
   std::optional<glm::dvec2> range;
+  bool falseColors = false;  // the luminance of light as a colour that stands for a number, in the tone mapper's place
 
   bool operator==(const Display&) const = default;
 };

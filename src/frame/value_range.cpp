@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "frame/settings.hpp"
+
 namespace facet::frame {
 
 namespace {
@@ -58,6 +60,12 @@ const char* unitOf(int channel) {
   }
 }
 
+// Sixteen stops around what a screen shows as white: at 2^-exposure.
+ValueRange lightRange(const Display& display) {
+  const auto stops = static_cast<double>(display.exposureStops);
+  return {std::exp2(-10 - stops), std::exp2(6 - stops), true};
+}
+
 }  // namespace
 
 ValueRange usualRange(const DrawList& list, const scene::View& view) {
@@ -92,11 +100,20 @@ ValueRange usualRange(const DrawList& list, const scene::View& view) {
   }
 }
 
-std::optional<RangeShown> rangeShown(const DrawList& list, const scene::View& view,
-                                     const std::optional<glm::dvec2>& wish) {
+bool showsLightInFalseColors(const Display& display, int channel) {
+  return display.falseColors && shading::showsLight(channel);
+}
+
+std::optional<RangeShown> rangeShown(const DrawList& list, const scene::View& view, const Display& display) {
   const int channel = list.features.channel;
-  if (shading::channelKind(channel) != shading::ChannelKind::quantity) return std::nullopt;
-  RangeShown shown{std::string(rowOf(shading::channels, channel).label), unitOf(channel), usualRange(list, view)};
+  const std::optional<glm::dvec2>& wish = display.range;
+  RangeShown shown{channel == 0 ? "radiance" : std::string(rowOf(shading::channels, channel).label), unitOf(channel), {}};
+  if (showsLightInFalseColors(display, channel))
+    shown.range = lightRange(display);
+  else if (shading::channelKind(channel) == shading::ChannelKind::quantity)
+    shown.range = usualRange(list, view);
+  else
+    return std::nullopt;
   if (wish && (!shown.range.logarithmic || wish->x > 0)) shown.range.from = wish->x, shown.range.to = wish->y;
   return shown;
 }

@@ -10,6 +10,7 @@
 #include "scene/builtin_environments.hpp"
 #include "scene/builtin_scenes.hpp"
 #include "scene/geometry.hpp"
+#include "scene/together.hpp"
 
 namespace facet::io {
 
@@ -91,6 +92,22 @@ Result<LoadedModel> loadModel(const std::string& source, const Limits& limits, c
   if (loaded && !bump.file.empty())
     if (auto ok = applyBump(loaded->model, bump, limits); !ok) return tl::unexpected(ok.error());
   return loaded ? completed(std::move(*loaded), limits) : std::move(loaded);
+}
+
+Result<LoadedModel> loadModels(const std::string& source, std::span<const std::string> with, const Limits& limits,
+                               const Bump& bump) {
+  Result<LoadedModel> loaded = loadModel(source, limits, bump);
+  for (const std::string& other : with) {
+    if (!loaded) break;
+    Result<LoadedModel> added = loadModel(other, limits);
+    if (!added) return tl::unexpected(added.error());
+    scene::addModel(loaded->model, std::move(added->model));
+    for (Note& note : added->notes) {
+      note.place = other + (note.place.empty() ? "" : ": " + note.place);
+      loaded->notes.push_back(std::move(note));
+    }
+  }
+  return loaded;
 }
 
 Result<scene::Environment> loadEnvironmentSource(const std::string& source, Notes& notes, const Limits& limits) {

@@ -35,6 +35,10 @@ Result<LoadedModel> loadModel(const std::string& source, const Limits& limits = 
 // Of what was read already.
 Result<LoadedModel> loadModel(const ModelBytes& source, const Limits& limits = {});
 
+// `with` in the same scene as `source` (scene::addModel). Notes about them name them.
+Result<LoadedModel> loadModels(const std::string& source, std::span<const std::string> with, const Limits& limits = {},
+                               const Bump& bump = {});
+
 // An environment and the layer of its OpenEXR file in one: "passes.exr#Combined". layer empty: the source alone.
 std::string withLayer(const std::string& source, const std::string& layer);
 struct LayeredSource {

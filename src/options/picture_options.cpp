@@ -148,6 +148,23 @@ std::string writeTime(const PictureSettings& settings) {
   return settings.placement.animation.empty() ? std::string() : number(settings.placement.timeSeconds);
 }
 
+constexpr char repeatedSeparator = ';';
+
+Result<void> parseWith(Text text, PictureSettings& settings) {
+  settings.sources.with.clear();
+  for (const Text model : split(text, repeatedSeparator)) {
+    if (model.empty()) return fail({}, {}, inQuotes(text) + " names no model", "give a file or builtin:NAME");
+    settings.sources.with.emplace_back(model);
+  }
+  return {};
+}
+
+std::string writeWith(const PictureSettings& settings) {
+  std::string text;
+  for (const std::string& model : settings.sources.with) text += (text.empty() ? "" : ";") + model;
+  return text;
+}
+
 Result<void> parseChannel(Text text, PictureSettings& settings) {
   const Choice<int>* channel = rowOfWord(shading::channels, text);
   if (!channel) return unknownWord(text, shading::channels);
@@ -155,13 +172,23 @@ Result<void> parseChannel(Text text, PictureSettings& settings) {
   return {};
 }
 
-bool showsQuantity(const PictureSettings& settings) {
-  const int channel = std::max(0, shading::channelIndex(settings.look.channel));
-  return shading::channelKind(channel) == shading::ChannelKind::quantity;
-}
+int channelOf(const PictureSettings& settings) { return std::max(0, shading::channelIndex(settings.look.channel)); }
 
 std::string writeChannel(const PictureSettings& settings) {
-  return std::string(rowOf(shading::channels, std::max(0, shading::channelIndex(settings.look.channel))).word);
+  return std::string(rowOf(shading::channels, channelOf(settings)).word);
+}
+
+bool showsLightInFalseColors(const PictureSettings& settings) {
+  return settings.display.falseColors && shading::showsLight(channelOf(settings));
+}
+
+// Whether --range can say what its colours stand for, and whether both ends need to be above 0 for that.
+bool hasRange(const PictureSettings& settings) {
+  return shading::channelKind(channelOf(settings)) == shading::ChannelKind::quantity ||
+         showsLightInFalseColors(settings);
+}
+bool hasLogarithmicRange(const PictureSettings& settings) {
+  return channelOf(settings) == static_cast<int>(shading::Channel::texelDensity) || showsLightInFalseColors(settings);
 }
 
 Result<void> parseRange(Text text, PictureSettings& settings) {
@@ -175,7 +202,8 @@ Result<void> parseRange(Text text, PictureSettings& settings) {
 
 std::string writeRange(const PictureSettings& settings) {
   const std::optional<glm::dvec2>& range = settings.display.range;
-  return range && showsQuantity(settings) ? number(range->x) + "," + number(range->y) : std::string();
+  const bool counts = range && hasRange(settings) && (range->x > 0 || !hasLogarithmicRange(settings));
+  return counts ? number(range->x) + "," + number(range->y) : std::string();
 }
 
 // "#rrggbb", sRGB, or three linear numbers; [0, 1]. Linear Rec. 709.
@@ -349,12 +377,16 @@ constexpr PictureOption overlayOption(Text name, Text help) {
   return option;
 }
 
-Result<void> parseGround(Text text, PictureSettings& settings) {
+template <auto Group, auto Member>
+Result<void> parseFlag(Text text, PictureSettings& settings) {
   if (text != "true" && text != "false") return fail({}, {}, inQuotes(text) + " is neither", "give true or false");
-  settings.frame.ground = text == "true";
+  settings.*Group.*Member = text == "true";
   return {};
 }
 std::string writeGround(const PictureSettings& settings) { return settings.frame.ground ? "true" : ""; }
+std::string writeFalseColors(const PictureSettings& settings) {
+  return showsLightInFalseColors(settings) ? "true" : "";
+}
 constexpr PictureOption flagOption(Text name, Text help, Result<void> (*parse)(Text, PictureSettings&),
                                    std::string (*write)(const PictureSettings&)) {
   PictureOption option{name, "", help, parse, write};
@@ -386,8 +418,8 @@ constexpr PictureOption channelOption(Text name, Text help) {
 using M = frame::MaterialChoice;
 
 constexpr PictureOption repeatedOption(Text name, Text value, Text help, Result<void> (*parse)(Text, PictureSettings&),
-                                       std::string (*write)(const PictureSettings&)) {
-  PictureOption option{name, value, help, parse, write, ';'};
+                                       std::string (*write)(const PictureSettings&), bool isPath = false) {
+  PictureOption option{name, value, help, parse, write, repeatedSeparator, isPath};
   option.repeated = true;
   return option;
 }
@@ -449,6 +481,10 @@ constexpr PictureOption optionTable[] = {
     {"allow-outside", "DIR", "folder that files of the model may lie in, too: links and paths out of its own (none)",
      parseText<&S::sources, &frame::Sources::allowOutside>, writeString<&S::sources, &frame::Sources::allowOutside>,
      ',', true},
+    repeatedOption("with", "MODEL",
+                   "a further model in the same scene, as it lies in its own file; its objects are numbered behind those "
+                   "of the one before",
+                   parseWith, writeWith, true),
     {"animation", "NAME|INDEX|all", "an animation of the file, or all at once (none: at rest)",
      parseText<&S::placement, &frame::Placement::animation>, writeString<&S::placement, &frame::Placement::animation>},
     {"time", "S", "seconds at which the animation stands (0)",
@@ -505,8 +541,8 @@ constexpr PictureOption optionTable[] = {
     {"brdf-difference-scale", "X", "factor on that difference (4)",
      parseNumberInto<0, 1000, &S::comparison, &frame::BrdfComparison::brdfDifferenceScale>,
      writeNumber<&S::comparison, &frame::BrdfComparison::brdfDifferenceScale>},
-    flagOption("ground", "a floor below the scene that shows nothing but its shadow and what it reflects", parseGround,
-               writeGround),
+    flagOption("ground", "a floor below the scene that shows nothing but its shadow and what it reflects",
+               parseFlag<&S::frame, &frame::FrameSettings::ground>, writeGround),
     {"occlusion", "0..1", "scales the occlusion textures' strength (1)",
      parseNumberInto<0, 1, &S::frame, &frame::FrameSettings::occlusion>,
      writeNumber<&S::frame, &frame::FrameSettings::occlusion>},
@@ -515,6 +551,10 @@ constexpr PictureOption optionTable[] = {
      writeNumber<&S::display, &frame::Display::exposureStops>},
     choiceOption<optics::toneMappers, &S::display, &frame::Display::toneMapper>(
         "tonemap", "how radiance becomes what a screen shows"),
+    flagOption("false-colors",
+               "the luminance of what is shown as colours that stand for numbers, in the tone mapper's place; what is no "
+               "number is magenta",
+               parseFlag<&S::display, &frame::Display::falseColors>, writeFalseColors),
     choiceOption<frame::transports, &S::quality, &frame::Quality::transport>("light", "how light gets to a surface"),
     choiceOption<frame::visibilities, &S::quality, &frame::Quality::visibility>(
         "visibility", "whether a drawn picture knows what stands in the light's way"),
@@ -539,7 +579,8 @@ constexpr PictureOption optionTable[] = {
     channelOption("channel", "what is shown"),
     overlayOption("overlay", "lines over a picture that is shown, one or several of"),
     {"range", "FROM,TO",
-     "what the ends of the colours stand for, of a --channel that shows quantities, such as depth (what the scene has)",
+     "what the ends of the colours stand for, of a --channel that shows quantities, such as depth (what the scene has), "
+     "and with --false-colors (sixteen stops, ten of them below white)",
      parseRange, writeRange},
     {"shader-dir", "DIR", "reads shaders from here instead of the embedded ones",
      parseText<&S::sources, &frame::Sources::shaderDir>, writeString<&S::sources, &frame::Sources::shaderDir>, ',',
@@ -581,7 +622,16 @@ const PictureOption* findOption(Text name) {
 }
 
 std::string placedBelow(const std::string& folder, const PictureOption& option, const std::string& text) {
-  if (!option.isPath || text.empty() || text == "none" || text.starts_with("builtin:")) return text;
+  if (!option.isPath) return text;
+  if (option.repeated) {
+    PictureOption one = option;
+    one.repeated = false;
+    std::string all;
+    for (const Text part : split(text, option.separator))
+      all += (all.empty() ? "" : std::string(1, option.separator)) + placedBelow(folder, one, std::string(part));
+    return all;
+  }
+  if (text.empty() || text == "none" || text.starts_with("builtin:")) return text;
   const std::filesystem::path path = std::filesystem::path(folder) / text;
   std::error_code error;
   const bool word = text.find('/') == std::string::npos && !text.ends_with(".binary") && !text.ends_with(".bin");
@@ -656,8 +706,14 @@ Result<void> checkTogether(const PictureSettings& settings) {
     return fail({}, "--layer", "only an OpenEXR environment has layers", "give --env FILE.exr, too");
   if (settings.comparison.brdfCompare != frame::BrdfCompare::none && settings.sources.brdf.empty())
     return fail({}, "--brdf-compare", "there is no measured BRDF to compare", "give --brdf, too");
-  if (settings.display.range && !showsQuantity(settings))
-    return fail({}, "--range", "nothing is shown in false colours", "give --channel depth, or another quantity");
+  if (settings.display.falseColors && !shading::showsLight(channelOf(settings)))
+    return fail({}, "--false-colors", "a channel of what materials and meshes have shows no light",
+                "leave out either this or --channel");
+  if (settings.display.range && !hasRange(settings))
+    return fail({}, "--range", "nothing is shown in false colours",
+                "give --false-colors, or --channel depth or another quantity");
+  if (settings.display.range && hasLogarithmicRange(settings) && settings.display.range->x <= 0)
+    return fail({}, "--range", "the colours stand for logarithms", "give ends above 0");
   return checkViewpoint(settings.viewpoint);
 }
 

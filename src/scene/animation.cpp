@@ -8,6 +8,7 @@
 #include "base/whole_number.hpp"
 #include "scene/material_properties.hpp"
 #include "scene/nodes.hpp"
+#include "scene/properties.hpp"
 #include "scene/usage.hpp"
 
 namespace facet::scene {
@@ -156,14 +157,6 @@ void setCamera(Camera& camera, AnimatedProperty property, const std::vector<doub
   if (property == AnimatedProperty::cameraYMag) camera.yMag = std::clamp(std::abs(v[0]), smallest, largest);
 }
 
-enum class Kind { node, material, light, camera };
-
-Kind kindOf(AnimatedProperty property) {
-  if (property <= AnimatedProperty::visible) return Kind::node;
-  if (property <= AnimatedProperty::textureScale) return Kind::material;
-  return property <= AnimatedProperty::lightOuterConeAngle ? Kind::light : Kind::camera;
-}
-
 void apply(const Model& model, const Animation& animation, double time, std::vector<double>& value, Pose& pose) {
   for (const AnimationChannel& channel : animation.channels) {
     const AnimationSampler& sampler = animation.samplers[size_t(channel.sampler)];
@@ -219,18 +212,20 @@ Result<std::vector<int>> chooseAnimations(const Model& model, const std::string&
 
 void setProperty(Pose& pose, const Model& model, const AnimationChannel& channel, const std::vector<double>& value) {
   const auto edit = [&](auto& changes, const auto& rest) -> auto& { return changes.edit(rest, channel.object); };
-  switch (kindOf(channel.property)) {
-    case Kind::node:
+  switch (ownerOf(channel.property)) {
+    case Owner::node:
       setNode(edit(pose.nodes, model.nodes), channel, value, model);
       break;
-    case Kind::material:
+    case Owner::material:
       setMaterial(edit(pose.materials, model.materials), channel, value);
       break;
-    case Kind::light:
+    case Owner::light:
       setLight(edit(pose.lights, model.lights), channel.property, value);
       break;
-    case Kind::camera:
+    case Owner::camera:
       setCamera(edit(pose.cameras, model.cameras), channel.property, value);
+      break;
+    case Owner::mesh:
       break;
   }
 }

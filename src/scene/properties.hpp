@@ -26,6 +26,13 @@ struct PropertyPlace {
 };
 std::optional<PropertyPlace> placeOf(const Model& model, std::string_view pointer);
 
+// Whose property it is, of those that channels set.
+constexpr Owner ownerOf(AnimatedProperty property) {
+  if (property <= AnimatedProperty::visible) return Owner::node;
+  if (property <= AnimatedProperty::textureScale) return Owner::material;
+  return property <= AnimatedProperty::lightOuterConeAngle ? Owner::light : Owner::camera;
+}
+
 // What comes after its last slash.
 constexpr std::string_view lastToken(std::string_view pointer) { return pointer.substr(pointer.rfind('/') + 1); }
 

@@ -382,6 +382,25 @@ Check checkDisplayed() {
   return check;
 }
 
+// in0 texel; in1 the ends' binary logarithms.
+Check checkLightInFalseColors() {
+  Check check = absoluteCheck("displayedLuminance", "display.glsl",
+                              "out0.rgb = displayed(in0, vec4(in1.xy, 4.0, 1.0), vec4(0.0)).rgb;",
+                              {"r", "g", "b", "a", "from", "to"}, 2);
+  for (const glm::dvec2 ends : {glm::dvec2(-10, 6), glm::dvec2(0, 1), glm::dvec2(-32, 20)})
+    for (const double a : {0.25, 1.0})
+      for (const double value : {0.0, 1e-30, 1e-3, 0.18, 1.0, 40.0, 65504.0, 1e30}) {
+        check.inputs.emplace_back(0.7 * value * a, value * a, 0.2 * value * a, a);
+        check.inputs.emplace_back(ends, 0, 0);
+      }
+  check.twin = [](CheckVectors in) {
+    const double value = std::max(optics::luminance(xyzOf(in[0]) / in[0].w), double{1e-37f});
+    return valuesOf(optics::falseColor((std::log2(value) - in[1].x) / (in[1].y - in[1].x)));
+  };
+  allow(check, 1024, "log2, whose precision is the driver's, of numbers up to 100 octaves from 1, and 8 times the share");
+  return check;
+}
+
 Check checkFalseColor() {
   Check check = absoluteCheck("falseColor", "false_color.glsl", "out0.rgb = falseColor(in0.x);", {"share"}, 1);
   for (const double share : {-1.0, 0.0, 0.01, 0.0625, 0.125, 0.3, 0.5, 0.77, 0.99, 1.0, 2.0, 1e30})
@@ -400,6 +419,7 @@ std::vector<Check> displayChecks() {
   return {
       checkLuminance(),
       checkDisplayed(),
+      checkLightInFalseColors(),
       checkFalseColor(),
       checkSrgb(),
       checkToneMapper(ToneMapper::none, "toneMap", floatEpsilon, "clamped only"),

@@ -41,9 +41,14 @@ void truthChoice(ViewerState& state) {
 }
 
 void secondModelChoice(ViewerState& state) {
+  std::vector<std::string>& with = state.settings.sources.with;
+  for (const std::string& other : with) ImGui::TextWrapped("with it: %s", other.c_str());
+  if (!with.empty() && ImGui::Button("take out##with")) with.pop_back();
+  if (!with.empty()) hint("the last one of them");
   if (state.secondModel.empty()) {
     ImGui::TextDisabled("beside it: none");
-    hint("Shift and a click in the browser show another model beside this one, and so does `facet A.glb B.glb`");
+    hint("Shift and a click in the browser show another model beside this one, as `facet A.glb B.glb` does; Control and "
+         "a click put it into the same scene, as `--with B.glb` does");
     return;
   }
   ImGui::TextWrapped("beside it: %s", state.secondModel.c_str());

@@ -198,6 +198,7 @@ void takeModel(Viewport& viewport, ViewerState& state, ModelLoaded loaded) {
     usable = checkNames(state.settings, loaded.source, (*loaded.model)->model);
   if (!usable) {
     state.modelFailed = true;
+    state.settings.sources.with = viewport.scene ? viewport.scene->with : std::vector<std::string>();
     return complain(state, usable.error());
   }
   if (loaded.opening == Opening::again) keepWhatFits(state.settings, (*loaded.model)->model);
@@ -211,6 +212,7 @@ void takeModel(Viewport& viewport, ViewerState& state, ModelLoaded loaded) {
   slot->again = loaded.opening == Opening::again;
   slot->loaded = *loaded.model;
   slot->watch = std::move(loaded.watch);
+  slot->with = std::move(loaded.with), slot->bump = std::move(loaded.bump);
   slot->notes = slot->loaded->notes;
   state.settings.placement.animation = animationOption(slot->loaded->model, state.settings.placement.animation);
   viewport.next = std::move(slot);

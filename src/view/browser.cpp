@@ -103,7 +103,9 @@ void open(Drawing& drawing, const Entry& entry) {
   drawing.state.status = {};  // of another file
   drawing.browser.cursor = entry.source;
   if (entry.kind == FileKind::model) {
-    (ImGui::GetIO().KeyShift ? drawing.result.secondModel : drawing.result.model) = entry.source;
+    (ImGui::GetIO().KeyShift  ? drawing.result.secondModel
+     : ImGui::GetIO().KeyCtrl ? drawing.result.addedModel
+                              : drawing.result.model) = entry.source;
   } else if (entry.kind == FileKind::environment) {
     offerEnvironment(drawing.state, entry.source);
     drawing.state.settings.sources.environment = entry.source;

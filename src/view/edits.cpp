@@ -41,6 +41,13 @@ void followEdits(const Viewport& viewport, ViewerState& state, Loader& loader, b
   startModel(loader, viewport.scene->source, Opening::again, viewport.scene->bump);
 }
 
+void followTogether(const Viewport& viewport, const ViewerState& state, Loader& loader) {
+  if (!viewport.scene || viewport.next || loader.model.running()) return;
+  if (state.settings.sources.with == viewport.scene->with) return;
+  loader.with = state.settings.sources.with;
+  startModel(loader, viewport.scene->source, Opening::again, viewport.scene->bump);
+}
+
 std::filesystem::path exportName(const std::string& model, const std::filesystem::path& folder) {
   const bool builtin = model.starts_with("builtin:");
   const std::string stem = (builtin ? model.substr(8) : std::filesystem::path(model).stem().string()) + "-changed";
@@ -51,7 +58,9 @@ std::filesystem::path exportName(const std::string& model, const std::filesystem
   return path;
 }
 
-void startExport(const ViewerState& state, Loader& loader) {
+void startExport(ViewerState& state, Loader& loader) {
+  if (!state.settings.sources.with.empty())
+    return complain(state, {state.shown.model, "", "an export is of one file", "take out the others in its scene"});
   std::error_code ignored;
   const std::filesystem::path file = exportName(state.shown.model, std::filesystem::current_path(ignored));
   const io::Limits limits{.allowOutside = loader.allowOutside};

@@ -14,11 +14,14 @@ namespace facet::view {
 // Once a turn, after the panels. The model is read again where it shows what was not read of it.
 void followEdits(const Viewport& viewport, ViewerState& state, Loader& loader, bool handOnIt);
 
+// Likewise: the model is read again with the others that the settings put into its scene.
+void followTogether(const Viewport& viewport, const ViewerState& state, Loader& loader);
+
 // "helmet.glb" in a folder: "helmet-changed.glb", or with -2, -3, ... where there is such a file already.
 std::filesystem::path exportName(const std::string& model, const std::filesystem::path& folder);
 
 // The changed model into the working directory, beside the window.
-void startExport(const ViewerState& state, Loader& loader);
+void startExport(ViewerState& state, Loader& loader);
 void takeExport(ViewerState& state, ModelExported exported);
 
 }  // namespace facet::view

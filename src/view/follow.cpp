@@ -29,7 +29,7 @@ FilesChanged follow(Followed& followed, const Viewport& viewport, Loader& loader
   if (!loader.model.running() && !viewport.next) changed.model = filesChanged(followed.modelFiles, now);
   if (!loader.environment.running()) changed.environment = filesChanged(followed.environmentFiles, now);
   if (!loader.measured.running()) changed.measured = filesChanged(followed.measuredFiles, now);
-  if (changed.model) startModel(loader, scene.source, Opening::again);
+  if (changed.model) startModel(loader, scene.source, Opening::again, scene.bump);
   if (changed.environment) startEnvironment(loader, environment.source, true);
   if (changed.measured) startMeasured(loader, followed.measured->facts.source, true);
   return changed;

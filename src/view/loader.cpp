@@ -1,5 +1,7 @@
 #include "view/loader.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <new>
 
 #include "ibl/cache.hpp"
@@ -22,15 +24,19 @@ std::vector<std::filesystem::path> filesOf(const std::string& source, const std:
   return files;
 }
 
-ModelLoaded loadModel(const std::string& source, Opening opening, const io::Bump& bump, const io::Limits& limits) {
+// What is asked for of a model: all but what comes of it.
+ModelLoaded loadModel(ModelLoaded asked, const io::Limits& limits) {
   try {
-    FileWatch watch = watchFiles(filesOf(source, limits.allowOutside), std::chrono::steady_clock::now());
-    Result<io::LoadedModel> loaded = io::loadModel(source, limits, bump);
-    if (!loaded) return {source, opening, tl::unexpected(loaded.error())};
-    return {source, opening, std::make_shared<const io::LoadedModel>(std::move(*loaded)), std::move(watch)};
+    std::vector<std::filesystem::path> files = filesOf(asked.source, limits.allowOutside);
+    for (const std::string& other : asked.with) std::ranges::move(filesOf(other, limits.allowOutside), std::back_inserter(files));
+    asked.watch = watchFiles(files, std::chrono::steady_clock::now());
+    asked.model = io::loadModels(asked.source, asked.with, limits, asked.bump).map([](io::LoadedModel loaded) {
+      return std::make_shared<const io::LoadedModel>(std::move(loaded));
+    });
   } catch (const std::bad_alloc&) {
-    return {source, opening, tooLarge(source)};
+    asked.model = tooLarge(asked.source);
   }
+  return asked;
 }
 
 EnvironmentLoaded loadEnvironment(const std::string& source, bool again) {
@@ -97,7 +103,8 @@ ImagesDecoded decodeImages(const std::shared_ptr<const io::LoadedModel>& model, 
 
 void startModel(Loader& loader, const std::string& source, Opening opening, const io::Bump& bump) {
   const io::Limits limits{.allowOutside = loader.allowOutside, .editable = loader.editable};
-  loader.model.start([source, opening, bump, limits] { return loadModel(source, opening, bump, limits); });
+  ModelLoaded asked{.source = source, .opening = opening, .model = {}, .with = loader.with, .bump = bump};
+  loader.model.start([asked = std::move(asked), limits] { return loadModel(asked, limits); });
 }
 
 void startEnvironment(Loader& loader, const std::string& source, bool again) {

@@ -34,6 +34,8 @@ struct ModelLoaded {
   Opening opening = Opening::other;
   Result<std::shared_ptr<const io::LoadedModel>> model;
   FileWatch watch = {};  // of all that it consists of, as it was before it was read; none for built-in scenes
+  std::vector<std::string> with = {};  // others in the same scene
+  io::Bump bump = {};
 };
 
 struct EnvironmentLoaded {
@@ -95,6 +97,7 @@ struct Loader {
   Latest<ModelExported> exported;
   ImagesAsked imagesAsked;   // the newest request for them
   std::string allowOutside;  // of models (frame::Sources)
+  std::vector<std::string> with = {};  // others in the scene of the model that is read next (frame::Sources)
   bool editable = false;     // likewise: materials will be changed (io::Limits)
 
   bool running() const {

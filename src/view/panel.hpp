@@ -21,6 +21,7 @@ struct PanelResult {
   std::optional<ViewFrom> viewFrom;
   bool leaveFileCamera = false;  // the orbit was chosen in place of the file's camera
   std::string model;             // to be loaded; empty: none
+  std::string addedModel;        // into the scene that is shown; empty: none
   std::string secondModel;       // beside the shown one; empty: as it is
   std::vector<Area> areas;       // what the panels cover, window coordinates
   float left = 0, right = 0;     // widths of what is shown at the sides

@@ -230,6 +230,11 @@ void pictureSection(ViewerState& state) {
          "each stop doubles the light, before tone mapping");
   chooseEnum("tone mapper", settings.display.toneMapper, optics::toneMappers, usual.display.toneMapper,
              "how radiance becomes what a screen can show");
+  if (shading::showsLight(std::max(0, shading::channelIndex(settings.look.channel)))) {
+    ImGui::Checkbox("false colours", &settings.display.falseColors);
+    if (resetAsked()) settings.display.falseColors = usual.display.falseColors;
+    resettableHint("luminance as a colour that stands for a number, in the tone mapper's place; magenta: no number");
+  }
   channelChoice(settings, state.shown.content.get());
   rangeChoice(state);
   chooseEnum("light", settings.quality.transport, frame::transports, usual.quality.transport,

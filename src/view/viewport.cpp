@@ -150,7 +150,7 @@ bool drawViewport(Viewport& viewport, ViewerState& state) {
   if (same && viewport.environments.shown->preview) return false;  // it would be drawn anew soon
   const Result<bool> whole = same ? goOnMoving(viewport, state, *view) : drawMoving(viewport, state, *view);
   viewport.drawn = wanted;
-  state.shown.range = frame::rangeShown(viewport.shown.list, *view, state.settings.display.range);
+  state.shown.range = frame::rangeShown(viewport.shown.list, *view, state.settings.display);
   if (!whole) return complain(state, whole.error()), true;
   if (*whole)
     if (Result<void> second = drawSecond(viewport, state); !second) complain(state, second.error());

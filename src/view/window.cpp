@@ -175,6 +175,7 @@ void applyPanel(const PanelResult& panel, Viewport& viewport, ViewerState& state
   actions.screenshot |= panel.screenshot;
   if (!panel.model.empty()) actions.model = panel.model;
   if (!panel.secondModel.empty()) state.secondModel = panel.secondModel;
+  if (!panel.addedModel.empty()) state.settings.sources.with.push_back(panel.addedModel);
   input.panels = panel.areas;
   const ImGuiIO& io = ImGui::GetIO();
   const double scale = state.settings.frame.width / std::max(1.0, static_cast<double>(io.DisplaySize.x));
@@ -339,13 +340,14 @@ bool turn(Loop& loop, ImGuiSession& imgui, Viewport& viewport, ViewerState& stat
     keepBookmarks(state, loop.bookmarks);
     if (panel.exportModel) startExport(state, loader);
     followEdits(viewport, state, loader, ImGui::IsAnyItemActive());
+    followTogether(viewport, state, loader);
     loop.input.handingOver = std::max(0, loop.input.handingOver - 1);
     loop.input.textAwaited = ImGui::GetIO().WantTextInput ? 0 : std::max(0, loop.input.textAwaited - 1);
   }
   loop.input.keyboardTaken |= state.searchAsked || loop.browser.focusing > 0;
   if (!actions.model.empty()) {
-    state.settings.sources.bump.clear();  // it belonged to the scene before
-    loader.editable = false;
+    state.settings.sources.bump.clear(), state.settings.sources.with.clear();  // they belonged to the scene before
+    loader.editable = false, loader.with.clear();
     startModel(loader, loop.model = actions.model);
   }
   if (actions.cancel) cancelLoading(viewport, state, loader);
@@ -421,6 +423,8 @@ Result<void> checkStart(const WindowOptions& options) {
   const frame::PictureSettings& settings = options.settings;
   if (Result<void> r = io::checkModelSource(options.model, {}, {settings.sources.bump, settings.sources.bumpScale}); !r)
     return r;
+  for (const std::string& other : settings.sources.with)
+    if (Result<void> r = io::checkModelSource(other); !r) return r;
   if (!options.secondModel.empty())
     if (Result<void> r = io::checkModelSource(options.secondModel, {}, {}); !r) return r;
   const std::string& environment = settings.sources.environment;
@@ -436,6 +440,7 @@ Result<bool> runWindow(const WindowOptions& options) {
   Loader loader;  // first: what it still reads at the end is waited for after the window has gone
   loader.allowOutside = options.settings.sources.allowOutside;
   loader.editable = !options.settings.placement.arrangement.edits.empty();
+  loader.with = options.settings.sources.with;
   ViewerState state;
   if (Result<Preferences> preferences = readPreferences(preferencesFile()))
     state.preferences = *preferences;

@@ -10,7 +10,7 @@
 using namespace facet;
 using frame::PictureSettings;
 using nlohmann::json;
-using test::at, test::checkPixel, test::emptyScene, test::material;
+using test::at, test::checkPixel, test::emptyScene, test::material, test::unlit;
 using test::GltfBuilder;
 
 namespace {
@@ -294,6 +294,71 @@ TEST_CASE("Channels: quantities are shown in false colours over what the scene h
   scene.settings.frame.background = frame::Background::color;
   scene.settings.frame.backgroundColor = glm::vec3(1, 0, 0);
   checkShown(shownAt(scene.render(studio, "depth"), 3, 1), {255, 0, 0});
+}
+
+TEST_CASE("Light in false colours: its luminance over sixteen stops around white, or over a range", "[gl]") {
+  GltfBuilder builder = emptyScene();
+  const glm::dvec3 light(0.5, 0.25, 1);
+  test::addMeshNode(builder, test::addQuad(builder, {-1, -1}, {0.5, 1}),
+                    builder.append("materials", unlit(glm::vec4(glm::vec3(light), 1))));
+  test::addOrthographicCamera(builder, 1, 1);
+  Scene scene(builder);
+  frame::Display& display = scene.settings.display;
+  scene.settings.quality.samples = GENERATE(1, 4, 16);
+  scene.settings.quality.transport = GENERATE(frame::Transport::direct, frame::Transport::paths);
+  display.falseColors = true;
+  test::Studio studio;
+  const double luminance = 0.2126 * light.r + 0.7152 * light.g + 0.0722 * light.b;
+  const auto shown = [&](double from, double to) {
+    return 255.0 * optics::falseColor(std::log2(luminance / from) / std::log2(to / from));
+  };
+  // Also where light is stored in another unit.
+  for (const float stops : {0.0f, 3.0f, -12.0f, 20.0f}) {
+    display.exposureStops = stops;
+    const frame::Picture usual = scene.render(studio, "");
+    REQUIRE(usual.statistics.range);
+    const double white = std::exp2(-double{stops});
+    CHECK(usual.statistics.range->range == frame::ValueRange{white / 1024, 64 * white, true});
+    checkShown(shownAt(usual, 1, 1), shown(white / 1024, 64 * white));
+    CHECK(usual.display.data[3 * 4 + 3] == 0);  // nothing there
+  }
+  display.exposureStops = 0;
+  CHECK(frame::describe(*scene.render(studio, "").statistics.range) ==
+        "radiance from 0.0009766 to 64, logarithmic");
+  display.range = glm::dvec2(0.125, 2);
+  checkShown(shownAt(scene.render(studio, ""), 1, 1), shown(0.125, 2));
+  scene.settings.frame.background = frame::Background::color;
+  scene.settings.frame.backgroundColor = glm::vec3(1, 0, 0);
+  const frame::Picture over = scene.render(studio, "");
+  checkShown(shownAt(over, 3, 1), {255, 0, 0});
+  checkShown(shownAt(over, 1, 1), shown(0.125, 2));
+  display.falseColors = false;
+  CHECK_FALSE(scene.render(studio, "").statistics.range);
+}
+
+TEST_CASE("Light that is no number is magenta in false colours, and counted", "[gl]") {
+  const shading::ShaderReader whole = shading::shaderReader();
+  const auto reader = [&](const std::string& name) {
+    auto text = whole(name);
+    const std::string line = "vec4 lit = litRadiance(";
+    const size_t found = text && name == "passes/mesh.frag.glsl" ? text->find(line) : std::string::npos;
+    if (found != std::string::npos)
+      text->replace(found, line.size(), "vec4 lit = vec4(uintBitsToFloat(0x7fc00000u) * v.position.x) + litRadiance(");
+    return text;
+  };
+  GltfBuilder builder = emptyScene();
+  const int plain = builder.append("materials", material({1, 1, 1, 1}));
+  test::addMeshNode(builder, test::addQuad(builder, {-1, -1}, {0, 1}), plain);
+  test::addMeshNode(builder, test::addQuad(builder, {0, -1}, {1, 1}), builder.append("materials", unlit({1, 1, 1, 1})));
+  test::addOrthographicCamera(builder, 1, 1);
+  Scene scene(builder);
+  scene.settings.quality.samples = GENERATE(1, 4, 16);
+  test::Studio studio(reader);
+  scene.settings.display.falseColors = true;
+  const frame::Picture picture = scene.render(studio, "");
+  CHECK(picture.statistics.nonFinitePixels == 8);
+  checkShown(shownAt(picture, 0, 1), {255, 0, 255});
+  checkShown(shownAt(picture, 3, 1), 255.0 * optics::falseColor(10.0 / 16));
 }
 
 TEST_CASE("Channels: texels per metre, and the level that is read of them", "[gl]") {

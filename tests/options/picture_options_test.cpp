@@ -103,7 +103,7 @@ PictureSettings unusual() {
   s.quality.maxError = 0.02;
   s.look.channel = "texelDensity", s.display.range = glm::dvec2(1.0 / 3, 1e6);
   s.overlays.shown = frame::Overlays::bitOf(frame::Overlay::grid) | frame::Overlays::bitOf(frame::Overlay::sun);
-  s.sources.shaderDir = "my $HOME";
+  s.sources.shaderDir = "my $HOME", s.sources.with = {"b c.glb", "builtin:furnace"};
   return s;
 }
 
@@ -141,6 +141,25 @@ TEST_CASE("a range is of a channel that shows quantities") {
   PictureSettings other = *both;
   other.look.channel = "normal";  // as the panel leaves it
   CHECK(options::commandLine(other, "a.glb") == "facet a.glb --channel normal");
+}
+
+TEST_CASE("false colours are of light, over a range of its logarithm") {
+  const auto light = fromArguments({{"false-colors", "true"}, {"range", "0.01,4"}, {"channel", "environmentDiffuse"}});
+  REQUIRE(light);
+  CHECK(options::commandLine(*light, "a.glb") ==
+        "facet a.glb --false-colors --channel environmentDiffuse --range 0.01,4");
+  PictureSettings other = *light;
+  other.display.range = glm::dvec2(-1, 4);  // as a channel of linear numbers had it
+  CHECK(options::commandLine(other, "a.glb") == "facet a.glb --false-colors --channel environmentDiffuse");
+  other.look.channel = "depth";
+  CHECK(options::commandLine(other, "a.glb") == "facet a.glb --channel depth --range -1,4");
+  CHECK(describe(fromArguments({{"false-colors", "true"}, {"range", "0,4"}}).error()) ==
+        "--range: the colours stand for logarithms; give ends above 0.");
+  CHECK(describe(fromArguments({{"channel", "texelDensity"}, {"range", "-1,4"}}).error()) ==
+        "--range: the colours stand for logarithms; give ends above 0.");
+  CHECK(describe(fromArguments({{"channel", "depth"}, {"false-colors", "true"}}).error()) ==
+        "--false-colors: a channel of what materials and meshes have shows no light; leave out either this or "
+        "--channel.");
 }
 
 TEST_CASE("a comparison needs a measured BRDF") {
@@ -212,6 +231,8 @@ TEST_CASE("each option sets its own field") {
   CHECK(set("occlusion", "0.5").frame.occlusion == 0.5f);
   CHECK(set("ground", "true").frame.ground);
   CHECK_FALSE(set("ground", "false").frame.ground);
+  CHECK(set("with", "b.glb;builtin:furnace").sources.with == std::vector<std::string>{"b.glb", "builtin:furnace"});
+  CHECK(set("false-colors", "true").display.falseColors);
   CHECK(set("exposure", "-1.5").display.exposureStops == -1.5f);
   CHECK(set("tonemap", "agx").display.toneMapper == frame::ToneMapper::agx);
   CHECK(set("samples", "1").quality.samples == 1);
@@ -286,6 +307,7 @@ TEST_CASE("every way to be wrong has its sentence") {
       {"brdf-split", "1.5", "--brdf-split: 1.5 is out of range; give a number from 0 to 1."},
       {"brdf-difference-scale", "-1", "--brdf-difference-scale: -1 is out of range; give a number from 0 to 1000."},
       {"occlusion", "1.01", "--occlusion: 1.01 is out of range; give a number from 0 to 1."},
+      {"with", "a.glb;", "--with: 'a.glb;' names no model; give a file or builtin:NAME."},
       {"ground", "2", "--ground: '2' is neither; give true or false."},
       {"exposure", "1e999", "--exposure: 1e999 is out of range; give a number from -32 to 32."},
       {"exposure", "", "--exposure: '' is not a number; give a number from -32 to 32."},
@@ -300,7 +322,7 @@ TEST_CASE("every way to be wrong has its sentence") {
       {"samples", "0", "--samples: 0 is out of range; give a whole number from 1 to 4096."},
       {"channel", "normals", "--channel: 'normals' is not known; perhaps normal is meant."},
       {"range", "2,1", "--range: '2,1' is no range; give FROM,TO such as 0,2.5."},
-      {"range", "0,1", "--range: nothing is shown in false colours; give --channel depth, or another quantity."},
+      {"range", "0,1", "--range: nothing is shown in false colours; give --false-colors, or --channel depth or another quantity."},
       {"overlay", "grid,axis", "--overlay: 'axis' is not known; perhaps axes is meant."},
       {"overlay", "everything",
        "--overlay: 'everything' is not known; choose one of wireframe, bounds, axes, grid, skeleton, normals, lights, "
@@ -456,6 +478,8 @@ TEST_CASE("JSON: paths are taken below the folder, names are not") {
   CHECK(fromJson({{"env", "builtin:sky"}})->sources.environment == "builtin:sky");
   CHECK(fromJson({{"env", "none"}})->sources.environment == "none");
   CHECK(fromJson({{"shader-dir", "s"}})->sources.shaderDir == "folder/s");
+  CHECK(fromJson({{"with", {"a.glb", "builtin:furnace", "/b.glb"}}})->sources.with ==
+        std::vector<std::string>{"folder/a.glb", "builtin:furnace", "/b.glb"});
   CHECK(fromJson({{"env", "a.hdr"}}, "")->sources.environment == "a.hdr");
 }
 

@@ -153,6 +153,7 @@ TWIN("distanceAttenuation")
 TWIN("coneAttenuation")
 TWIN("luminance")
 TWIN("displayed")
+TWIN("displayedLuminance")
 TWIN("falseColor")
 TWIN("encodeSrgb")
 TWIN("toneMap")
@@ -189,7 +190,7 @@ TWIN("lookUpTap, 1 of 1")
 TWIN("lookUpTap, 2 of 2")
 TWIN("lookUpTap, 3 of 3")
 
-TEST_CASE("Twin: the cases above are the whole table") { CHECK(selftest::numericalChecks().size() == 152); }
+TEST_CASE("Twin: the cases above are the whole table") { CHECK(selftest::numericalChecks().size() == 153); }
 
 TEST_CASE("A check sees a wrong function, and counts what is not finite") {
   selftest::Check check{
@@ -218,11 +219,11 @@ TEST_CASE("facet selftest: table, JSON, exit status") {
   const test::Outcome table = test::runFacet({"selftest"});
   INFO(table.text);
   CHECK(table.status == 0);
-  CHECK_THAT(table.text, Catch::Contains("D_GGX") && Catch::Contains("164 checks, 0 failed"));
+  CHECK_THAT(table.text, Catch::Contains("D_GGX") && Catch::Contains("165 checks, 0 failed"));
   const auto json = nlohmann::json::parse(test::runFacet({"--log-level", "error", "selftest", "--json"}).text);
   CHECK(test::schemaProblems(json, "selftest") == "");
   CHECK(json["passed"] == true);
-  CHECK(json["checks"].size() == 164);
+  CHECK(json["checks"].size() == 165);
   CHECK(json["checks"][0]["function"] == "D_GGX");
   CHECK(json["checks"][0]["source"] == nlohmann::json({"Walter2007", "Trowbridge1975"}));
   CHECK(json["checks"].back()["source"].is_null());

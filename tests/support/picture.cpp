@@ -25,6 +25,7 @@ io::LoadedModel loadBuiltin(const std::string& name) {
 }
 
 Studio::Studio() : programs_(makeProgramStore()) {}
+Studio::Studio(shading::ShaderReader reader) : programs_(std::move(reader), {}, "") {}
 
 frame::LoadedScene sceneOf(const io::LoadedModel& model) {
   return {.source = model.model.name, .loaded = {std::shared_ptr<void>(), &model}};

@@ -21,6 +21,7 @@ frame::LoadedScene sceneOf(const io::LoadedModel& model);
 class Studio {
  public:
   Studio();
+  explicit Studio(shading::ShaderReader reader);  // of shaders that are other ones
   // radiance and display are both filled (see below).
   frame::Picture render(const io::LoadedModel& model, const frame::PictureSettings& settings);
   // What the model has on the GPU stays for further pictures.
