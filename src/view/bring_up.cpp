@@ -76,9 +76,11 @@ void aim(const Viewport& viewport, ViewerState& state) {
   viewpoint = {};
 }
 
-void tellNewScene(ViewerState& state, bool again) {
+void tellNewScene(ViewerState& state, bool again, const std::vector<std::string>& with) {
   for (Message& message : state.messages) message.past = true;
-  say(state, (again ? "reloaded: " : "model: ") + state.shown.model);
+  std::string text = (again ? "reloaded: " : "model: ") + state.shown.model;
+  for (const std::string& other : with) text += ", with " + other;
+  say(state, text);
   const std::vector<std::string>& warnings = state.shown.warnings;
   for (const std::string& warning : warnings) log::warning(warning), note(state, warning, false);
   if (!warnings.empty())
@@ -117,7 +119,7 @@ void show(Viewport& viewport, ViewerState& state, frame::Drawable next) {
                          : (sameMeasured ? "reloaded: " : "measured BRDF: ") + measured->facts.path);
   }
   if (!newScene) return;
-  tellNewScene(state, again);
+  tellNewScene(state, again, viewport.scene->with);
   if (!again && state.preferences.playOnOpening && state.settings.placement.animation.empty()) togglePlaying(state);
   if (complained) state.status = told;
 }

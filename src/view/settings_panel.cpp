@@ -274,7 +274,7 @@ void overlaySection(ViewerState& state) {
 }
 
 void modelsSection(ViewerState& state) {
-  if (!section(state.layout, "Models", false)) return;
+  if (!section(state.layout, "Reflection models", false)) return;
   frame::PictureSettings& settings = state.settings;
   diffuseChoice(settings);
   chooseEnum("environment", settings.look.models.imageLight, optics::imageLights, usual.look.models.imageLight,

@@ -154,7 +154,7 @@ sleep 0.5
 quit
 mkdir -p "${layout%/*}"
 printf '[facet][Shown]\nbrowser=1\nsettings=1\ntimeline=1\n' >"$layout"
-for section in Camera "Environment and lights" Material Model Picture Models Accuracy Statistics Window; do
+for section in Camera "Environment and lights" Material Model Picture "Reflection models" Accuracy Statistics Window; do
   echo "section=0 $section" >>"$layout"
 done
 echo "section=1 validation" >>"$layout"
