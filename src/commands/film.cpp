@@ -43,7 +43,6 @@ Result<std::vector<frame::Viewpoint>> cameraPath(const std::string& file) {
 }
 
 Result<void> checkMoves(const Job& first, const FilmOptions& options) {
-  if (!first.stats.empty()) return fail({}, "--stats", "is for one picture", "leave out --frames");
   if (options.turntable && !options.cameraPath.empty())
     return fail({}, "--turntable", "does not go with --camera-path", "give one of them");
   const char* turning = options.turntable ? "--turntable" : options.cameraPath.empty() ? nullptr : "--camera-path";
@@ -103,6 +102,7 @@ Result<std::vector<Job>> listFrames(const Job& first, const FilmOptions& options
   std::vector<Job> jobs;
   for (int i = 0; i < options.frames; ++i) {
     Job job = first;
+    if (i + 1 < options.frames) job.stats.clear();
     if (!film) {
       const Result<std::string> output = numberedName(first.output.string(), i);
       if (!output) return tl::unexpected(output.error());

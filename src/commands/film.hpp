@@ -28,8 +28,8 @@ bool isFilm(const std::filesystem::path& output, const FilmOptions& options);
 // .gif, .mp4, .webm: no single picture is one.
 bool isFilmName(const std::filesystem::path& output);
 
-// Frame by frame from --time on, each with its own output but where it is a film. Errors: nothing would move; what
-// excludes each other.
+// Frame by frame from --time on, each with its own output but where it is a film; statistics are the last one's, with
+// all frames' times. Errors: nothing would move; what excludes each other.
 Result<std::vector<Job>> listFrames(const Job& first, const FilmOptions& options);
 
 // One file that is there once it is whole.

@@ -52,9 +52,18 @@ struct JobOutcome {
   std::string reached;  // options::Remarks
 };
 
-// film: that the picture goes into; null: into its own file.
+// Since a stage was marked.
+double wallMsSince(const Stages& stages, size_t marked) {
+  double sum = 0;
+  for (size_t i = marked; i < stages.all().size(); ++i) sum += stages.all()[i].wallMs;
+  return sum;
+}
+
+// film: that the picture goes into; null: into its own file. pictureMs: what each picture until now has taken.
 Result<JobOutcome> runJob(const Job& job, const RenderArguments& arguments, bool last, Film* film,
-                          frame::Session& session, const Confined& confined, Stages stages) {
+                          frame::Session& session, const Confined& confined, Stages stages,
+                          std::vector<double>& pictureMs) {
+  const size_t before = stages.all().size();
   Notes notes;
   const bool exr = job.format == io::PictureFormat::exr;
   frame::PictureRequest request = pictureRequest(job, arguments.out, arguments.repeat, last);
@@ -73,9 +82,11 @@ Result<JobOutcome> runJob(const Job& job, const RenderArguments& arguments, bool
   const Result<void> written = film ? film->add(picture->display) : writeOutput(job, arguments.out, session, *picture);
   if (!written) return tl::unexpected(written.error());
   stages.mark("write");
+  pictureMs.push_back(wallMsSince(stages, before));
   if (!job.stats.empty()) {
-    const std::string text = statisticsJson(job, session, *picture, stages, notes, confined)
-                                 .dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+    nlohmann::ordered_json statistics = statisticsJson(job, session, *picture, stages, notes, confined);
+    if (arguments.film.frames > 0) statistics["film"] = filmJson(arguments.film.fps, pictureMs);
+    const std::string text = statistics.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
     if (Result<void> written = writeWholeFile(job.stats, text + "\n"); !written) return tl::unexpected(written.error());
   }
   return JobOutcome{warned, remarks.reached};
@@ -179,12 +190,13 @@ int runRender(const RenderArguments& arguments) {
   stages.mark("sandbox");
   int status = exitGood;
   size_t pictures = 0;  // written
+  std::vector<double> pictureMs;
   const bool many = jobs->size() > 1;
   LastWords lastWords(writtenOf(0, jobs->size()));
   for (size_t i = 0; i < jobs->size(); ++i) {
     const Job& job = (*jobs)[i];
     const Result<JobOutcome> result = runJob(job, arguments, i + 1 == jobs->size(), film ? &*film : nullptr, **session,
-                                             confined, i == 0 ? stages : Stages());
+                                             confined, i == 0 ? stages : Stages(), pictureMs);
     const std::string place = many ? std::to_string(i + 1) + "/" + std::to_string(jobs->size()) + " " : "";
     if (!result) {
       log::error(place + (many ? job.output.string() + ": " : "") + options::describe(result.error()));
@@ -218,7 +230,8 @@ std::function<int()> addRender(CLI::App& app) {
   app.add_option("--shard", arguments->shard, "of --jobs only each N-th from the I-th on, for many machines")
       ->type_name("I/N");
   addConfig(app, arguments->config, "");
-  app.add_option("--stats", arguments->stats, "times, memory, work and what was left out, as JSON")->type_name("FILE");
+  app.add_option("--stats", arguments->stats, "times, memory, work and what was left out, as JSON; of --frames the last picture's, with the time of each")
+      ->type_name("FILE");
   app.add_option("--repeat", arguments->repeat, "draw N more frames, for timing")
       ->type_name("N")
       ->check(CLI::NonNegativeNumber);

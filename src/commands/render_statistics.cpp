@@ -12,9 +12,9 @@ namespace facet::commands {
 
 namespace {
 
-// Median of the frames after the first, which pays for what is done once.
-double steadyFrameMs(const std::vector<double>& frameMs) {
-  std::vector<double> steady(frameMs.begin() + 1, frameMs.end());
+// Median of those after the first, which pays for what is done once.
+double steadyMs(const std::vector<double>& ms) {
+  std::vector<double> steady(ms.begin() + 1, ms.end());
   std::ranges::sort(steady);
   return (steady[(steady.size() - 1) / 2] + steady[steady.size() / 2]) / 2;
 }
@@ -51,7 +51,7 @@ nlohmann::ordered_json statisticsJson(const Job& job, const frame::Session& sess
                     {"most", s.attempts.back().error.most / 255}, {"confidence", frame::errorConfidence},
                     {"samples", s.attempts.back().samples},       {"attempts", attempts}};
   }
-  if (s.frameMs.size() > 1) out["steadyFrameMs"] = steadyFrameMs(s.frameMs);
+  if (s.frameMs.size() > 1) out["steadyFrameMs"] = steadyMs(s.frameMs);
   out["peakMemoryMB"] = Stages::peakMegabytes();
   out["gpuBytes"] = {{"textures", s.textureBytes},
                      {"geometry", s.geometryBytes},
@@ -118,6 +118,15 @@ nlohmann::ordered_json statisticsJson(const Job& job, const frame::Session& sess
   out["leftOut"] = frame::leftOut(session.model()->model, s);
   out["sandbox"] = {{"files", confined.files}, {"calls", confined.calls}};
   out["notes"] = notesJson(notes);
+  return out;
+}
+
+nlohmann::ordered_json filmJson(double fps, const std::vector<double>& pictureMs) {
+  nlohmann::ordered_json out = {{"pictures", pictureMs.size()},
+                                {"fps", fps},
+                                {"seconds", static_cast<double>(pictureMs.size()) / fps},
+                                {"pictureMs", pictureMs}};
+  if (pictureMs.size() > 1) out["steadyPictureMs"] = steadyMs(pictureMs);
   return out;
 }
 

@@ -4,6 +4,7 @@
 
 #include "support/command.hpp"
 #include "support/gltf_builder.hpp"
+#include "support/schema.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace facet;
@@ -48,6 +49,28 @@ TEST_CASE("facet render --frames: each frame is the picture at its time, all fro
   }
   CHECK_FALSE(same(folder.file("f_00.png"), folder.file("f_01.png")));
   CHECK_FALSE(same(folder.file("f_01.png"), folder.file("f_02.png")));
+}
+
+TEST_CASE("facet render --frames: statistics are the last picture's, with the time of each") {
+  const test::TemporaryFolder folder;
+  const std::string model = folder.write("rise.glb", rising().glb()).string();
+  for (const std::string name : {"f_%02d.png", "film.webp"}) {
+    const test::Outcome outcome = test::runFacet(render(
+        model, {"--frames", "4", "--fps", "8", "-o", folder.file(name), "--stats", folder.file("stats.json")}));
+    INFO(outcome.text);
+    REQUIRE(outcome.status == 0);
+    const auto json = nlohmann::json::parse(test::runShell("cat " + folder.file("stats.json")).text);
+    CHECK(test::schemaProblems(json, "stats") == "");
+    CHECK_THAT(json["command"].get<std::string>(), Catch::Contains("--time 0.375"));
+    CHECK(json["film"]["pictures"] == 4);
+    CHECK(json["film"]["fps"] == 8);
+    CHECK(json["film"]["seconds"] == 0.5);
+    REQUIRE(json["film"]["pictureMs"].size() == 4);
+    double last = 0;
+    for (const auto& [stage, times] : json["stages"].items()) last += times["wallMs"].get<double>();
+    CHECK(json["film"]["pictureMs"][3].get<double>() == Approx(last));
+    CHECK(json["film"]["pictureMs"][0] > 0);
+  }
 }
 
 TEST_CASE("facet render --frames: every way to be wrong has its sentence") {
