@@ -64,6 +64,12 @@ int writeBeside(const std::filesystem::path& target, const struct stat* before, 
   return problem;
 }
 
+// By the permissions alone, of which a process may have given up some.
+bool mayUserWrite(const std::filesystem::path& file) {
+  const std::filesystem::path folder = file.parent_path();
+  return ::access(folder.empty() ? "." : folder.c_str(), W_OK) == 0;
+}
+
 }  // namespace
 
 Result<void> writeWholeFile(const std::filesystem::path& path, std::span<const std::byte> bytes) {
@@ -76,6 +82,9 @@ Result<void> writeWholeFile(const std::filesystem::path& path, std::span<const s
   if (!special && exists && (problem == EACCES || problem == EROFS) && ::access(target.c_str(), W_OK) == 0)
     problem = writeInto(target.string(), O_TRUNC, bytes);
   if (problem == 0) return {};
+  if (problem == EACCES && mayUserWrite(target))
+    return fail(path.string(), "", "cannot be written: the program has confined itself to other folders",
+                "choose the one in which it was started");
   return fail(path.string(), "", std::string("cannot be written: ") + std::strerror(problem),
               "check the folder, its permissions and the space left");
 }

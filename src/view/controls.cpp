@@ -140,6 +140,9 @@ void take(Command command, const std::optional<scene::View>& view, ViewerState& 
     case Command::openFile:
       actions.openFile = true;
       return;
+    case Command::saveAs:
+      actions.saveAs = true;
+      break;
     case Command::saveSession:
       actions.saveSession = true;
       return;

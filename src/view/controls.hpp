@@ -18,7 +18,7 @@ namespace facet::view {
 
 struct Actions {
   bool screenshot = false, copyCommand = false, quit = false, frameSelection = false;
-  bool copyCamera = false, pasteCamera = false, openFile = false, saveSession = false;
+  bool copyCamera = false, pasteCamera = false, openFile = false, saveSession = false, saveAs = false;
   bool cancel = false;               // what is being loaded
   std::string model;                 // to be loaded
   std::vector<std::string> folders;  // to be listed

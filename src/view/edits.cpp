@@ -58,11 +58,9 @@ std::filesystem::path exportName(const std::string& model, const std::filesystem
   return path;
 }
 
-void startExport(ViewerState& state, Loader& loader) {
+void startExport(ViewerState& state, Loader& loader, const std::filesystem::path& file) {
   if (!state.settings.sources.with.empty())
     return complain(state, {state.shown.model, "", "an export is of one file", "take out the others in its scene"});
-  std::error_code ignored;
-  const std::filesystem::path file = exportName(state.shown.model, std::filesystem::current_path(ignored));
   const io::Limits limits{.allowOutside = loader.allowOutside};
   loader.exported.start([source = state.shown.model, arrangement = state.settings.placement.arrangement, limits, file] {
     try {

@@ -20,8 +20,8 @@ void followTogether(const Viewport& viewport, const ViewerState& state, Loader& 
 // "helmet.glb" in a folder: "helmet-changed.glb", or with -2, -3, ... where there is such a file already.
 std::filesystem::path exportName(const std::string& model, const std::filesystem::path& folder);
 
-// The changed model into the working directory, beside the window.
-void startExport(ViewerState& state, Loader& loader);
+// The changed model as a file, beside the window.
+void startExport(ViewerState& state, Loader& loader, const std::filesystem::path& file);
 void takeExport(ViewerState& state, ModelExported exported);
 
 }  // namespace facet::view

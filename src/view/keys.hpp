@@ -46,6 +46,7 @@ enum class Command {
   copyCommand,
   openFile,
   saveSession,
+  saveAs,
   undo,
   redo,
   messages,

@@ -1,7 +1,7 @@
 #include "view/screenshot.hpp"
 
 #include "frame/settings.hpp"
-#include "io/image.hpp"
+#include "io/picture_file.hpp"
 
 namespace facet::view {
 
@@ -23,14 +23,17 @@ std::filesystem::path newNameHere(const std::string& ending) {
   return newName(local, std::filesystem::current_path(ignored), ending);
 }
 
-Result<std::string> writeScreenshot(const frame::Targets& targets, const frame::PictureSettings& settings,
-                                    const frame::OverlayTargets* overlay) {
-  const std::string name = newNameHere(".png").string();
+Result<void> writeScreenshot(const std::filesystem::path& file, const frame::Targets& targets,
+                             const frame::PictureSettings& settings, const frame::OverlayTargets* overlay) {
+  constexpr int quality = 90;  // as of `facet render`
+  const std::optional<io::PictureFormat> format = io::pictureFormat(file);
+  if (!format || *format == io::PictureFormat::exr)
+    return fail(file.string(), "", "is no name of a picture of what the screen shows",
+                "end it in " + io::pictureEndings(false));
   const bool withAlpha = settings.frame.background == frame::Background::transparent;
   io::Pixels picture = frame::readDisplay(targets, withAlpha);
   if (overlay) frame::layOver(*overlay, 0, picture);
-  if (Result<void> written = io::writePng(name, picture); !written) return tl::unexpected(written.error());
-  return name;
+  return io::writePicture(file, *format, picture, quality);
 }
 
 }  // namespace facet::view

@@ -14,9 +14,9 @@ std::filesystem::path newName(const std::tm& time, const std::filesystem::path& 
 // The same of now, in the working directory.
 std::filesystem::path newNameHere(const std::string& ending);
 
-// The picture in the targets, without the panel, into the working directory; its name. Waits for the GPU.
+// The picture in the targets, without the panel, in the format that the name says. Waits for the GPU.
 // overlay: lines over the picture, or null.
-Result<std::string> writeScreenshot(const frame::Targets& targets, const frame::PictureSettings& settings,
-                                    const frame::OverlayTargets* overlay = nullptr);
+Result<void> writeScreenshot(const std::filesystem::path& file, const frame::Targets& targets,
+                             const frame::PictureSettings& settings, const frame::OverlayTargets* overlay = nullptr);
 
 }  // namespace facet::view

@@ -221,6 +221,7 @@ struct ViewerState {
   bool searchAsked = false;         // the browser's search is to take the keyboard
   bool messagesAsked = false;       // the list of messages is to open
   bool screenshotAsked = false;     // as soon as a whole picture is there
+  std::filesystem::path screenshotFile;  // its name; empty: a new one in the working directory
   bool screenshotWaits = false;     // for the picture to converge
   bool overlaysInPictures = false;  // screenshots and copied commands have settings.overlays
   bool passesTimed = false;         // the panel shows what each pass takes

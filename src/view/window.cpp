@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "base/file_ending.hpp"
 #include "base/log.hpp"
 #include "frame/user_stores.hpp"
 #include "gl/context.hpp"
@@ -20,6 +21,7 @@
 #include "view/camera_exchange.hpp"
 #include "view/controls.hpp"
 #include "view/edits.hpp"
+#include "view/file_dialog.hpp"
 #include "view/follow.hpp"
 #include "view/imgui_session.hpp"
 #include "view/input.hpp"
@@ -27,7 +29,6 @@
 #include "view/last.hpp"
 #include "view/layout.hpp"
 #include "view/load_time.hpp"
-#include "view/open_dialog.hpp"
 #include "view/panel.hpp"
 #include "view/playback.hpp"
 #include "view/present.hpp"
@@ -57,7 +58,7 @@ struct Loop {
   std::string noted;  // model and environment that the browser was told last
   LoadTime load;
   Bookmarks bookmarks;  // as they are in their file
-  std::optional<OpenDialog> dialog;
+  std::optional<FileDialog> dialog;
 };
 
 std::filesystem::path preferencesFile() {
@@ -82,10 +83,9 @@ void keepLast(const ViewerState& state) {
     log::warning(describe(written.error()));
 }
 
-// What is on the screen, as a file in the working directory.
-void saveSession(ViewerState& state) {
+// What is on the screen, as a file.
+void saveSession(ViewerState& state, const std::filesystem::path& file) {
   if (state.shown.model.empty()) return say(state, "there is nothing to keep yet");
-  const std::filesystem::path file = newNameHere(".facet");
   frame::PictureSettings settings = commandSettings(state);
   settings.quality = state.settings.quality;
   if (const Result<void> written = writeLast(file, state.shown.model, state.secondModel, settings); !written)
@@ -93,21 +93,39 @@ void saveSession(ViewerState& state) {
   say(state, "session written: " + file.string());
 }
 
-// The system's dialog: what is chosen in it is as if it were dropped.
-void followDialog(Loop& loop, const Actions& actions, ViewerState& state) {
-  if (actions.openFile && !loop.dialog) {
+std::filesystem::path exportNameHere(const ViewerState& state) {
+  std::error_code ignored;
+  return exportName(state.shown.model, std::filesystem::current_path(ignored));
+}
+
+// What it is to be is said by the ending of its name.
+void saveAs(const std::filesystem::path& file, ViewerState& state, Loader& loader) {
+  const std::string ending = fileEnding(file);
+  if (ending == ".facet") return saveSession(state, file);
+  if (ending == ".glb") return startExport(state, loader, file);
+  state.screenshotAsked = true, state.screenshotFile = file;
+}
+
+// The system's dialog: what is chosen to be opened is as if it were dropped.
+void followDialog(Loop& loop, const Actions& actions, ViewerState& state, Loader& loader) {
+  if ((actions.openFile || actions.saveAs) && !loop.dialog) {
     const std::filesystem::path shown = state.shown.model;
     std::error_code ignored;
     const bool file = shown.has_parent_path() && !state.shown.model.starts_with(io::builtinPrefix);
-    Result<OpenDialog> dialog = OpenDialog::open(file ? shown.parent_path() : std::filesystem::current_path(ignored));
+    Result<FileDialog> dialog =
+        actions.saveAs ? FileDialog::save(newNameHere(".png"))
+                       : FileDialog::open(file ? shown.parent_path() : std::filesystem::current_path(ignored));
     if (!dialog) return complain(state, dialog.error());
     loop.dialog.emplace(std::move(*dialog));
   }
   if (!loop.dialog) return;
   const std::optional<std::string> chosen = loop.dialog->poll();
   if (!chosen) return;
+  const bool saves = loop.dialog->saves();
   loop.dialog.reset();
-  if (!chosen->empty()) loop.input.dropped.push_back(*chosen), loop.input.any = true;
+  if (chosen->empty()) return;
+  loop.input.any = true;
+  saves ? saveAs(*chosen, state, loader) : loop.input.dropped.push_back(*chosen);
 }
 
 bool isDown(GLFWwindow* window, int key) { return glfwGetKey(window, key) == GLFW_PRESS; }
@@ -216,15 +234,17 @@ void nameWhatLoads(const Loader& loader, const Viewport& viewport, const std::st
 void takeScreenshot(const Viewport& viewport, ViewerState& state) {
   if (!viewport.targets.shown) return;
   const std::string of = samplesShown(viewport, state);
-  const Result<std::string> written =
-      writeScreenshot(viewport.targets, state.settings,
+  std::filesystem::path file = std::exchange(state.screenshotFile, {});
+  if (file.empty()) file = newNameHere(".png");
+  const Result<void> written =
+      writeScreenshot(file, viewport.targets, state.settings,
                       viewport.overlay.shown && state.overlaysInPictures ? &viewport.overlay.targets : nullptr);
   if (!written) return complain(state, written.error());
   state.status = {
-      "screenshot" + (of.empty() ? of : " of " + of) + ": " + *written +
+      "screenshot" + (of.empty() ? of : " of " + of) + ": " + file.string() +
           (of.empty() ? of : withKeys("; of all once they are there", state.keys, Command::screenshotConverged)),
       false};
-  log::info((of.empty() ? of : of + "; ") + "screenshot written: " + *written);
+  log::info((of.empty() ? of : of + "; ") + "screenshot written: " + file.string());
 }
 
 // The one that waits for the picture to converge.
@@ -302,8 +322,8 @@ bool turn(Loop& loop, ImGuiSession& imgui, Viewport& viewport, ViewerState& stat
                           loader.metadata.running() || loader.exported.running() || viewport.comingUp ||
                           viewport.clock.waiting();
   takeLoaded(viewport, state, loader);
-  followDialog(loop, actions, state);
-  if (actions.saveSession) saveSession(state);
+  followDialog(loop, actions, state, loader);
+  if (actions.saveSession) saveSession(state, newNameHere(".facet"));
   const bool reloaded = shadersChanged(loop.shaders, loop.last);
   if (reloaded) reloadShaders(viewport, state);
   followFiles(loop, viewport, loader);
@@ -338,7 +358,7 @@ bool turn(Loop& loop, ImGuiSession& imgui, Viewport& viewport, ViewerState& stat
       copyCommand(options::commandLine(commandSettings(state), state.shown.model, "picture.png"), state);
     applyPanel(panel, viewport, state, loop.input, actions);
     keepBookmarks(state, loop.bookmarks);
-    if (panel.exportModel) startExport(state, loader);
+    if (panel.exportModel) startExport(state, loader, exportNameHere(state));
     followEdits(viewport, state, loader, ImGui::IsAnyItemActive());
     followTogether(viewport, state, loader);
     loop.input.handingOver = std::max(0, loop.input.handingOver - 1);

@@ -148,7 +148,7 @@ TEST_CASE("Below the commands nobody names an option of the command line", "[bas
   const std::set<std::string> below = {"base", "optics", "scene", "io", "gl", "shading", "ibl", "frame", "view"};
   std::vector<std::string> named;
   for (const auto& [path, text] : sources()) {
-    if (!below.contains(folderOf(path)) || path == "view/open_dialog.cpp") continue;  // that has another program's
+    if (!below.contains(folderOf(path)) || path == "view/file_dialog.cpp") continue;  // that has another program's
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
       const size_t quote = line.find('"'), comment = line.find("//");

@@ -121,6 +121,23 @@ printf '#!/bin/sh\nexit 1\n' >bin/zenity # closed without a choice
 xdotool key ctrl+o
 sleep 0.5
 screenshot still
+# Saved by the dialog: what it is goes by its name, and the window writes where it was started alone.
+save_as() {  # FILE PATTERN
+  printf '#!/bin/sh\necho "$@" >%s/asked\necho %s\n' "$folder" "$1" >bin/zenity
+  xdotool key ctrl+shift+s
+  await "$2" 1
+}
+save_as "$folder/chosen.webp" "screenshot written: $folder/chosen.webp"
+grep -q -- "--file-selection --save .*--filename=$folder/facet-" asked || fail "the dialog was asked otherwise: $(cat asked)"
+"$facet" compare still.png chosen.webp --metric drmse --max-error 3 || fail "the saved picture is another one"
+save_as "$folder/chosen.facet" "session written: $folder/chosen.facet"
+save_as "$folder/chosen.glb" "exported: $folder/chosen.glb"
+save_as "$folder/chosen.txt" "chosen.txt: is no name of a picture of what the screen shows; end it in .png, .jpg"
+if grep -q "sandbox: files landlock" log; then # temporary files may be written, others not
+  outside=$(mktemp -d -p /var/tmp)
+  save_as "$outside/chosen.png" "$outside/chosen.png: cannot be written: the program has confined itself to other folders"
+  rmdir "$outside" || fail "something was written outside"
+fi
 quit
 mv kept.json "$XDG_STATE_HOME/facet/last.json"
 mkdir -p "$XDG_CONFIG_HOME/facet"
