@@ -57,6 +57,7 @@ void forget(Viewport& viewport, ViewerState& state) {
   second.plan = {.moving = true};
   second.shown = {};  // before the scene that its list points into goes
   second.scene.reset();
+  second.watch = {};
   second.targets = {};
   second.pair = {};
   state.shown.second.clear();
@@ -75,6 +76,9 @@ void giveUpSecond(Viewport& viewport, ViewerState& state, const Error& error) {
 }
 
 void takeSecond(SecondModel& second, ModelLoaded loaded) {
+  second.plan = {.moving = true};
+  second.shown = {};  // before the scene that its list points into goes
+  second.watch = std::move(loaded.watch);
   second.scene = std::make_unique<SceneSlot>();
   second.scene->source = loaded.source;
   second.scene->loaded = *loaded.model;
@@ -104,8 +108,16 @@ void followSecond(Viewport& viewport, ViewerState& state, const Loader& loader) 
     if (!second.asked.empty()) startModel(second.loader, second.asked);
   }
   if (second.asked.empty()) return;
+  if (second.scene && !second.loader.model.running() && !second.loader.images.running() &&
+      filesChanged(second.watch, std::chrono::steady_clock::now()))
+    startModel(second.loader, second.asked, Opening::again);
   if (std::optional<ModelLoaded> loaded = second.loader.model.take()) {
+    if (!loaded->model && second.scene) {  // what is shown stays until the file's next change
+      complain(state, loaded->model.error());
+      return;
+    }
     if (!loaded->model) return giveUpSecond(viewport, state, loaded->model.error());
+    if (second.scene) say(state, "reloaded: " + second.asked), state.shown.second.clear(), second.loader.images.forget();
     takeSecond(second, std::move(*loaded));
   }
   if (std::optional<ImagesDecoded> images = second.loader.images.take(); images && second.scene) {

@@ -20,6 +20,7 @@ struct Viewport;
 struct SecondModel {
   std::string asked;  // source
   Loader loader;      // its own
+  FileWatch watch;    // of its files
   std::unique_ptr<SceneSlot> scene;
   frame::Plan plan = {.moving = true};
   frame::Drawable shown;

@@ -103,6 +103,7 @@ void statisticsSection(ViewerState& state) {
   row("targets", byteText(s.targetBytes));
   if (s.treeBytes > 0) row("rays' trees", byteText(s.treeBytes));
   if (s.environmentBytes > 0) row("environments before", byteText(s.environmentBytes));
+  if (s.secondBytes > 0) row("model beside it", byteText(s.secondBytes));
   row("main memory", byteText(s.mainBytes) + " of this program");
   row("passes", passText(s.frame));
   row("OpenGL", state.openGL);

@@ -62,6 +62,7 @@ struct ViewerStatistics {
   size_t textureBytes = 0, geometryBytes = 0, tableBytes = 0, targetBytes = 0, measuredBytes = 0;
   size_t treeBytes = 0;         // that rays are traced through
   size_t environmentBytes = 0;  // of environments that were shown before
+  size_t secondBytes = 0;       // on the GPU of the model beside it
   size_t mainBytes = 0;         // of the process
 };
 

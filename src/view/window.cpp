@@ -149,7 +149,8 @@ glm::dvec3 flightDirection(const Loop& loop, const KeyMap& keys) {
 // Sleeps until there is something to do; seconds since the last time, at most a quarter, for flight.
 double waitForEvents(Loop& loop, const Loader& loader, const Viewport& viewport, const ViewerState& state) {
   const bool watches = !loop.shaders.folder.empty() || !loop.followed.modelFiles.files.empty() ||
-                       !loop.followed.environmentFiles.files.empty() || !loop.followed.measuredFiles.files.empty();
+                       !loop.followed.environmentFiles.files.empty() || !loop.followed.measuredFiles.files.empty() ||
+                       !viewport.second.watch.files.empty();
   const double idle = watches ? fileWatchSeconds : idleWait;
   if (loop.framesToDraw > 0 || !loop.input.hands.empty() || flightDirection(loop, state.keys) != glm::dvec3(0))
     glfwPollEvents();

@@ -101,7 +101,7 @@ PictureSettings unusual() {
   s.quality.samples = 16, s.quality.bounces = 3, s.quality.seed = 7;
   s.quality.textureFilter = frame::TextureFilter::isotropic;
   s.quality.maxError = 0.02;
-  s.look.channel = "texelDensity", s.display.range = glm::dvec2(1.0 / 3, 1e6);
+  s.look.channel = "environmentDiffuse", s.display.falseColors = true, s.display.range = glm::dvec2(1.0 / 3, 1e6);
   s.overlays.shown = frame::Overlays::bitOf(frame::Overlay::grid) | frame::Overlays::bitOf(frame::Overlay::sun);
   s.sources.shaderDir = "my $HOME", s.sources.with = {"b c.glb", "builtin:furnace"};
   return s;

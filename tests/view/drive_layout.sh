@@ -218,6 +218,16 @@ sleep 0.5
 shown=$(count "beside second.gltf: RMS ")
 xdotool mousemove --window "$window" 500 300 mousedown 1 mousemove_relative 60 20 mouseup 1
 await "beside second.gltf: RMS " $((shown + 1))
+# Its file is looked at, too: as it was until it can be read again.
+cp second.gltf whole.gltf
+shown=$(count "beside second.gltf: RMS ")
+head -c 100 whole.gltf >second.gltf
+await "error: second.gltf: " 1
+sed 's/"scale":\[4,1,1\]/"scale":[2,1,1]/' whole.gltf >second.gltf
+await "reloaded: second.gltf$" 1
+await "beside second.gltf: RMS " $((shown + 1))
+mv whole.gltf second.gltf
+await "reloaded: second.gltf$" 2
 quit
 start --last --size 1280x800 # both come back
 await "beside .*/second.gltf: RMS " 1

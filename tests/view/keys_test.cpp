@@ -51,12 +51,12 @@ TEST_CASE("keys: a file gives commands other keys") {
   CHECK(view::readKeys(folder.file("none.json")).value() == view::usualKeys());
 
   const view::KeyMap keys =
-      read(R"({"screenshot": ["Ctrl+Shift+s", "pgup", "é"], "flyUp": "U", "turntable": []})").value();
-  CHECK(view::keysText(keys, Command::screenshot) == "Ctrl+Shift+S, PgUp, \xc3\xa9");
+      read(R"({"screenshot": ["Ctrl+Shift+x", "pgup", "é"], "flyUp": "U", "turntable": []})").value();
+  CHECK(view::keysText(keys, Command::screenshot) == "Ctrl+Shift+X, PgUp, \xc3\xa9");
   CHECK(view::keysText(keys, Command::flyUp) == "U");
   CHECK(view::keysText(keys, Command::turntable).empty());
   CHECK(view::keysText(keys, Command::quit) == "Ctrl+Q");
-  CHECK(view::commandOf(keys, {GLFW_KEY_S, "s", "", true, true}) == Command::screenshot);
+  CHECK(view::commandOf(keys, {GLFW_KEY_X, "x", "", true, true}) == Command::screenshot);
   CHECK_FALSE(view::commandOf(keys, {GLFW_KEY_P, "p", "p"}));
   CHECK(view::withKeys("up", keys, Command::flyUp) == "up (U)");
   CHECK(view::withKeys("round", keys, Command::turntable) == "round");
