@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/huge_pages.hpp"
 #include "base/origin_json.hpp"
 #include "commands/notes_json.hpp"
 #include "commands/picture_output.hpp"
@@ -53,6 +54,7 @@ nlohmann::ordered_json statisticsJson(const Job& job, const frame::Session& sess
   }
   if (s.frameMs.size() > 1) out["steadyFrameMs"] = steadyMs(s.frameMs);
   out["peakMemoryMB"] = Stages::peakMegabytes();
+  out["hugePages"] = hugePagesHere();
   out["gpuBytes"] = {{"textures", s.textureBytes},
                      {"geometry", s.geometryBytes},
                      {"tables", s.tableBytes},

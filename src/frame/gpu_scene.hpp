@@ -13,6 +13,7 @@
 
 #include "frame/draw_list.hpp"
 #include "frame/mask_levels.hpp"
+#include "frame/mip_level.hpp"
 #include "frame/settings_fwd.hpp"
 #include "gl/buffer.hpp"
 #include "gl/context.hpp"
@@ -59,10 +60,11 @@ struct TextureUse {
 struct TextureUpload {
   TextureUse use;
   gl::Texture texture;
-  std::vector<int> channels;  // of the image, in the order in which they are stored
-  bool wide = false;          // 16 bits a channel
-  int level = 0, rows = 0;    // the level that is being filled; its rows that are there
-  MaskLevel mask = {};        // of the last whole level, where the use has one
+  std::vector<int> channels;           // of the image, in the order in which they are stored
+  bool wide = false;                   // 16 bits a channel
+  int level = 0, rows = 0;             // the level that is being filled; its rows that are there
+  MaskLevel mask = {};                 // of that level, where the use has one
+  LinearLevel before = {}, made = {};  // the last level that was made, and the one that is being made
 };
 
 // A primitive that is not yet complete.

@@ -105,16 +105,19 @@ bool isIdentity(const std::vector<int>& channels, int stored) {
   return true;
 }
 
-// The next rows of the level.
+GLenum formatOf(const TextureUpload& upload) {
+  constexpr GLenum formats[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
+  return formats[upload.channels.size() - 1];
+}
+GLenum typeOf(const TextureUpload& upload) { return upload.wide ? GL_UNSIGNED_SHORT : GL_UNSIGNED_BYTE; }
+
+// The next rows of a level that the file has.
 void uploadRows(TextureUpload& upload, const io::Pixels& pixels) {
   const Level level = levelOf(pixels, upload.level);
   const auto stride = static_cast<size_t>(pixels.channels);
   const size_t rowBytes = static_cast<size_t>(level.width) * stride * static_cast<size_t>(pixels.bytesPerSample);
   const int most = static_cast<int>(std::max<size_t>(1, uploadPiece / rowBytes));
   const int first = upload.rows, rows = std::min(most, level.height - first);
-  constexpr GLenum formats[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
-  const GLenum format = formats[upload.channels.size() - 1];
-  const GLenum type = upload.wide ? GL_UNSIGNED_SHORT : GL_UNSIGNED_BYTE;
   const uint8_t* data = level.data + rowBytes * static_cast<size_t>(first);
   const size_t count = static_cast<size_t>(level.width) * static_cast<size_t>(rows);
   std::vector<uint8_t> packed;
@@ -124,35 +127,57 @@ void uploadRows(TextureUpload& upload, const io::Pixels& pixels) {
     packed = upload.wide ? repack<uint16_t>(data, count, stride, upload.channels, false)
                          : repack<uint8_t>(data, count, stride, upload.channels, false),
     data = packed.data();
-  glTextureSubImage2D(upload.texture.id(), upload.level, 0, first, level.width, rows, format, type, data);
+  glTextureSubImage2D(upload.texture.id(), upload.level, 0, first, level.width, rows, formatOf(upload), typeOf(upload),
+                      data);
   upload.rows += rows;
-}
-
-// From the level before.
-void makeLevel(TextureUpload& upload, const io::Pixels& pixels) {
-  const gl::Texture& texture = upload.texture;
-  const int level = upload.level;
-  texture.parameter(GL_TEXTURE_BASE_LEVEL, level - 1);
-  texture.parameter(GL_TEXTURE_MAX_LEVEL, level);
-  glGenerateTextureMipmap(texture.id());
-  texture.parameter(GL_TEXTURE_BASE_LEVEL, 0);
-  texture.parameter(GL_TEXTURE_MAX_LEVEL, texture.description().levels - 1);
-  upload.rows = levelOf(pixels, level).height;
 }
 
 bool masks(const TextureUpload& upload) { return upload.use.mask > 0 && upload.channels.size() == 4 && !upload.wide; }
 
-// The shares of the last level into its alpha.
+uint8_t maskCode(const TextureUpload& upload, size_t texel) {
+  const double pivot = optics::maskPivot(static_cast<double>(upload.use.mask));
+  return static_cast<uint8_t>(
+      std::lround(255 * optics::maskAlpha(static_cast<double>(upload.mask.shares[texel]), pivot)));
+}
+
+// The shares of a level of the file's into its alpha.
 void writeMask(const TextureUpload& upload) {
-  const MaskLevel& mask = upload.mask;
-  std::vector<uint8_t> texels(4 * mask.shares.size());
+  std::vector<uint8_t> texels(4 * upload.mask.shares.size());
   const GLuint id = upload.texture.id();
   glGetTextureImage(id, upload.level, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(texels.size()), texels.data());
-  const double pivot = optics::maskPivot(static_cast<double>(upload.use.mask));
-  for (size_t i = 0; i < mask.shares.size(); ++i)
-    texels[4 * i + 3] =
-        static_cast<uint8_t>(std::lround(255 * optics::maskAlpha(static_cast<double>(mask.shares[i]), pivot)));
-  glTextureSubImage2D(id, upload.level, 0, 0, mask.width, mask.height, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+  for (size_t i = 0; i < upload.mask.shares.size(); ++i) texels[4 * i + 3] = maskCode(upload, i);
+  glTextureSubImage2D(id, upload.level, 0, 0, upload.mask.width, upload.mask.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                      texels.data());
+}
+
+MipSource sourceOf(const TextureUpload& upload, const io::Pixels& pixels) {
+  const Level before = levelOf(pixels, upload.level - 1);
+  MipSource source{.width = before.width, .height = before.height, .channels = upload.channels};
+  source.srgb = upload.use.srgb;
+  source.data = before.data, source.stride = pixels.channels, source.bytesPerSample = pixels.bytesPerSample;
+  source.linear = &upload.before;
+  return source;
+}
+
+// The next rows of a level that the file has not, from the level before.
+void makeRows(TextureUpload& upload, const io::Pixels& pixels) {
+  const Level level = levelOf(pixels, upload.level);
+  const size_t channels = upload.channels.size(), rowTexels = static_cast<size_t>(level.width);
+  if (upload.rows == 0)
+    upload.made = {level.width, level.height,
+                   std::vector<uint16_t>(rowTexels * static_cast<size_t>(level.height) * channels)};
+  const int most = static_cast<int>(std::max<size_t>(1, uploadPiece / (rowTexels * channels)));
+  const int first = upload.rows, rows = std::min(most, level.height - first);
+  averageRows(sourceOf(upload, pixels), upload.made, first, rows);
+  const TexelCode code = upload.use.srgb ? TexelCode::srgb8 : upload.wide ? TexelCode::unorm16 : TexelCode::unorm8;
+  std::vector<uint8_t> stored = storedRows(upload.made, static_cast<int>(channels), code, first, rows);
+  if (masks(upload))
+    for (size_t i = 0; i < stored.size() / 4; ++i)
+      stored[4 * i + 3] = maskCode(upload, static_cast<size_t>(first) * rowTexels + i);
+  glTextureSubImage2D(upload.texture.id(), upload.level, 0, first, level.width, rows, formatOf(upload), typeOf(upload),
+                      stored.data());
+  upload.rows += rows;
+  if (upload.rows == level.height) upload.before = std::move(upload.made);
 }
 
 }  // namespace
@@ -176,13 +201,12 @@ TextureUpload beginTexture(const io::Pixels& pixels, const TextureUse& use, bool
 bool continueTexture(TextureUpload& upload, const io::Pixels& pixels) {
   if (upload.rows == levelOf(pixels, upload.level).height) ++upload.level, upload.rows = 0;
   const Level level = levelOf(pixels, upload.level);
-  level.data ? uploadRows(upload, pixels) : makeLevel(upload, pixels);
-  if (upload.rows < level.height) return false;
-  if (upload.level > 0 && masks(upload)) {
+  if (upload.rows == 0 && upload.level > 0 && masks(upload))
     upload.mask =
         upload.level == 1 ? firstMaskLevel(pixels, upload.channels[3], upload.use.mask) : nextMaskLevel(upload.mask);
-    writeMask(upload);
-  }
+  level.data ? uploadRows(upload, pixels) : makeRows(upload, pixels);
+  if (upload.rows < level.height) return false;
+  if (upload.level > 0 && level.data && masks(upload)) writeMask(upload);
   return upload.level + 1 == upload.texture.description().levels;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/parallel.hpp"
+#include "frame/mip_level.hpp"
 
 namespace facet::frame {
 
@@ -47,30 +48,15 @@ float passingShare(const AlphaTexels& texels, int x, int y, float least) {
   return static_cast<float>(points) / 16;
 }
 
-// The texels of a finer axis that one of the coarser takes part of.
-struct Parts {
-  int first = 0, count = 0;
-  float weights[4] = {};  // their sum is 1
-};
-Parts partsOf(int i, int coarse, int fine) {
-  const double from = static_cast<double>(i) * fine / coarse, to = static_cast<double>(i + 1) * fine / coarse;
-  Parts parts;
-  parts.first = static_cast<int>(from);
-  for (int at = parts.first; at < fine && at < to - 1e-9; ++at)
-    parts.weights[parts.count++] =
-        static_cast<float>((std::min<double>(at + 1, to) - std::max<double>(at, from)) / (to - from));
-  return parts;
-}
-
 // share(x, y): of the finer level's texel.
 template <class Share>
 MaskLevel halved(int width, int height, const Share& share) {
   MaskLevel out{std::max(1, width / 2), std::max(1, height / 2), {}};
   out.shares.resize(static_cast<size_t>(out.width) * static_cast<size_t>(out.height));
   parallelFor(static_cast<size_t>(out.height), [&](size_t y) {
-    const Parts rows = partsOf(static_cast<int>(y), out.height, height);
+    const LevelParts rows = levelParts(static_cast<int>(y), out.height, height);
     for (int x = 0; x < out.width; ++x) {
-      const Parts columns = partsOf(x, out.width, width);
+      const LevelParts columns = levelParts(x, out.width, width);
       float sum = 0;
       for (int j = 0; j < rows.count; ++j)
         for (int i = 0; i < columns.count; ++i)

@@ -87,8 +87,8 @@ Result<void> Session::load(const std::string& source, const PictureSettings& set
   const Sources& sources = settings.sources;
   const io::Bump bump{sources.bump, sources.bumpScale};
   const bool editable = !settings.placement.arrangement.edits.empty() || !settings.look.material.edits.empty();
-  if (scene_ && scene_->source == source && scene_->with == sources.with && scene_->bump == bump && allowOutside_ == sources.allowOutside &&
-      (model_->editable || !editable))
+  if (scene_ && scene_->source == source && scene_->with == sources.with && scene_->bump == bump &&
+      allowOutside_ == sources.allowOutside && (model_->editable || !editable))
     return {};
   scene_.reset(), model_.reset();  // frees the old one before the new one grows
   Result<io::LoadedModel> loaded =
@@ -96,7 +96,8 @@ Result<void> Session::load(const std::string& source, const PictureSettings& set
   if (!loaded) return tl::unexpected(loaded.error());
   model_ = std::make_shared<io::LoadedModel>(std::move(*loaded));
   allowOutside_ = sources.allowOutside;
-  scene_ = std::make_unique<LoadedScene>(LoadedScene{.source = source, .with = sources.with, .bump = bump, .loaded = model_});
+  scene_ = std::make_unique<LoadedScene>(
+      LoadedScene{.source = source, .with = sources.with, .bump = bump, .loaded = model_});
   notes.insert(notes.end(), model_->notes.begin(), model_->notes.end());
   return {};
 }

@@ -107,7 +107,8 @@ bool showsLightInFalseColors(const Display& display, int channel) {
 std::optional<RangeShown> rangeShown(const DrawList& list, const scene::View& view, const Display& display) {
   const int channel = list.features.channel;
   const std::optional<glm::dvec2>& wish = display.range;
-  RangeShown shown{channel == 0 ? "radiance" : std::string(rowOf(shading::channels, channel).label), unitOf(channel), {}};
+  RangeShown shown{
+      channel == 0 ? "radiance" : std::string(rowOf(shading::channels, channel).label), unitOf(channel), {}};
   if (showsLightInFalseColors(display, channel))
     shown.range = lightRange(display);
   else if (shading::channelKind(channel) == shading::ChannelKind::quantity)
