@@ -230,7 +230,9 @@ std::function<int()> addRender(CLI::App& app) {
   app.add_option("--shard", arguments->shard, "of --jobs only each N-th from the I-th on, for many machines")
       ->type_name("I/N");
   addConfig(app, arguments->config, "");
-  app.add_option("--stats", arguments->stats, "times, memory, work and what was left out, as JSON; of --frames the last picture's, with the time of each")
+  app.add_option(
+         "--stats", arguments->stats,
+         "times, memory, work and what was left out, as JSON; of --frames the last picture's, with the time of each")
       ->type_name("FILE");
   app.add_option("--repeat", arguments->repeat, "draw N more frames, for timing")
       ->type_name("N")

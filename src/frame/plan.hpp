@@ -34,7 +34,7 @@ struct Framing {
 
 // A model that was read, and what of it is on the GPU.
 struct LoadedScene {
-  std::string source;  // the file, or builtin:NAME
+  std::string source;                  // the file, or builtin:NAME
   std::vector<std::string> with = {};  // others in the same scene (Sources)
   io::Bump bump = {};
   std::shared_ptr<const io::LoadedModel> loaded;

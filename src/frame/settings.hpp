@@ -109,11 +109,11 @@ static_assert(inOrder(causticsChoices));
 // What is read from outside, besides the model.
 struct Sources {
   std::vector<std::string> with;  // further models in the same scene (scene::addModel)
-  std::string bump;              // grey height map for the materials of a built-in scene; empty: none
-  double bumpScale = 0.02;       // height of white above black, in widths of the map
-  std::string environment;       // "builtin:NAME", a path (io::withLayer), "none"; empty: a built-in one is chosen
-  std::string environmentLayer;  // of a multilayer OpenEXR file; empty: the picture's own, or that of `environment`
-  std::string allowOutside;      // folder that the model's files may lie in, too; empty: below its own alone
+  std::string bump;               // grey height map for the materials of a built-in scene; empty: none
+  double bumpScale = 0.02;        // height of white above black, in widths of the map
+  std::string environment;        // "builtin:NAME", a path (io::withLayer), "none"; empty: a built-in one is chosen
+  std::string environmentLayer;   // of a multilayer OpenEXR file; empty: the picture's own, or that of `environment`
+  std::string allowOutside;       // folder that the model's files may lie in, too; empty: below its own alone
   // A measured BRDF (a file, builtin:NAME or the name of a database) in the place of all materials but unlit ones:
   // their normal maps, occlusion, alpha and emission stay. Empty: the materials' own.
   std::string brdf;

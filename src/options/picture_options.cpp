@@ -481,10 +481,11 @@ constexpr PictureOption optionTable[] = {
     {"allow-outside", "DIR", "folder that files of the model may lie in, too: links and paths out of its own (none)",
      parseText<&S::sources, &frame::Sources::allowOutside>, writeString<&S::sources, &frame::Sources::allowOutside>,
      ',', true},
-    repeatedOption("with", "MODEL",
-                   "a further model in the same scene, as it lies in its own file; its objects are numbered behind those "
-                   "of the one before",
-                   parseWith, writeWith, true),
+    repeatedOption(
+        "with", "MODEL",
+        "a further model in the same scene, as it lies in its own file; its objects are numbered behind those "
+        "of the one before",
+        parseWith, writeWith, true),
     {"animation", "NAME|INDEX|all", "an animation of the file, or all at once (none: at rest)",
      parseText<&S::placement, &frame::Placement::animation>, writeString<&S::placement, &frame::Placement::animation>},
     {"time", "S", "seconds at which the animation stands (0)",
@@ -551,10 +552,11 @@ constexpr PictureOption optionTable[] = {
      writeNumber<&S::display, &frame::Display::exposureStops>},
     choiceOption<optics::toneMappers, &S::display, &frame::Display::toneMapper>(
         "tonemap", "how radiance becomes what a screen shows"),
-    flagOption("false-colors",
-               "the luminance of what is shown as colours that stand for numbers, in the tone mapper's place; what is no "
-               "number is magenta",
-               parseFlag<&S::display, &frame::Display::falseColors>, writeFalseColors),
+    flagOption(
+        "false-colors",
+        "the luminance of what is shown as colours that stand for numbers, in the tone mapper's place; what is no "
+        "number is magenta",
+        parseFlag<&S::display, &frame::Display::falseColors>, writeFalseColors),
     choiceOption<frame::transports, &S::quality, &frame::Quality::transport>("light", "how light gets to a surface"),
     choiceOption<frame::visibilities, &S::quality, &frame::Quality::visibility>(
         "visibility", "whether a drawn picture knows what stands in the light's way"),
@@ -579,7 +581,8 @@ constexpr PictureOption optionTable[] = {
     channelOption("channel", "what is shown"),
     overlayOption("overlay", "lines over a picture that is shown, one or several of"),
     {"range", "FROM,TO",
-     "what the ends of the colours stand for, of a --channel that shows quantities, such as depth (what the scene has), "
+     "what the ends of the colours stand for, of a --channel that shows quantities, such as depth (what the scene "
+     "has), "
      "and with --false-colors (sixteen stops, ten of them below white)",
      parseRange, writeRange},
     {"shader-dir", "DIR", "reads shaders from here instead of the embedded ones",

@@ -137,8 +137,14 @@ void addNames(std::vector<std::string>& to, const std::vector<std::string>& from
 
 void addModel(Model& model, Model added) {
   const auto count = [](const auto& list) { return static_cast<int>(list.size()); };
-  Shift by{count(model.nodes),  count(model.meshes),  count(model.materials), count(model.textures),
-           count(model.images), count(model.cameras), count(model.skins),     {},
+  Shift by{count(model.nodes),
+           count(model.meshes),
+           count(model.materials),
+           count(model.textures),
+           count(model.images),
+           count(model.cameras),
+           count(model.skins),
+           {},
            {}};
   addLights(model, added, by);
   addVariants(model, added, by);

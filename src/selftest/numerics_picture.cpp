@@ -397,7 +397,8 @@ Check checkLightInFalseColors() {
     const double value = std::max(optics::luminance(xyzOf(in[0]) / in[0].w), double{1e-37f});
     return valuesOf(optics::falseColor((std::log2(value) - in[1].x) / (in[1].y - in[1].x)));
   };
-  allow(check, 1024, "log2, whose precision is the driver's, of numbers up to 100 octaves from 1, and 8 times the share");
+  allow(check, 1024,
+        "log2, whose precision is the driver's, of numbers up to 100 octaves from 1, and 8 times the share");
   return check;
 }
 

@@ -47,8 +47,9 @@ void secondModelChoice(ViewerState& state) {
   if (!with.empty()) hint("the last one of them");
   if (state.secondModel.empty()) {
     ImGui::TextDisabled("beside it: none");
-    hint("Shift and a click in the browser show another model beside this one, as `facet A.glb B.glb` does; Control and "
-         "a click put it into the same scene, as `--with B.glb` does");
+    hint(
+        "Shift and a click in the browser show another model beside this one, as `facet A.glb B.glb` does; Control and "
+        "a click put it into the same scene, as `--with B.glb` does");
     return;
   }
   ImGui::TextWrapped("beside it: %s", state.secondModel.c_str());

@@ -91,9 +91,8 @@ void measureMemory(const Viewport& viewport, ViewerStatistics& statistics) {
   for (const auto& slot : viewport.environments.slots)
     if (slot.get() != viewport.environments.shown) statistics.environmentBytes += slot->bytes();
   const SecondModel& second = viewport.second;
-  statistics.secondBytes =
-      (second.scene ? second.scene->gpu.textureBytes() + second.scene->gpu.geometryBytes() : 0) +
-      frame::targetBytes(second.targets);
+  statistics.secondBytes = (second.scene ? second.scene->gpu.textureBytes() + second.scene->gpu.geometryBytes() : 0) +
+                           frame::targetBytes(second.targets);
   statistics.mainBytes = residentBytes();
   statistics.programsCompiled = viewport.programs.statistics().compiled;
   statistics.programsFromDisk = viewport.programs.statistics().fromDisk;

@@ -22,10 +22,9 @@ Result<FileDialog> FileDialog::open(const std::filesystem::path& folder) {
 
 Result<FileDialog> FileDialog::save(const std::filesystem::path& proposed) {
   const std::string name = proposed.string();
-  return start(
-      {{{"zenity", "--file-selection", "--save", "--confirm-overwrite", "--title=facet", "--filename=" + name},
-        {"kdialog", "--getsavefilename", name}}},
-      true);
+  return start({{{"zenity", "--file-selection", "--save", "--confirm-overwrite", "--title=facet", "--filename=" + name},
+                 {"kdialog", "--getsavefilename", name}}},
+               true);
 }
 
 Result<FileDialog> FileDialog::start(const std::array<Words, 2>& programs, bool saves) {
@@ -40,8 +39,9 @@ Result<FileDialog> FileDialog::start(const std::array<Words, 2>& programs, bool 
   ::close(ends[1]);
   if (process > 0) return FileDialog(process, ends[0], saves);
   ::close(ends[0]);
-  return fail("", "", "the system's dialog needs zenity or kdialog, and neither is installed",
-              "install one; models also come by the browser and by being dropped, pictures are also written by their key");
+  return fail(
+      "", "", "the system's dialog needs zenity or kdialog, and neither is installed",
+      "install one; models also come by the browser and by being dropped, pictures are also written by their key");
 }
 
 FileDialog::FileDialog(FileDialog&& other) noexcept

@@ -28,7 +28,8 @@ std::vector<std::filesystem::path> filesOf(const std::string& source, const std:
 ModelLoaded loadModel(ModelLoaded asked, const io::Limits& limits) {
   try {
     std::vector<std::filesystem::path> files = filesOf(asked.source, limits.allowOutside);
-    for (const std::string& other : asked.with) std::ranges::move(filesOf(other, limits.allowOutside), std::back_inserter(files));
+    for (const std::string& other : asked.with)
+      std::ranges::move(filesOf(other, limits.allowOutside), std::back_inserter(files));
     asked.watch = watchFiles(files, std::chrono::steady_clock::now());
     asked.model = io::loadModels(asked.source, asked.with, limits, asked.bump).map([](io::LoadedModel loaded) {
       return std::make_shared<const io::LoadedModel>(std::move(loaded));

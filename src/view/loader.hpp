@@ -95,10 +95,10 @@ struct Loader {
   Latest<FileChecked> fileCheck;
   Latest<MetadataRead> metadata;
   Latest<ModelExported> exported;
-  ImagesAsked imagesAsked;   // the newest request for them
-  std::string allowOutside;  // of models (frame::Sources)
+  ImagesAsked imagesAsked;             // the newest request for them
+  std::string allowOutside;            // of models (frame::Sources)
   std::vector<std::string> with = {};  // others in the scene of the model that is read next (frame::Sources)
-  bool editable = false;     // likewise: materials will be changed (io::Limits)
+  bool editable = false;               // likewise: materials will be changed (io::Limits)
 
   bool running() const {
     return model.running() || environment.running() || measured.running() || fit.running() || table.running() ||

@@ -117,7 +117,8 @@ void followSecond(Viewport& viewport, ViewerState& state, const Loader& loader) 
       return;
     }
     if (!loaded->model) return giveUpSecond(viewport, state, loaded->model.error());
-    if (second.scene) say(state, "reloaded: " + second.asked), state.shown.second.clear(), second.loader.images.forget();
+    if (second.scene)
+      say(state, "reloaded: " + second.asked), state.shown.second.clear(), second.loader.images.forget();
     takeSecond(second, std::move(*loaded));
   }
   if (std::optional<ImagesDecoded> images = second.loader.images.take(); images && second.scene) {

@@ -219,16 +219,16 @@ struct ViewerState {
   std::string openGL;        // version and renderer
   bool helpVisible = false;
   std::string helpFilter;
-  bool searchAsked = false;         // the browser's search is to take the keyboard
-  bool messagesAsked = false;       // the list of messages is to open
-  bool screenshotAsked = false;     // as soon as a whole picture is there
+  bool searchAsked = false;              // the browser's search is to take the keyboard
+  bool messagesAsked = false;            // the list of messages is to open
+  bool screenshotAsked = false;          // as soon as a whole picture is there
   std::filesystem::path screenshotFile;  // its name; empty: a new one in the working directory
-  bool screenshotWaits = false;     // for the picture to converge
-  bool overlaysInPictures = false;  // screenshots and copied commands have settings.overlays
-  bool passesTimed = false;         // the panel shows what each pass takes
-  bool errorsShown = false;         // each pixel's, in colours over the picture
-  BesideWish truth;                 // the fast picture, and what it converges to
-  std::string secondModel;          // source of the one beside the shown one; empty: none
+  bool screenshotWaits = false;          // for the picture to converge
+  bool overlaysInPictures = false;       // screenshots and copied commands have settings.overlays
+  bool passesTimed = false;              // the panel shows what each pass takes
+  bool errorsShown = false;              // each pixel's, in colours over the picture
+  BesideWish truth;                      // the fast picture, and what it converges to
+  std::string secondModel;               // source of the one beside the shown one; empty: none
   BesideWish second = {.how = Beside::split};
   bool panelVisible = true;  // the panels that are chosen to be shown; one key hides all
   bool browserVisible = true, settingsVisible = true, timelineVisible = true;

@@ -55,8 +55,8 @@ TEST_CASE("facet render --frames: statistics are the last picture's, with the ti
   const test::TemporaryFolder folder;
   const std::string model = folder.write("rise.glb", rising().glb()).string();
   for (const std::string name : {"f_%02d.png", "film.webp"}) {
-    const test::Outcome outcome = test::runFacet(render(
-        model, {"--frames", "4", "--fps", "8", "-o", folder.file(name), "--stats", folder.file("stats.json")}));
+    const test::Outcome outcome = test::runFacet(
+        render(model, {"--frames", "4", "--fps", "8", "-o", folder.file(name), "--stats", folder.file("stats.json")}));
     INFO(outcome.text);
     REQUIRE(outcome.status == 0);
     const auto json = nlohmann::json::parse(test::runShell("cat " + folder.file("stats.json")).text);

@@ -323,8 +323,7 @@ TEST_CASE("Light in false colours: its luminance over sixteen stops around white
     CHECK(usual.display.data[3 * 4 + 3] == 0);  // nothing there
   }
   display.exposureStops = 0;
-  CHECK(frame::describe(*scene.render(studio, "").statistics.range) ==
-        "radiance from 0.0009766 to 64, logarithmic");
+  CHECK(frame::describe(*scene.render(studio, "").statistics.range) == "radiance from 0.0009766 to 64, logarithmic");
   display.range = glm::dvec2(0.125, 2);
   checkShown(shownAt(scene.render(studio, ""), 1, 1), shown(0.125, 2));
   scene.settings.frame.background = frame::Background::color;

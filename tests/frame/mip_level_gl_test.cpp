@@ -78,7 +78,9 @@ TEST_CASE("Mip levels: each texel is the mean of its area in linear light, as it
   CAPTURE(one.width, one.height, one.channels, one.bytes, one.srgb);
   const io::Pixels pixels = noise(one.width, one.height, one.channels, one.bytes);
   const Exact exact = exactOf(pixels, one.srgb);
-  const frame::TextureUse use{.image = 0, .srgb = one.srgb, .channels = static_cast<uint8_t>(one.channels == 2 ? 0b1001 : (1 << one.channels) - 1)};
+  const frame::TextureUse use{.image = 0,
+                              .srgb = one.srgb,
+                              .channels = static_cast<uint8_t>(one.channels == 2 ? 0b1001 : (1 << one.channels) - 1)};
   const gl::Texture texture = frame::uploadTexture(pixels, use, true);
   const bool wide = one.bytes == 2 && !one.srgb;
   constexpr GLenum formats[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};

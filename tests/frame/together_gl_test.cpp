@@ -41,7 +41,8 @@ std::string hidden(test::TemporaryFolder& folder) {
 
 }  // namespace
 
-TEST_CASE("A model together with one that is hidden is drawn as alone, to the last bit, whichever comes first", "[gl]") {
+TEST_CASE("A model together with one that is hidden is drawn as alone, to the last bit, whichever comes first",
+          "[gl]") {
   test::TemporaryFolder folder;
   const std::string nothing = hidden(folder);
   const std::string model = GENERATE("builtin:robot", "builtin:tutorial");

@@ -322,7 +322,8 @@ TEST_CASE("every way to be wrong has its sentence") {
       {"samples", "0", "--samples: 0 is out of range; give a whole number from 1 to 4096."},
       {"channel", "normals", "--channel: 'normals' is not known; perhaps normal is meant."},
       {"range", "2,1", "--range: '2,1' is no range; give FROM,TO such as 0,2.5."},
-      {"range", "0,1", "--range: nothing is shown in false colours; give --false-colors, or --channel depth or another quantity."},
+      {"range", "0,1",
+       "--range: nothing is shown in false colours; give --false-colors, or --channel depth or another quantity."},
       {"overlay", "grid,axis", "--overlay: 'axis' is not known; perhaps axes is meant."},
       {"overlay", "everything",
        "--overlay: 'everything' is not known; choose one of wireframe, bounds, axes, grid, skeleton, normals, lights, "
