@@ -36,6 +36,12 @@ int startProgram(const std::vector<std::string>& words, const ChildStreams& stre
   return problem == 0 ? process : -problem;
 }
 
+std::optional<int> endedProgram(int process) {
+  int status = -1;
+  const int ended = ::waitpid(process, &status, WNOHANG);
+  return ended == 0 || (ended < 0 && errno == EINTR) ? std::nullopt : std::optional(status);
+}
+
 int waitForProgram(int process) {
   int status = -1;
   while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {

@@ -2,6 +2,7 @@
 
 // Another program, beside this one.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,5 +19,8 @@ int startProgram(const std::vector<std::string>& words, const ChildStreams& stre
 
 // Until it ends; its status as waitpid has it.
 int waitForProgram(int process);
+
+// The same of one that has ended; nothing while it runs.
+std::optional<int> endedProgram(int process);
 
 }  // namespace facet

@@ -49,8 +49,8 @@ ImGuiSession::~ImGuiSession() {
   ImGui::DestroyContext();
 }
 
-void restyle(Theme theme, float scale) {
-  applyStyle(theme, scale);
+void restyle(Theme theme, float scale, const Letters& letters) {
+  applyStyle(theme, scale, letters);
   // The fonts' texture has to be made anew. ImGui 1.86 makes it only together with its shader, and forgets when it
   // destroys both that its buffers have no storage any more: the whole backend begins anew.
   ImGui_ImplOpenGL3_Shutdown();
@@ -91,12 +91,13 @@ void beginFrame(ImGuiSession& imgui, const std::vector<HandEvent>& hands) {
   ImGui::GetBackgroundDrawList()->ChannelsSetCurrent(1);
 }
 
-bool followStyle(ImGuiSession& imgui, const Preferences& preferences) {
+bool followStyle(ImGuiSession& imgui, const Preferences& preferences, const Letters& letters) {
   const float scale = contentScale(imgui.window, preferences);
-  if (scale == imgui.scale && preferences.theme == imgui.theme) return false;
-  restyle(preferences.theme, scale);
+  if (scale == imgui.scale && preferences.theme == imgui.theme && letters == imgui.letters) return false;
+  restyle(preferences.theme, scale, letters);
   imgui.scale = scale;
   imgui.theme = preferences.theme;
+  imgui.letters = letters;
   return true;
 }
 

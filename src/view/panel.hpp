@@ -16,6 +16,7 @@ namespace facet::view {
 struct PanelResult {
   bool screenshot = false, copyCommand = false, frameAll = false, frameSelection = false, resetCamera = false;
   bool copyCamera = false, pasteCamera = false;
+  bool largePicture = false;      // of state.largeWidth x largeHeight; where one runs: no longer
   bool exportModel = false;       // as the arrangement has it
   bool describeMaterial = false;  // of state.selection.material
   std::optional<ViewFrom> viewFrom;

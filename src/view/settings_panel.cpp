@@ -223,7 +223,21 @@ void samplesChoice(frame::PictureSettings& settings) {
   hint("a pixel; more than 4 are gathered while the picture rests, until it has converged\nright click: reset");
 }
 
-void pictureSection(ViewerState& state) {
+// Drawn beside the window.
+void largePictureChoice(ViewerState& state, PanelResult& result) {
+  constexpr int most = 16384;
+  int size[2] = {state.largeWidth, state.largeHeight};
+  if (ImGui::InputInt2("size##large", size))
+    state.largeWidth = std::clamp(size[0], 1, most), state.largeHeight = std::clamp(size[1], 1, most);
+  hint("of a picture as a file, in pixels");
+  ImGui::BeginDisabled(state.shown.model.empty());
+  if (ImGui::Button(state.largePictureRuns ? "not at all##large" : "picture of this size##large"))
+    result.largePicture = true;
+  ImGui::EndDisabled();
+  hint("drawn by a process of its own, as the copied command draws it, into the folder in which facet was started");
+}
+
+void pictureSection(ViewerState& state, PanelResult& result) {
   if (!section(state.layout, "Picture")) return;
   frame::PictureSettings& settings = state.settings;
   slider("exposure", settings.display.exposureStops, -8, 8, "%+.1f stops", usual.display.exposureStops,
@@ -256,6 +270,7 @@ void pictureSection(ViewerState& state) {
   samplesChoice(settings);
   chooseEnum("texture filter", settings.quality.textureFilter, frame::textureFilters, usual.quality.textureFilter,
              "how slanted textures are read in pictures of at most 4 samples");
+  largePictureChoice(state, result);
 }
 
 void overlaySection(ViewerState& state) {
@@ -450,7 +465,7 @@ void settingsPanel(ViewerState& state, PanelResult& result) {
   environmentSection(state);
   materialSection(state);
   modelSection(state);
-  pictureSection(state);
+  pictureSection(state, result);
   overlaySection(state);
   modelsSection(state);
   accuracySection(state);

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <string>
+#include <system_error>
+#include <vector>
 
 namespace facet::view {
 
@@ -17,6 +20,26 @@ constexpr const char* fonts[] = {"/usr/share/fonts/truetype/noto/NotoSans-Regula
                                  "/usr/share/fonts/noto/NotoSans-Regular.ttf",
                                  "/usr/share/fonts/TTF/DejaVuSans.ttf",
                                  "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf"};
+
+// Of other scripts; all that are there are asked, in this order, for what those before lack. The last ones are large.
+constexpr const char* furtherFolders[] = {
+    "/usr/share/fonts/truetype/dejavu/", "/usr/share/fonts/TTF/",  "/usr/share/fonts/truetype/noto/",
+    "/usr/share/fonts/opentype/noto/",   "/usr/share/fonts/noto/", "/usr/share/fonts/noto-cjk/",
+    "/usr/share/fonts/truetype/droid/",  "/usr/share/fonts/droid/"};
+constexpr const char* furtherFonts[] = {"DejaVuSans.ttf",
+                                        "NotoSansArabic-Regular.ttf",
+                                        "NotoSansHebrew-Regular.ttf",
+                                        "NotoSansThai-Regular.ttf",
+                                        "NotoSansDevanagari-Regular.ttf",
+                                        "NotoSansBengali-Regular.ttf",
+                                        "NotoSansTamil-Regular.ttf",
+                                        "NotoSansArmenian-Regular.ttf",
+                                        "NotoSansGeorgian-Regular.ttf",
+                                        "NotoSansEthiopic-Regular.ttf",
+                                        "NotoSansSymbols2-Regular.ttf",
+                                        "NotoSansMath-Regular.ttf",
+                                        "NotoSansCJK-Regular.ttc",
+                                        "DroidSansFallbackFull.ttf"};
 
 ImVec4 grey(float value, float alpha = 1) { return {value, value, std::min(value * 1.04f, 1.0f), alpha}; }
 
@@ -89,9 +112,33 @@ void lightColors(ImGuiStyle& style) {
 // What names in files are written in, and the signs that the panels use.
 constexpr ImWchar glyphRanges[] = {0x0020, 0x052f, 0x1e00, 0x1eff, 0x2010, 0x2044, 0x2190, 0x2193, 0};
 
+// Into the font that there is.
+void mergeLetters(ImFontAtlas& atlas, float pixels, const Letters& letters) {
+  if (letters.empty()) return;
+  std::vector<ImWchar> ranges;
+  for (const uint16_t letter : letters) ranges.insert(ranges.end(), {letter, letter});
+  ranges.push_back(0);
+  std::error_code ignored;
+  for (const std::string font : furtherFonts)
+    for (const std::string folder : furtherFolders) {
+      const std::string file = folder + font;
+      if (!std::filesystem::is_regular_file(file, ignored)) continue;
+      ImFontConfig config;
+      config.MergeMode = true;
+      atlas.AddFontFromFileTTF(file.c_str(), pixels, &config, ranges.data());
+    }
+  atlas.Build();  // as long as the ranges are there
+}
+
 }  // namespace
 
-void applyStyle(Theme theme, float scale) {
+bool isUsualLetter(unsigned letter) {
+  for (const ImWchar* range = glyphRanges; *range; range += 2)
+    if (letter >= range[0] && letter <= range[1]) return true;
+  return false;
+}
+
+void applyStyle(Theme theme, float scale, const Letters& letters) {
   ImGuiStyle& style = ImGui::GetStyle();
   style = ImGuiStyle();
   theme == Theme::light ? lightColors(style) : darkColors(style);
@@ -109,13 +156,14 @@ void applyStyle(Theme theme, float scale) {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   atlas.Clear();
   std::error_code ignored;
+  const float pixels = std::round(14 * scale);
   for (const char* font : fonts)
-    if (std::filesystem::is_regular_file(font, ignored) &&
-        atlas.AddFontFromFileTTF(font, std::round(14 * scale), nullptr, glyphRanges))
-      return;
+    if (std::filesystem::is_regular_file(font, ignored) && atlas.AddFontFromFileTTF(font, pixels, nullptr, glyphRanges))
+      return mergeLetters(atlas, pixels, letters);
   ImFontConfig config;
   config.SizePixels = 13 * scale;
   atlas.AddFontDefault(&config);
+  mergeLetters(atlas, config.SizePixels, letters);
 }
 
 }  // namespace facet::view

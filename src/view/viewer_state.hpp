@@ -219,9 +219,11 @@ struct ViewerState {
   std::string openGL;        // version and renderer
   bool helpVisible = false;
   std::string helpFilter;
-  bool searchAsked = false;              // the browser's search is to take the keyboard
-  bool messagesAsked = false;            // the list of messages is to open
-  bool screenshotAsked = false;          // as soon as a whole picture is there
+  bool searchAsked = false;                   // the browser's search is to take the keyboard
+  bool messagesAsked = false;                 // the list of messages is to open
+  bool screenshotAsked = false;               // as soon as a whole picture is there
+  int largeWidth = 3840, largeHeight = 2160;  // of a picture of another size than the window's (large_picture.hpp)
+  bool largePictureRuns = false;
   std::filesystem::path screenshotFile;  // its name; empty: a new one in the working directory
   bool screenshotWaits = false;          // for the picture to converge
   bool overlaysInPictures = false;       // screenshots and copied commands have settings.overlays

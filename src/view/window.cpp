@@ -26,8 +26,10 @@
 #include "view/imgui_session.hpp"
 #include "view/input.hpp"
 #include "view/inspector.hpp"
+#include "view/large_picture.hpp"
 #include "view/last.hpp"
 #include "view/layout.hpp"
+#include "view/letters.hpp"
 #include "view/load_time.hpp"
 #include "view/panel.hpp"
 #include "view/playback.hpp"
@@ -59,6 +61,9 @@ struct Loop {
   LoadTime load;
   Bookmarks bookmarks;  // as they are in their file
   std::optional<FileDialog> dialog;
+  LargePicture large;
+  Letters letters;                              // of names that have been shown
+  std::weak_ptr<const scene::Model> lettersOf;  // the last one whose names are among them
 };
 
 std::filesystem::path preferencesFile() {
@@ -128,6 +133,35 @@ void followDialog(Loop& loop, const Actions& actions, ViewerState& state, Loader
   saves ? saveAs(*chosen, state, loader) : loop.input.dropped.push_back(*chosen);
 }
 
+void gatherLetters(Loop& loop, const ViewerState& state, bool listed) {
+  if (state.shown.content && loop.lettersOf.lock() != state.shown.content)
+    addLetters(*state.shown.content, loop.letters), loop.lettersOf = state.shown.content;
+  if (listed)
+    for (const Entry& entry : loop.browser.entries)
+      addLetters(entry.name, loop.letters), addLetters(entry.place, loop.letters);
+  addLetters(loop.browser.query, loop.letters), addLetters(state.status.text, loop.letters);
+}
+
+// asked: its button was pressed, which takes it back where it runs.
+// True where something is to be told.
+bool followLargePicture(LargePicture& large, bool asked, ViewerState& state) {
+  if (asked && large.running()) {
+    large.cancel();
+    say(state, "the picture is not drawn");
+  } else if (asked) {
+    frame::PictureSettings settings = commandSettings(state);
+    settings.quality = state.settings.quality;
+    settings.frame.width = state.largeWidth, settings.frame.height = state.largeHeight;
+    const Result<void> started = large.start(settings, state.shown.model, newNameHere(".png"));
+    const std::string size = std::to_string(state.largeWidth) + " x " + std::to_string(state.largeHeight);
+    started ? say(state, "a picture of " + size + " is drawn beside the window") : complain(state, started.error());
+  }
+  const std::optional<Result<std::string>> ended = large.poll();
+  if (ended) *ended ? say(state, "picture written: " + **ended) : complain(state, ended->error());
+  state.largePictureRuns = large.running();
+  return asked || ended;
+}
+
 bool isDown(GLFWwindow* window, int key) { return glfwGetKey(window, key) == GLFW_PRESS; }
 
 bool isHeld(const Loop& loop, const KeyMap& keys, Command command) {
@@ -156,7 +190,7 @@ double waitForEvents(Loop& loop, const Loader& loader, const Viewport& viewport,
     glfwPollEvents();
   else
     glfwWaitEventsTimeout(atWork(viewport, state) || viewport.comingUp || loader.measured.running() ? stepWait
-                          : loop.dialog || loader.running() || viewport.second.working() ||
+                          : loop.dialog || loop.large.running() || loader.running() || viewport.second.working() ||
                                   loader.fileCheck.running() || loader.metadata.running() || loader.exported.running()
                               ? busyWait
                           : viewport.clock.waiting() ? timerWait
@@ -346,7 +380,9 @@ bool turn(Loop& loop, ImGuiSession& imgui, Viewport& viewport, ViewerState& stat
   const bool moves = state.turntable.on || (state.playback.playing && chosenDuration(state) > 0);
   if (wasLoading || moves) loop.framesToDraw = std::max(loop.framesToDraw, 1);
 
-  if (followStyle(imgui, state.preferences)) loop.framesToDraw = settlingFrames;
+  gatherLetters(loop, state, collected);
+  if (followStyle(imgui, state.preferences, loop.letters)) loop.framesToDraw = settlingFrames;
+  bool pictureAsked = false;
   const bool begun =
       loop.framesToDraw > 0;  // else what comes up is shown in the next turn: panels are drawn once a frame
   if (begun) {
@@ -358,6 +394,7 @@ bool turn(Loop& loop, ImGuiSession& imgui, Viewport& viewport, ViewerState& stat
     if ((panel.copyCommand || actions.copyCommand) && !state.shown.model.empty())
       copyCommand(options::commandLine(commandSettings(state), state.shown.model, "picture.png"), state);
     applyPanel(panel, viewport, state, loop.input, actions);
+    pictureAsked = panel.largePicture;
     keepBookmarks(state, loop.bookmarks);
     if (panel.exportModel) startExport(state, loader, exportNameHere(state));
     followEdits(viewport, state, loader, ImGui::IsAnyItemActive());
@@ -366,6 +403,7 @@ bool turn(Loop& loop, ImGuiSession& imgui, Viewport& viewport, ViewerState& stat
     loop.input.textAwaited = ImGui::GetIO().WantTextInput ? 0 : std::max(0, loop.input.textAwaited - 1);
   }
   loop.input.keyboardTaken |= state.searchAsked || loop.browser.focusing > 0;
+  if (followLargePicture(loop.large, pictureAsked, state)) loop.framesToDraw = std::max(loop.framesToDraw, 2);
   if (!actions.model.empty()) {
     state.settings.sources.bump.clear(), state.settings.sources.with.clear();  // they belonged to the scene before
     loader.editable = false, loader.with.clear();

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# drive_scene.sh FACET SHADERS: several files in one scene, light in false colours and layers that are left out, by hand;
-# what is shown is each time what the copied command writes.
+# drive_scene.sh FACET SHADERS: several files in one scene, light in false colours, layers that are left out and a picture
+# of another size, by hand; what is shown is each time what the copied command writes.
 . "$(dirname "$0")/window_driver.sh"
 start_server 1280x800
 
@@ -97,5 +97,31 @@ click 1008 194
 sleep 1
 screenshot shining
 same alone shining
+click 1100 144
+
+# A picture of another size: drawn beside the window, the bytes of the copied command; and one that is given up.
+xdotool mousemove --window "$window" 1040 444 click --repeat 2 --delay 50 1
+sleep 0.5
+xdotool key ctrl+a
+xdotool type --delay 50 320
+xdotool key Tab
+sleep 0.3
+xdotool type --delay 50 200
+xdotool key Return
+sleep 0.5
+click 1060 469
+await "a picture of 320 x 200 is drawn beside the window" 1
+await "picture written: " 1
+mv "$(sed -n 's/.*picture written: //p' log)" large.png || fail "the picture is not there"
+xdotool key ctrl+c
+sleep 0.3
+command=$(sed -n 's/.*copied: facet //p' log | tail -1)
+eval "\"$facet\" ${command/--size 1280x800/--size 320x200}" >/dev/null 2>&1 || fail "the copied command fails: $command"
+cmp large.png picture.png || fail "a picture of that size has other bytes: $command"
+click 1060 469
+await "a picture of 320 x 200 is drawn beside the window" 2
+click 1060 469
+await "\(the picture is not drawn\|picture written\)" 2
 quit
+ls -A | grep -q "said" && fail "what a process said is left"
 echo "passed"

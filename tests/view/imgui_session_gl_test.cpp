@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <glm/gtc/type_precision.hpp>
 #include <vector>
 
@@ -57,5 +58,39 @@ TEST_CASE("Window: theme and size of letters change between frames, again and ag
       CHECK((ImGui::GetStyle().Colors[ImGuiCol_WindowBg].x > 0.5f) == (theme == view::Theme::light));
     }
   ImGui_ImplOpenGL3_Shutdown();
+  ImGui::DestroyContext();
+}
+
+TEST_CASE("Window: letters of other scripts come from other fonts, where names need them", "[gl]") {
+  view::Letters letters;
+  view::addLetters(
+      "Stra\xc3\x9f"
+      "e, \xd7\xa9\xd7\x9c\xd7\x95\xd7\x9d, \xe4\xb8\xad\xe6\x96\x87, \xff bad",
+      letters);
+  CHECK(letters == view::Letters{0x05d5, 0x05dc, 0x05dd, 0x05e9, 0x4e2d, 0x6587});
+  scene::Model model;
+  model.nodes.resize(1), model.nodes[0].name = "\xe0\xb8\x81", model.variants = {"\xe2\x98\x85"};
+  view::Letters named;
+  view::addLetters(model, named);
+  CHECK(named == view::Letters{0x0e01, 0x2605});
+
+  ImGui::CreateContext();
+  ImGui::GetIO().IniFilename = nullptr;
+  view::applyStyle(view::Theme::dark, 1);
+  const auto has = [](ImWchar letter) {
+    return ImGui::GetIO().Fonts->Fonts[0]->FindGlyphNoFallback(letter) != nullptr;
+  };
+  ImGui::GetIO().Fonts->Build();
+  CHECK(has('A'));
+  CHECK_FALSE(has(0x05d0));
+  CHECK_FALSE(has(0x4e2d));
+  view::applyStyle(view::Theme::dark, 1, {0x05d0, 0x4e2d});
+  CHECK(ImGui::GetIO().Fonts->IsBuilt());
+  CHECK(has('A'));
+  const auto there = [](const char* file) { return std::filesystem::exists(std::string("/usr/share/fonts/") + file); };
+  if (there("truetype/dejavu/DejaVuSans.ttf")) CHECK(has(0x05d0));
+  if (there("truetype/droid/DroidSansFallbackFull.ttf") || there("opentype/noto/NotoSansCJK-Regular.ttc"))
+    CHECK(has(0x4e2d));
+  CHECK_FALSE(has(0x05d1));  // nobody asked for it
   ImGui::DestroyContext();
 }
