@@ -1,6 +1,7 @@
 #include "base/child_program.hpp"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -34,6 +35,11 @@ int startProgram(const std::vector<std::string>& words, const ChildStreams& stre
   const int problem = posix_spawnp(&process, arguments[0], &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   return problem == 0 ? process : -problem;
+}
+
+void endProgram(int process) {
+  ::kill(process, SIGTERM);
+  waitForProgram(process);
 }
 
 std::optional<int> endedProgram(int process) {

@@ -20,7 +20,10 @@ int startProgram(const std::vector<std::string>& words, const ChildStreams& stre
 // Until it ends; its status as waitpid has it.
 int waitForProgram(int process);
 
-// The same of one that has ended; nothing while it runs.
+// Asks it to end, and waits for that.
+void endProgram(int process);
+
+// The status of one that has ended; nothing while it runs.
 std::optional<int> endedProgram(int process);
 
 }  // namespace facet

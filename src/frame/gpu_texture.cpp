@@ -134,18 +134,21 @@ void uploadRows(TextureUpload& upload, const io::Pixels& pixels) {
 
 bool masks(const TextureUpload& upload) { return upload.use.mask > 0 && upload.channels.size() == 4 && !upload.wide; }
 
-uint8_t maskCode(const TextureUpload& upload, size_t texel) {
+// The shares of the level's texels from `first` on into the alpha of as many.
+void putMask(const TextureUpload& upload, size_t first, std::vector<uint8_t>& texels) {
   const double pivot = optics::maskPivot(static_cast<double>(upload.use.mask));
-  return static_cast<uint8_t>(
-      std::lround(255 * optics::maskAlpha(static_cast<double>(upload.mask.shares[texel]), pivot)));
+  for (size_t i = 0; i < texels.size() / 4; ++i) {
+    const auto share = static_cast<double>(upload.mask.shares[first + i]);
+    texels[4 * i + 3] = static_cast<uint8_t>(std::lround(255 * optics::maskAlpha(share, pivot)));
+  }
 }
 
-// The shares of a level of the file's into its alpha.
+// Those of a level of the file's.
 void writeMask(const TextureUpload& upload) {
   std::vector<uint8_t> texels(4 * upload.mask.shares.size());
   const GLuint id = upload.texture.id();
   glGetTextureImage(id, upload.level, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(texels.size()), texels.data());
-  for (size_t i = 0; i < upload.mask.shares.size(); ++i) texels[4 * i + 3] = maskCode(upload, i);
+  putMask(upload, 0, texels);
   glTextureSubImage2D(id, upload.level, 0, 0, upload.mask.width, upload.mask.height, GL_RGBA, GL_UNSIGNED_BYTE,
                       texels.data());
 }
@@ -171,9 +174,7 @@ void makeRows(TextureUpload& upload, const io::Pixels& pixels) {
   averageRows(sourceOf(upload, pixels), upload.made, first, rows);
   const TexelCode code = upload.use.srgb ? TexelCode::srgb8 : upload.wide ? TexelCode::unorm16 : TexelCode::unorm8;
   std::vector<uint8_t> stored = storedRows(upload.made, static_cast<int>(channels), code, first, rows);
-  if (masks(upload))
-    for (size_t i = 0; i < stored.size() / 4; ++i)
-      stored[4 * i + 3] = maskCode(upload, static_cast<size_t>(first) * rowTexels + i);
+  if (masks(upload)) putMask(upload, static_cast<size_t>(first) * rowTexels, stored);
   glTextureSubImage2D(upload.texture.id(), upload.level, 0, first, level.width, rows, formatOf(upload), typeOf(upload),
                       stored.data());
   upload.rows += rows;

@@ -1,7 +1,6 @@
 #include "view/file_dialog.hpp"
 
 #include <fcntl.h>
-#include <signal.h>
 #include <unistd.h>
 
 #include <array>
@@ -52,9 +51,7 @@ FileDialog::FileDialog(FileDialog&& other) noexcept
 
 FileDialog::~FileDialog() {
   if (answer_ >= 0) ::close(answer_);
-  if (process_ <= 0) return;
-  ::kill(process_, SIGTERM);
-  waitForProgram(process_);
+  if (process_ > 0) endProgram(process_);
 }
 
 std::optional<std::string> FileDialog::poll() {

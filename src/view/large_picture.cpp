@@ -1,6 +1,5 @@
 #include "view/large_picture.hpp"
 
-#include <signal.h>
 #include <sys/wait.h>
 
 #include <cstring>
@@ -62,8 +61,7 @@ std::optional<Result<std::string>> LargePicture::poll() {
 
 void LargePicture::cancel() {
   if (process_ <= 0) return;
-  ::kill(process_, SIGTERM);
-  waitForProgram(std::exchange(process_, -1));
+  endProgram(std::exchange(process_, -1));
   std::error_code ignored;
   std::filesystem::remove(said_, ignored);
 }
